@@ -1,0 +1,1 @@
+//! Flow, coefficients, centre of pressure, strips. Knows no structure.

@@ -1,0 +1,1 @@
+//! Planform and layout; the frame and the signs.

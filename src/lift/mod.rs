@@ -1,0 +1,1 @@
+//! Stroke means of lift, drag and power.

@@ -1,0 +1,2 @@
+//! The `washout` program: parse, call one verb, print.
+fn main() {}

@@ -1,0 +1,1 @@
+//! Twist and other channels as an instrument sees them.

@@ -1,0 +1,3 @@
+//! Beams, plate and membrane, supports, assembly, nonlinear solve, modes. Knows no air.
+
+pub mod state;

@@ -1,0 +1,1 @@
+//! Predictions of whole studies; uncertainty of assumed inputs.
