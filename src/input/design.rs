@@ -68,6 +68,7 @@ pub struct Design {
     pub material: BTreeMap<String, Material>,
     /// Effects that are on: raw tables, bound to their cards by the `effects` room.
     #[serde(default)]
+    #[schemars(with = "BTreeMap<String, BTreeMap<String, serde_json::Value>>")]
     pub effects: BTreeMap<String, toml::Table>,
 }
 
