@@ -1,1 +1,133 @@
-//! Progress and cancelling.
+//! Progress and cancelling: a handle that long computations report to and ask whether to stop.
+
+use std::fmt;
+use std::io::IsTerminal;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// A handle to report progress to and to ask whether the user wants to stop; cheap to clone and to share.
+///
+/// Reports go to standard error, and only when it is a terminal; results never depend on them.
+#[derive(Clone)]
+pub struct Progress {
+    cancelled: Arc<AtomicBool>,
+    bar: Option<ProgressBar>,
+}
+
+impl Progress {
+    /// A handle that shows nothing and can only be cancelled by [`Progress::cancel`].
+    pub fn quiet() -> Self {
+        Progress {
+            cancelled: Arc::new(AtomicBool::new(false)),
+            bar: None,
+        }
+    }
+
+    /// A handle that shows a line on standard error when that is a terminal.
+    pub fn shown() -> Self {
+        if !std::io::stderr().is_terminal() {
+            return Progress::quiet();
+        }
+        let bar = ProgressBar::new_spinner();
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} [{elapsed}]") {
+            bar.set_style(style);
+        }
+        bar.enable_steady_tick(Duration::from_millis(120));
+        Progress {
+            bar: Some(bar),
+            ..Progress::quiet()
+        }
+    }
+
+    /// Makes Ctrl-C cancel this handle; a second Ctrl-C ends the process at once with exit code 130.
+    ///
+    /// Does nothing if the process has another handler already.
+    pub fn cancel_on_interrupt(&self) {
+        let cancelled = Arc::clone(&self.cancelled);
+        let handler = move || {
+            if cancelled.swap(true, Ordering::SeqCst) {
+                std::process::exit(130);
+            }
+        };
+        // A second handler in one process is refused; the first one keeps working.
+        let _ = ctrlc::set_handler(handler);
+    }
+
+    /// Says what is being done now; replaces what was said before.
+    pub fn say(&self, message: impl fmt::Display) {
+        if let Some(bar) = &self.bar {
+            bar.set_message(message.to_string());
+        }
+    }
+
+    /// Asks everything that holds a clone of this handle to stop.
+    pub fn cancel(&self) {
+        self.cancelled.store(true, Ordering::SeqCst);
+    }
+
+    /// Whether somebody asked to stop.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::SeqCst)
+    }
+
+    /// `Err(Cancelled)` once somebody asked to stop; call it in every loop that can last.
+    pub fn check(&self) -> Result<(), Cancelled> {
+        if self.is_cancelled() {
+            Err(Cancelled)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Removes the line from the terminal.
+    pub fn finish(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+impl Default for Progress {
+    fn default() -> Self {
+        Progress::quiet()
+    }
+}
+
+impl fmt::Debug for Progress {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter
+            .debug_struct("Progress")
+            .field("cancelled", &self.is_cancelled())
+            .field("shown", &self.bar.is_some())
+            .finish()
+    }
+}
+
+/// The user asked to stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("interrupted; nothing was written")]
+pub struct Cancelled;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_clone_sees_that_one_was_cancelled() {
+        let progress = Progress::quiet();
+        let clone = progress.clone();
+        assert_eq!(clone.check(), Ok(()));
+        progress.cancel();
+        assert_eq!(clone.check(), Err(Cancelled));
+    }
+
+    #[test]
+    fn separate_handles_are_independent() {
+        let progress = Progress::quiet();
+        progress.cancel();
+        assert_eq!(Progress::quiet().check(), Ok(()));
+    }
+}
