@@ -1,1 +1,19 @@
-//! Results in, bytes out.
+//! Results in, bytes out: VTK files, tables, the summary, and the run folder that holds them.
+
+pub mod error;
+
+pub mod vtu;
+
+pub mod wing;
+
+pub mod pvd;
+
+pub mod csv;
+
+pub mod summary;
+
+pub mod run;
+
+pub mod text;
+
+pub use error::ExportError;

@@ -1,0 +1,112 @@
+//! `profile.csv` and `strips.csv`: twist along the span and the air on each strip, units in the head.
+
+use serde::Serialize;
+
+use crate::coupling::solution::StripLoad;
+
+use super::ExportError;
+use super::summary::ProfileRow;
+
+/// Columns of `profile.csv`.
+const PROFILE_HEAD: [&str; 5] = ["r_mm", "chord_mm", "twist_deg", "alpha_deg", "le_deflection_mm"];
+
+/// Columns of `strips.csv`.
+const STRIPS_HEAD: [&str; 10] = [
+    "r_mm",
+    "width_mm",
+    "chord_mm",
+    "speed_m_s",
+    "alpha_deg",
+    "cl",
+    "cd",
+    "centre_of_pressure",
+    "normal_n_per_m",
+    "tangential_n_per_m",
+];
+
+/// The twist profile; `alpha_deg` is blank without flow.
+pub fn profile(rows: &[ProfileRow]) -> Result<Vec<u8>, ExportError> {
+    table(&PROFILE_HEAD, rows)
+}
+
+/// The strips of air from base to tip.
+pub fn strips(strips: &[StripLoad]) -> Result<Vec<u8>, ExportError> {
+    let row = |strip: &StripLoad| {
+        [
+            strip.r_m * 1e3,
+            strip.width_m * 1e3,
+            strip.chord_m * 1e3,
+            strip.speed_m_s,
+            strip.alpha_rad.to_degrees(),
+            strip.cl,
+            strip.cd,
+            strip.centre_of_pressure,
+            strip.normal_n_per_m,
+            strip.tangential_n_per_m,
+        ]
+    };
+    let rows: Vec<[f64; 10]> = strips.iter().map(row).collect();
+    table(&STRIPS_HEAD, &rows)
+}
+
+fn table(head: &[&str], rows: &[impl Serialize]) -> Result<Vec<u8>, ExportError> {
+    let refuse = |reason: String| ExportError::Encoding {
+        format: "CSV",
+        reason,
+    };
+    let mut writer = csv::WriterBuilder::new()
+        .has_headers(false)
+        .from_writer(Vec::new());
+    writer
+        .write_record(head)
+        .map_err(|error| refuse(error.to_string()))?;
+    for row in rows {
+        writer.serialize(row).map_err(|error| refuse(error.to_string()))?;
+    }
+    writer.into_inner().map_err(|error| refuse(error.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_head_names_the_fields_of_a_row_in_their_order() {
+        let row = ProfileRow {
+            r_mm: 2.8,
+            chord_mm: 11.25,
+            twist_deg: -0.5,
+            alpha_deg: None,
+            le_deflection_mm: 0.125,
+        };
+        let json = serde_json::to_value(&row).expect("object");
+        let names: Vec<_> = json.as_object().expect("object").keys().cloned().collect();
+        assert_eq!(names, PROFILE_HEAD);
+        let text = String::from_utf8(profile(&[row]).expect("written")).expect("UTF-8");
+        assert_eq!(
+            text,
+            "r_mm,chord_mm,twist_deg,alpha_deg,le_deflection_mm\n2.8,11.25,-0.5,,0.125\n"
+        );
+    }
+
+    #[test]
+    fn strips_stand_in_millimetres_and_degrees() {
+        let strip = StripLoad {
+            r_m: 0.035,
+            width_m: 0.002,
+            chord_m: 0.025,
+            speed_m_s: 5.0,
+            alpha_rad: std::f64::consts::FRAC_PI_4,
+            cl: 1.8,
+            cd: 1.7,
+            centre_of_pressure: 0.25,
+            normal_n_per_m: 0.5,
+            tangential_n_per_m: -0.25,
+        };
+        let text = String::from_utf8(strips(&[strip]).expect("written")).expect("UTF-8");
+        assert!(
+            text.ends_with("\n35.0,2.0,25.0,5.0,45.0,1.8,1.7,0.25,0.5,-0.25\n"),
+            "{text}"
+        );
+    }
+}

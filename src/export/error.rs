@@ -1,0 +1,99 @@
+//! What can go wrong when results become files.
+
+use std::io;
+use std::path::PathBuf;
+
+/// Why a result could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum ExportError {
+    /// The file system refused.
+    #[error("cannot {action} {}: {source}; {}", path.display(), cure(source))]
+    File {
+        /// What was tried: "create", "write", ….
+        action: &'static str,
+        /// The file or folder.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The run's folder holds something that a run does not write; replacing would delete it.
+    #[error(
+        "{} holds '{entry}', which no earlier run wrote there; \
+         move it away, or give another folder with --output",
+        path.display()
+    )]
+    ForeignEntry {
+        /// The folder that was to be replaced.
+        path: PathBuf,
+        /// The first entry that is not known.
+        entry: String,
+    },
+    /// An array does not fit the grid that it belongs to.
+    #[error("array '{name}' has {found} values, the grid needs {expected}; please report this as a bug")]
+    ArrayLength {
+        /// Name of the array.
+        name: String,
+        /// Values that the grid needs.
+        expected: usize,
+        /// Values that it has.
+        found: usize,
+    },
+    /// An array cannot be written under its name.
+    #[error("array name '{name}' is empty, repeated or has white space; please report this as a bug")]
+    ArrayName {
+        /// The name.
+        name: String,
+    },
+    /// A cell names a point that is not there.
+    #[error("cell {cell} names point {point}, but there are {points}; please report this as a bug")]
+    CellPoint {
+        /// Index of the cell, triangles first.
+        cell: usize,
+        /// The point it names.
+        point: usize,
+        /// Number of points.
+        points: usize,
+    },
+    /// A value that is not a finite number; no file may hold one.
+    #[error("'{name}' would hold {value} at entry {index}; please report this as a bug")]
+    NotFinite {
+        /// Name of the array or field.
+        name: String,
+        /// Index in it.
+        index: usize,
+        /// NaN or an infinity.
+        value: f64,
+    },
+    /// The encoder of a format refused.
+    #[error("cannot encode {format}: {reason}; please report this as a bug")]
+    Encoding {
+        /// Format.
+        format: &'static str,
+        /// What it said.
+        reason: String,
+    },
+}
+
+impl ExportError {
+    /// For `map_err`: an error of the file system with what was tried and where.
+    pub fn file(action: &'static str, path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> ExportError {
+        let path = path.into();
+        move |source| ExportError::File { action, path, source }
+    }
+}
+
+/// What the user can do about an error of the file system.
+fn cure(error: &io::Error) -> &'static str {
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            "free some space there, or give a folder on another disk with --output"
+        }
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+            "allow writing there, or give a folder that you may write to with --output"
+        }
+        io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists => {
+            "a part of that path is a file; give another folder with --output"
+        }
+        _ => "give another folder with --output",
+    }
+}

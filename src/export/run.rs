@@ -1,0 +1,218 @@
+//! The folder of a run: written whole or not at all.
+//!
+//! Files go into a hidden folder beside the target; [`RunFolder::commit`] syncs them and then swaps that
+//! folder with an earlier run. Dropping the writer without commit removes what was written and leaves the
+//! earlier run untouched.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::TempDir;
+
+use super::ExportError;
+
+/// Name of the file that lists the files of a run.
+pub const SUMMARY: &str = "summary.json";
+
+/// A run folder in the making.
+#[derive(Debug)]
+pub struct RunFolder {
+    target: PathBuf,
+    partial: TempDir,
+    names: Vec<String>,
+}
+
+impl RunFolder {
+    /// Prepares the folder `target`, so that what would prevent writing shows before any computing.
+    ///
+    /// An existing folder is accepted only if it is empty or holds nothing but an earlier run.
+    pub fn create(target: &Path) -> Result<Self, ExportError> {
+        refuse_foreign(target)?;
+        let parent = match target.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
+            _ => PathBuf::from("."),
+        };
+        fs::create_dir_all(&parent).map_err(ExportError::file("create", &parent))?;
+        let partial = hidden_folder(&parent, target, "partial")
+            .map_err(ExportError::file("create a folder in", &parent))?;
+        Ok(RunFolder {
+            target: target.to_path_buf(),
+            partial,
+            names: Vec::new(),
+        })
+    }
+
+    /// Adds one file.
+    pub fn add(&mut self, name: &str, bytes: &[u8]) -> Result<(), ExportError> {
+        let path = self.partial.path().join(name);
+        let write = || {
+            let mut file = File::create(&path)?;
+            file.write_all(bytes)?;
+            file.sync_all()
+        };
+        // The user knows the target, not the hidden folder.
+        write().map_err(ExportError::file("write", self.target.join(name)))?;
+        self.names.push(name.to_string());
+        Ok(())
+    }
+
+    /// Names of the files added so far.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Puts the folder in place of an earlier run; gives its path.
+    pub fn commit(self) -> Result<PathBuf, ExportError> {
+        let RunFolder { target, partial, .. } = self;
+        sync_folder(partial.path()).map_err(ExportError::file("write", &target))?;
+        refuse_foreign(&target)?;
+        let parent = partial.path().parent().unwrap_or(Path::new(".")).to_path_buf();
+        let earlier = if target.exists() {
+            let earlier = hidden_folder(&parent, &target, "earlier")
+                .map_err(ExportError::file("create a folder in", &parent))?;
+            // Renaming onto an empty folder replaces it.
+            fs::rename(&target, earlier.path()).map_err(ExportError::file("replace", &target))?;
+            Some(earlier)
+        } else {
+            None
+        };
+        if let Err(error) = fs::rename(partial.path(), &target) {
+            if let Some(earlier) = earlier {
+                fs::rename(earlier.path(), &target).map_err(ExportError::file("restore", &target))?;
+            }
+            return Err(ExportError::file("create", &target)(error));
+        }
+        // The folder has its name now and must outlive the guard.
+        let _ = partial.keep();
+        sync_folder(&parent).map_err(ExportError::file("write", &parent))?;
+        Ok(target)
+    }
+}
+
+/// A folder of a name of its own beside the target, removed when dropped.
+fn hidden_folder(parent: &Path, target: &Path, kind: &str) -> io::Result<TempDir> {
+    let name = target.file_name().map(|name| name.to_string_lossy().into_owned());
+    let prefix = format!(".{}.{kind}-", name.unwrap_or_default());
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(&prefix);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // As `mkdir` does it; the user's umask applies.
+        builder.permissions(fs::Permissions::from_mode(0o777));
+    }
+    builder.tempdir_in(parent)
+}
+
+fn sync_folder(path: &Path) -> io::Result<()> {
+    if cfg!(unix) {
+        File::open(path)?.sync_all()
+    } else {
+        Ok(())
+    }
+}
+
+/// Refuses a target that holds files that no run wrote.
+fn refuse_foreign(target: &Path) -> Result<(), ExportError> {
+    let entries = match fs::read_dir(target) {
+        Ok(entries) => entries,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(error) => return Err(ExportError::file("replace", target)(error)),
+    };
+    let mut found = BTreeSet::new();
+    for entry in entries {
+        let entry = entry.map_err(ExportError::file("read", target))?;
+        found.insert(entry.file_name().to_string_lossy().into_owned());
+    }
+    let known = files_of_run(target);
+    match found.into_iter().find(|name| !known.contains(name)) {
+        None => Ok(()),
+        Some(entry) => Err(ExportError::ForeignEntry {
+            path: target.to_path_buf(),
+            entry,
+        }),
+    }
+}
+
+/// The files that a run lists in its summary; none if there is no readable summary.
+fn files_of_run(folder: &Path) -> BTreeSet<String> {
+    let text = fs::read_to_string(folder.join(SUMMARY)).unwrap_or_default();
+    let summary: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+    let names = summary["files"].as_array().into_iter().flatten();
+    names
+        .filter_map(|name| name.as_str().map(str::to_string))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn write_run(target: &Path, text: &str) -> Result<PathBuf, ExportError> {
+        let mut run = RunFolder::create(target)?;
+        run.add("profile.csv", text.as_bytes())?;
+        run.add(SUMMARY, br#"{"files":["profile.csv","summary.json"]}"#)?;
+        run.commit()
+    }
+
+    fn entries(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).expect("readable");
+        let mut names: Vec<_> = entries
+            .map(|entry| entry.expect("entry").file_name().into_string().expect("UTF-8"))
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_run_replaces_an_earlier_run_and_leaves_nothing_beside_it() {
+        let parent = tempfile::tempdir().expect("folder");
+        let target = parent.path().join("run");
+        write_run(&target, "first").expect("written");
+        write_run(&target, "second").expect("replaced");
+        assert_eq!(
+            fs::read_to_string(target.join("profile.csv")).expect("file"),
+            "second"
+        );
+        assert_eq!(entries(parent.path()), ["run"]);
+    }
+
+    #[test]
+    fn a_run_that_is_dropped_leaves_the_earlier_one() {
+        let parent = tempfile::tempdir().expect("folder");
+        let target = parent.path().join("run");
+        write_run(&target, "first").expect("written");
+        let mut run = RunFolder::create(&target).expect("prepared");
+        run.add("profile.csv", b"half").expect("added");
+        drop(run);
+        assert_eq!(
+            fs::read_to_string(target.join("profile.csv")).expect("file"),
+            "first"
+        );
+        assert_eq!(entries(parent.path()), ["run"]);
+    }
+
+    #[test]
+    fn a_folder_with_files_of_the_user_is_never_replaced() {
+        let parent = tempfile::tempdir().expect("folder");
+        let target = parent.path().join("run");
+        write_run(&target, "first").expect("written");
+        fs::write(target.join("notes.txt"), "mine").expect("file");
+        let error = write_run(&target, "second").expect_err("foreign file");
+        assert!(error.to_string().contains("'notes.txt'"), "{error}");
+        assert_eq!(entries(&target), ["notes.txt", "profile.csv", "summary.json"]);
+    }
+
+    #[test]
+    fn a_target_below_a_file_is_refused_with_its_path() {
+        let parent = tempfile::tempdir().expect("folder");
+        let file = parent.path().join("file");
+        fs::write(&file, "").expect("file");
+        for target in [file.clone(), file.join("run")] {
+            let error = RunFolder::create(&target).expect_err("not a folder").to_string();
+            assert!(error.contains("file") && error.contains("--output"), "{error}");
+        }
+    }
+}

@@ -1,0 +1,403 @@
+//! `summary.json`: everything about a run that is a number or a name, with units in the names.
+//!
+//! It holds no time, no host and no thread count, so that equal inputs give equal bytes.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::input::design::{Design, Section};
+
+use super::ExportError;
+
+/// Version of this document.
+pub const FORMAT: u32 = 1;
+
+/// The result of one solve.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RunSummary {
+    /// Version of this document; 1.
+    pub format: u32,
+    /// Version of the program that wrote it.
+    pub washout_version: String,
+    /// Name of the wing.
+    pub name: String,
+    /// Path of the design file as it was given.
+    pub design_file: String,
+    /// The design with every default, material and `--set` resolved.
+    pub design: Design,
+    /// Inputs that are assumed, not known.
+    pub assumed: Vec<AssumedInput>,
+    /// The wing as built.
+    pub wing: WingSummary,
+    /// The air it meets; absent without flow.
+    pub flow: Option<FlowSummary>,
+    /// The mesh.
+    pub mesh: MeshSummary,
+    /// What was solved, and how well the equations are met.
+    pub solve: SolveSummary,
+    /// Twist along the span.
+    pub profile: Vec<ProfileRow>,
+    /// Piecewise-linear stages of the profile; absent where the profile does not carry a fit.
+    pub stages: Option<StagesSummary>,
+    /// What was measured on this wing; absent where the design names no measurement.
+    pub measured: Option<MeasuredSummary>,
+    /// The tip.
+    pub tip: TipSummary,
+    /// Lift, drag and power; absent without flow.
+    pub air_forces: Option<AirForces>,
+    /// What a builder wants to know besides the twist.
+    pub engineering: Engineering,
+    /// Band from the assumed ranges; absent unless asked for.
+    pub uncertainty: Option<UncertaintySummary>,
+    /// What the numbers in the cell arrays of the `.vtu` files mean.
+    pub legend: CellLegend,
+    /// Things that limit how far the numbers hold.
+    pub warnings: Vec<String>,
+    /// Files of this run, this one among them.
+    pub files: Vec<String>,
+}
+
+/// An assumed input.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct AssumedInput {
+    /// Dotted path in the design, unit in its name.
+    pub key: String,
+    /// Value that was used.
+    pub value: f64,
+    /// Lower and upper end of the range thought possible.
+    pub range: [f64; 2],
+    /// Why it is assumed.
+    pub why: String,
+}
+
+/// The wing as built, closed at both ends.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct WingSummary {
+    /// Length R from base to tip.
+    pub length_mm: f64,
+    /// Where the tip is cut.
+    pub tip_mm: f64,
+    /// Distance from the flapping axis to the base.
+    pub root_offset_mm: f64,
+    /// Mean chord, area over length.
+    pub mean_chord_mm: f64,
+    /// Area.
+    pub area_mm2: f64,
+    /// Non-dimensional radius of the first moment of area.
+    pub r1_hat: f64,
+    /// Non-dimensional radius of the second moment of area.
+    pub r2_hat: f64,
+}
+
+/// The air that the wing meets.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+pub enum FlowSummary {
+    /// Flapping, at one phase of the stroke.
+    Flapping {
+        /// Frequency.
+        frequency_hz: f64,
+        /// Half of the peak-to-peak stroke angle.
+        half_amplitude_deg: f64,
+        /// Phase; 0 is mid-stroke.
+        phase_deg: f64,
+        /// Angle of attack of the root at the stop.
+        root_angle_deg: f64,
+        /// Speed of the tip through the air at that phase.
+        tip_speed_m_s: f64,
+        /// Density.
+        density_kg_m3: f64,
+    },
+    /// Steady stream.
+    Steady {
+        /// Speed.
+        speed_m_s: f64,
+        /// Angle of attack of the root.
+        root_angle_deg: f64,
+        /// Density.
+        density_kg_m3: f64,
+    },
+}
+
+/// The mesh.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MeshSummary {
+    /// Nodes.
+    pub nodes: usize,
+    /// Membrane triangles.
+    pub triangles: usize,
+    /// Beam elements.
+    pub beams: usize,
+    /// Mesh file, if one was given.
+    pub file: Option<String>,
+}
+
+/// What was solved, and how well the equations are met. Only converged solves are ever written.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SolveSummary {
+    /// Always `converged`.
+    pub outcome: Outcome,
+    /// Degrees of freedom.
+    pub dof: usize,
+    /// Fixed-point iterations between air and structure.
+    pub iterations: usize,
+    /// Newton steps of the structure in all.
+    pub newton_steps: usize,
+    /// Coupled residual relative to the applied load.
+    pub residual: f64,
+    /// Largest change of twist in the last iteration.
+    pub twist_change_deg: f64,
+    /// Negative pivots of the tangent (inertia count); 0: stable branch.
+    pub negative_pivots: usize,
+    /// Force of the support on the wing, wing frame.
+    pub reaction_force_mn: [f64; 3],
+    /// Moment of the support about the wing base, wing frame; its first part is what the stop carries.
+    pub reaction_moment_mn_mm: [f64; 3],
+    /// Largest twist of a strip after each iteration.
+    pub largest_twist_deg: Vec<f64>,
+}
+
+/// How a solve ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// The equations are met within the tolerances.
+    Converged,
+}
+
+/// Twist at one station.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ProfileRow {
+    /// Place along the span.
+    pub r_mm: f64,
+    /// Chord there at rest.
+    pub chord_mm: f64,
+    /// Twist; positive is washout.
+    pub twist_deg: f64,
+    /// Angle of attack of the chord; absent without flow.
+    pub alpha_deg: Option<f64>,
+    /// Deflection of the leading edge across the wing plane (+z).
+    pub le_deflection_mm: f64,
+}
+
+/// Piecewise-linear stages of a profile.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StagesSummary {
+    /// Stages from base to tip; as many as the profile justifies.
+    pub stages: Vec<StageRow>,
+    /// Root of the mean squared distance from the profile to the fit.
+    pub rms_deg: f64,
+}
+
+/// One stage: a stretch of constant twist rate.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StageRow {
+    /// Where it starts.
+    pub from_mm: f64,
+    /// Where it ends.
+    pub to_mm: f64,
+    /// Twist rate.
+    pub rate_deg_per_mm: f64,
+    /// Standard error of the rate; absent where the fit leaves none.
+    pub rate_sigma_deg_per_mm: Option<f64>,
+    /// Standard error of the break at its start; absent for the first stage.
+    pub from_sigma_mm: Option<f64>,
+}
+
+/// What was measured on this wing, as the measurement file states it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MeasuredSummary {
+    /// Measurement file as the design names it.
+    pub file: String,
+    /// Case in it.
+    pub case: String,
+    /// Measured twist and twist rates, each beside what the model gives for the same stretch.
+    pub rows: Vec<MeasuredRow>,
+}
+
+/// A measured value beside the modelled one.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MeasuredRow {
+    /// Which run or statement of the source.
+    pub run: String,
+    /// Channel, for instance `twist_rate`.
+    pub channel: String,
+    /// Where, or where the stretch starts.
+    pub r_mm: f64,
+    /// Where the stretch ends; absent for a value at one place.
+    pub r_to_mm: Option<f64>,
+    /// Measured value.
+    pub measured: f64,
+    /// Its standard error, if one is known or assumed.
+    pub sigma: Option<f64>,
+    /// Unit of both values.
+    pub unit: String,
+    /// What the model gives there; absent where it cannot be read.
+    pub modelled: Option<f64>,
+    /// Whether the measured value is only a bound.
+    pub bound: Option<String>,
+}
+
+/// The tip.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TipSummary {
+    /// Place that "tip twist" means.
+    pub r_mm: f64,
+    /// Twist there; absent where it cannot be read.
+    pub twist_deg: Option<f64>,
+    /// Angle of attack there.
+    pub alpha_deg: Option<f64>,
+    /// Number of the outermost node of the leading edge in the `.vtu` files.
+    pub node: usize,
+    /// Displacement of that node from the unloaded shape, wing frame.
+    pub displacement_mm: [f64; 3],
+}
+
+/// Lift, drag and power.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct AirForces {
+    /// At the phase that was solved.
+    pub at_phase: ForceRow,
+    /// Mean over the stroke; absent in steady flow.
+    pub stroke_mean: Option<ForceRow>,
+    /// How twist follows the stroke in the mean.
+    pub stroke_law: Option<String>,
+}
+
+/// One set of forces of one wing.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ForceRow {
+    /// Lift, across the stroke.
+    pub lift_mn: f64,
+    /// Drag, against the stroke.
+    pub drag_mn: f64,
+    /// Aerodynamic power.
+    pub power_mw: f64,
+}
+
+/// What a builder wants to know besides the twist; absent values do not apply to the design.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Engineering {
+    /// Mass of the wing.
+    pub mass_mg: Option<f64>,
+    /// Moment of inertia about the flapping axis.
+    pub inertia_flapping_g_mm2: Option<f64>,
+    /// Moment of inertia about the leading edge at the base.
+    pub inertia_pitch_g_mm2: Option<f64>,
+    /// Lowest natural frequencies about the loaded shape, without air.
+    pub natural_frequencies_hz: Vec<f64>,
+    /// Lowest natural frequency over the flapping frequency.
+    pub frequency_ratio: Option<f64>,
+    /// Largest shear stress in the rod.
+    pub rod_shear_stress: Option<Extreme>,
+    /// Largest bending and axial stress in the rod.
+    pub rod_bending_stress: Option<Extreme>,
+    /// Largest bending and axial stress in a spar.
+    pub spar_stress: Option<Extreme>,
+    /// Largest stress in the film.
+    pub film_stress: Option<Extreme>,
+    /// Largest principal tension of the film.
+    pub film_tension_max_n_per_m: Option<f64>,
+    /// Share of the film's area that is slack in at least one direction.
+    pub film_wrinkled_share: Option<f64>,
+}
+
+/// A largest value and where it stands.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Extreme {
+    /// The value.
+    pub stress_mpa: f64,
+    /// Where along the span.
+    pub r_mm: f64,
+    /// Strength of the material; absent where the design does not state it.
+    pub strength_mpa: Option<f64>,
+    /// Strength over stress.
+    pub margin: Option<f64>,
+}
+
+/// The assumed ranges propagated to the results.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct UncertaintySummary {
+    /// Solves that the band rests on.
+    pub samples: usize,
+    /// Solves that did not converge and are left out.
+    pub failed: usize,
+    /// Share of the samples inside the band.
+    pub coverage: f64,
+    /// Band of the twist.
+    pub twist: Vec<BandRow>,
+    /// Band of the twist rate of each measured or fitted stretch.
+    pub rates: Vec<RateBand>,
+    /// Inputs by their share in the variance of the tip twist, largest first.
+    pub shares: Vec<ShareRow>,
+}
+
+/// Band of the twist at one station.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct BandRow {
+    /// Place along the span.
+    pub r_mm: f64,
+    /// Lower end.
+    pub low_deg: f64,
+    /// Median.
+    pub median_deg: f64,
+    /// Upper end.
+    pub high_deg: f64,
+}
+
+/// Band of a twist rate.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RateBand {
+    /// Where the stretch starts.
+    pub from_mm: f64,
+    /// Where it ends.
+    pub to_mm: f64,
+    /// Lower end.
+    pub low_deg_per_mm: f64,
+    /// Median.
+    pub median_deg_per_mm: f64,
+    /// Upper end.
+    pub high_deg_per_mm: f64,
+}
+
+/// Share of one assumed input in the variance.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ShareRow {
+    /// Dotted path in the design.
+    pub key: String,
+    /// Share, 0 to 1.
+    pub share: f64,
+}
+
+/// What the numbers in the cell arrays of the `.vtu` files mean.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CellLegend {
+    /// Names of `part` 0, 1, 2.
+    pub part: Vec<String>,
+    /// Names of `material` 0, 1, …; -1 is none.
+    pub material: Vec<String>,
+    /// Sections of `section` 0, 1, …; -1 is none.
+    pub section: Vec<Section>,
+}
+
+impl RunSummary {
+    /// The text of `summary.json`, ended by a line feed.
+    ///
+    /// Refuses what would not read back as it is, above all a number that is not finite.
+    pub fn to_json(&self) -> Result<String, ExportError> {
+        let refuse = |reason: String| ExportError::Encoding {
+            format: "JSON",
+            reason,
+        };
+        let mut text = serde_json::to_string_pretty(self).map_err(|error| refuse(error.to_string()))?;
+        let back: RunSummary = serde_json::from_str(&text)
+            .map_err(|error| refuse(format!("a number that is not finite, or the like: {error}")))?;
+        if back != *self {
+            return Err(refuse(
+                "the summary holds a number that is not finite".to_string(),
+            ));
+        }
+        text.push('\n');
+        Ok(text)
+    }
+}
