@@ -73,7 +73,8 @@ fn rod_pieces(design: &Design, planform: &Planform) -> Result<Vec<RodPiece>, Geo
     let mut pieces = Vec::new();
     for (index, piece) in design.rod.iter().enumerate() {
         let (from_mm, to_mm) = (piece.from_mm.value(), piece.to_mm.value());
-        if !((from_mm - expected_mm).abs() <= slack_mm) {
+        let joins = (from_mm - expected_mm).abs() <= slack_mm;
+        if !joins {
             return Err(GeometryError::RodJoint {
                 index,
                 from_mm,
