@@ -1,0 +1,179 @@
+//! Keeps the house in order: imports follow the flow of data, every file says what it is, no file grows wild.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+mod check;
+
+use check::{Fault, effects_not_listed, faults, is_named, room_of};
+
+/// Each room and the rooms that it may import. The order is the way the data flows.
+const ROOMS: &[(&str, &[&str])] = &[
+    ("progress", &[]),
+    ("input", &["progress"]),
+    ("geometry", &["progress", "input"]),
+    ("mesh", &["progress", "input", "geometry"]),
+    ("structure", &["progress", "input", "geometry", "mesh"]),
+    ("aero", &["progress", "input", "geometry"]),
+    (
+        "effects",
+        &["progress", "input", "geometry", "mesh", "structure", "aero"],
+    ),
+    (
+        "coupling",
+        &[
+            "progress",
+            "input",
+            "geometry",
+            "mesh",
+            "structure",
+            "aero",
+            "effects",
+        ],
+    ),
+    (
+        "observation",
+        &["progress", "input", "geometry", "mesh", "structure", "coupling"],
+    ),
+    (
+        "lift",
+        &["progress", "input", "geometry", "aero", "coupling", "observation"],
+    ),
+    (
+        "study",
+        &[
+            "progress",
+            "input",
+            "geometry",
+            "mesh",
+            "structure",
+            "aero",
+            "effects",
+            "coupling",
+            "observation",
+            "lift",
+        ],
+    ),
+    ("compare", &["progress", "input", "observation", "study"]),
+    (
+        "export",
+        &[
+            "progress",
+            "input",
+            "geometry",
+            "mesh",
+            "structure",
+            "aero",
+            "effects",
+            "coupling",
+            "observation",
+            "lift",
+            "study",
+            "compare",
+        ],
+    ),
+    (
+        "cli",
+        &[
+            "progress",
+            "input",
+            "geometry",
+            "mesh",
+            "structure",
+            "aero",
+            "effects",
+            "coupling",
+            "observation",
+            "lift",
+            "study",
+            "compare",
+            "export",
+        ],
+    ),
+];
+
+/// Files of the `effects` room that are not effects.
+const NOT_EFFECTS: &[&str] = &["mod", "error", "card", "seam"];
+
+fn sources() -> Vec<(PathBuf, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut folders = vec![root.clone()];
+    let mut found = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("readable folder") {
+            let path = entry.expect("entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                let source = fs::read_to_string(&path).expect("UTF-8 source");
+                found.push((path.strip_prefix(&root).expect("below src").to_path_buf(), source));
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+#[test]
+fn the_house_is_in_order() {
+    let sources = sources();
+    let mut report = Vec::new();
+    for (path, source) in &sources {
+        let mut found = faults(path, source);
+        if !is_named(path, &sources) {
+            found.push(Fault::Orphan);
+        }
+        report.extend(
+            found
+                .iter()
+                .map(|fault| format!("src/{}: {fault}", path.display())),
+        );
+    }
+    assert!(report.is_empty(), "\n{}", report.join("\n"));
+}
+
+#[test]
+fn every_room_of_the_plan_exists() {
+    let rooms: Vec<String> = sources().iter().filter_map(|(path, _)| room_of(path)).collect();
+    for (room, _) in ROOMS {
+        assert!(
+            rooms.iter().any(|found| found == room),
+            "room '{room}' is not in src"
+        );
+    }
+}
+
+#[test]
+fn every_effect_stands_in_all() {
+    let sources = sources();
+    let in_room = |path: &Path| path.parent() == Some(Path::new("effects"));
+    let stems: Vec<&str> = sources
+        .iter()
+        .filter(|(path, _)| in_room(path))
+        .filter_map(|(path, _)| path.file_stem()?.to_str())
+        .filter(|stem| !NOT_EFFECTS.contains(stem))
+        .collect();
+    let module = sources
+        .iter()
+        .find(|(path, _)| path == Path::new("effects/mod.rs"));
+    let found = effects_not_listed(&stems, &module.expect("effects/mod.rs").1);
+    assert!(found.is_empty(), "{found:?}");
+}
+
+#[test]
+fn the_plan_itself_flows_one_way() {
+    for (index, (room, allowed)) in ROOMS.iter().enumerate() {
+        for target in *allowed {
+            let place = ROOMS.iter().position(|(name, _)| name == target);
+            assert!(
+                place.is_some_and(|place| place < index),
+                "'{room}' imports '{target}'"
+            );
+        }
+    }
+    let may = |room: &str, target: &str| {
+        let (_, allowed) = ROOMS.iter().find(|(name, _)| *name == room).expect("a room");
+        allowed.contains(&target)
+    };
+    assert!(!may("aero", "structure") && !may("structure", "aero") && !may("aero", "mesh"));
+}
