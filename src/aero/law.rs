@@ -108,7 +108,7 @@ mod tests {
         let law = AirLaw::from_design(&design(), None).expect("default air");
         assert_eq!(law.density_kg_m3, 1.2);
         assert!((law.coefficients.lift_and_drag(std::f64::consts::FRAC_PI_4).0 - 1.8046).abs() < 1e-4);
-        assert!((law.centre_of_pressure.fraction(0.0) - 0.05).abs() < 1e-15);
+        assert!((law.centre_of_pressure.fraction(0.0_f64) - 0.05).abs() < 1e-15);
         assert_eq!(law.check(3.0), Ok(()));
     }
 

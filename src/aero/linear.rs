@@ -119,7 +119,8 @@ mod tests {
         let straight = alpha_linear(&velocity, &chord, &Vector3::x(), 0.2);
         assert!(alpha_linear(&velocity, &chord, &bent, 0.2) < straight);
         let twisted = Vector3::new(0.0, 0.2, 0.2 * 0.01);
-        assert!((straight - alpha_linear(&velocity, &twisted, &Vector3::x(), 0.2) - 0.01).abs() < 1e-15);
+        let washed: f64 = straight - alpha_linear(&velocity, &twisted, &Vector3::x(), 0.2);
+        assert!((washed - 0.01).abs() < 1e-15);
     }
 
     #[test]

@@ -203,7 +203,7 @@ mod tests {
     fn uniform_pressure_halves_between_two_points_and_quarter_chord_is_quadratic() {
         assert_eq!(pressure_weights(0.5, &[0.0, 1.0]), vec![0.5, 0.5]);
         // m = 2: ∫ 3 (1−η)² (1−2η)₊ dη over [0, ½] = 17/32, and 1/32 at the trailing edge.
-        let weights = pressure_weights(0.25, &[0.0, 0.5, 1.0]);
+        let weights: Vec<f64> = pressure_weights(0.25, &[0.0, 0.5, 1.0]);
         for (weight, expected) in weights.iter().zip([17.0 / 32.0, 14.0 / 32.0, 1.0 / 32.0]) {
             assert!((weight - expected).abs() < 1e-15, "{weights:?}");
         }
@@ -231,10 +231,8 @@ mod tests {
     #[test]
     fn weights_are_continuous_through_the_middle_of_the_chord() {
         let grid = [0.0, 0.2, 0.6, 0.95, 1.0];
-        let (below, above) = (
-            pressure_weights(0.5 - 1e-9, &grid),
-            pressure_weights(0.5 + 1e-9, &grid),
-        );
+        let below: Vec<f64> = pressure_weights(0.5 - 1e-9, &grid);
+        let above: Vec<f64> = pressure_weights(0.5 + 1e-9, &grid);
         for (left, right) in below.iter().zip(&above) {
             assert!((left - right).abs() < 1e-7);
         }

@@ -234,7 +234,7 @@ mod tests {
     fn the_angle_turns_through_90_degrees_without_a_gap() {
         // The stream exactly along the normal, where a plain quotient has no derivative.
         let chord = Vector3::new(Dual64::from(0.0), Dual64::from(0.02), Dual64::new(0.0, 0.02));
-        let span = Vector3::x().map(Dual64::from);
+        let span = Vector3::<f64>::x().map(Dual64::from);
         let velocity = Vector3::new(0.0, 0.0, 4.0).map(Dual64::from);
         let alpha = section_air(&velocity, &chord, &span).alpha;
         assert_eq!((alpha.re, alpha.eps), (std::f64::consts::FRAC_PI_2, -1.0));
@@ -274,7 +274,7 @@ mod tests {
             x[6] += 1.0;
             let base = outputs(&x);
             let dual: SVector<DualSVec64<9>, 9> = SVector::from_fn(|i, _| {
-                DualSVec64::<9>::from_re(x[i]).derivative_of(i)
+                DualSVec64::<9>::from_re(x[i]).derivative(i)
             });
             let exact = outputs(&dual);
             for i in 0..9 {
