@@ -1,0 +1,369 @@
+//! The summary of a run as a page of text for the person who builds the wing.
+
+use std::fmt::Write;
+
+use super::summary::{
+    AirForces, Engineering, Extreme, FlowSummary, MeasuredSummary, RunSummary, StagesSummary,
+    UncertaintySummary,
+};
+use super::text::{Table, number, significant};
+
+/// The page; `folder` is where the files of the run are, if any were written.
+pub fn page(summary: &RunSummary, folder: Option<&str>) -> String {
+    let mut sections = vec![solved(summary), assumed(summary), twist(summary)];
+    sections.extend(summary.uncertainty.as_ref().map(uncertainty));
+    sections.extend(summary.air_forces.as_ref().map(air_forces));
+    sections.push(engineering(&summary.engineering));
+    if !summary.warnings.is_empty() {
+        sections.push(list("Mind", &summary.warnings));
+    }
+    sections.extend(folder.map(|folder| files(summary, folder)));
+    sections.retain(|section| !section.is_empty());
+    sections.join("\n")
+}
+
+fn solved(summary: &RunSummary) -> String {
+    let (wing, mesh, solve) = (&summary.wing, &summary.mesh, &summary.solve);
+    let mut text = format!("{}\n", summary.name);
+    line(
+        &mut text,
+        "wing",
+        &format!(
+            "{} mm long, mean chord {} mm, area {} mm², r1 {}, r2 {} as built (tip cut at {} mm)",
+            number(wing.length_mm, 1),
+            number(wing.mean_chord_mm, 2),
+            number(wing.area_mm2, 0),
+            number(wing.r1_hat, 4),
+            number(wing.r2_hat, 4),
+            number(wing.tip_mm, 1)
+        ),
+    );
+    line(&mut text, "air", &air(summary.flow.as_ref()));
+    let source = mesh.file.as_ref().map(|file| format!(", from {file}"));
+    line(
+        &mut text,
+        "mesh",
+        &format!(
+            "{} nodes, {} triangles, {} beam elements; {} degrees of freedom{}",
+            mesh.nodes,
+            mesh.triangles,
+            mesh.beams,
+            solve.dof,
+            source.unwrap_or_default()
+        ),
+    );
+    line(
+        &mut text,
+        "solved",
+        &format!(
+            "{} iterations, {} Newton steps; residual {}, last change of twist {} deg",
+            solve.iterations,
+            solve.newton_steps,
+            exponent(solve.residual),
+            exponent(solve.twist_change_deg)
+        ),
+    );
+    let branch = match solve.negative_pivots {
+        0 => "stable (no negative pivot)".to_string(),
+        count => format!("NOT stable: {count} negative pivots of the tangent"),
+    };
+    line(&mut text, "branch", &branch);
+    text
+}
+
+fn air(flow: Option<&FlowSummary>) -> String {
+    match flow {
+        None => "none; bench loads only".to_string(),
+        Some(FlowSummary::Flapping {
+            frequency_hz,
+            half_amplitude_deg,
+            phase_deg,
+            root_angle_deg,
+            tip_speed_m_s,
+            density_kg_m3,
+        }) => {
+            let phase = if *phase_deg == 0.0 {
+                "at mid-stroke".to_string()
+            } else {
+                format!("at phase {}°", number(*phase_deg, 1))
+            };
+            format!(
+                "flapping at {} Hz, ±{}°, {phase}: tip at {} m/s; root held at {}°; density {} kg/m³",
+                significant(*frequency_hz, 3),
+                number(*half_amplitude_deg, 1),
+                number(*tip_speed_m_s, 2),
+                number(*root_angle_deg, 1),
+                number(*density_kg_m3, 3)
+            )
+        }
+        Some(FlowSummary::Steady {
+            speed_m_s,
+            root_angle_deg,
+            density_kg_m3,
+        }) => format!(
+            "steady stream of {} m/s; root held at {}°; density {} kg/m³",
+            significant(*speed_m_s, 4),
+            number(*root_angle_deg, 2),
+            number(*density_kg_m3, 3)
+        ),
+    }
+}
+
+fn assumed(summary: &RunSummary) -> String {
+    if summary.assumed.is_empty() {
+        return "Every input is stated as a fact; none is assumed.\n".to_string();
+    }
+    let mut table = Table::new(["input", "value", "from", "to", "why"]);
+    for input in &summary.assumed {
+        let [low, high] = input.range.map(|end| significant(end, 4));
+        table.row([
+            input.key.clone(),
+            significant(input.value, 4),
+            low,
+            high,
+            input.why.clone(),
+        ]);
+    }
+    format!(
+        "Assumed, not known (the result moves with these; --uncertainty says how far)\n{}",
+        table.render()
+    )
+}
+
+fn twist(summary: &RunSummary) -> String {
+    let mut table = Table::new(["r_mm", "chord_mm", "twist_deg", "alpha_deg", "le_deflection_mm"]);
+    for row in &summary.profile {
+        table.row([
+            number(row.r_mm, 2),
+            number(row.chord_mm, 2),
+            number(row.twist_deg, 2),
+            row.alpha_deg.map_or(String::new(), |alpha| number(alpha, 2)),
+            number(row.le_deflection_mm, 3),
+        ]);
+    }
+    let mut text = format!("Twist (positive: washout)\n{}", table.render());
+    let tip = &summary.tip;
+    let at = number(tip.r_mm, 1);
+    let read = match (tip.twist_deg, tip.alpha_deg) {
+        (Some(twist), Some(alpha)) => {
+            format!(
+                "{}° at {at} mm, angle of attack {}°",
+                number(twist, 2),
+                number(alpha, 2)
+            )
+        }
+        (Some(twist), None) => format!("{}° at {at} mm", number(twist, 2)),
+        (None, _) => format!("not readable at {at} mm: the chord is too short there"),
+    };
+    let _ = writeln!(text, "  tip twist {read}");
+    text.extend(summary.stages.as_ref().map(stages));
+    text.extend(summary.measured.as_ref().map(measured));
+    text
+}
+
+fn stages(fit: &StagesSummary) -> String {
+    let mut table = Table::new(["from_mm", "to_mm", "deg_per_mm", "sigma"]);
+    for stage in &fit.stages {
+        table.row([
+            number(stage.from_mm, 1),
+            number(stage.to_mm, 1),
+            number(stage.rate_deg_per_mm, 3),
+            stage
+                .rate_sigma_deg_per_mm
+                .map_or(String::new(), |sigma| number(sigma, 3)),
+        ]);
+    }
+    format!(
+        "\nStages of the modelled profile (fit within {}° RMS)\n{}",
+        number(fit.rms_deg, 2),
+        table.render()
+    )
+}
+
+fn measured(measured: &MeasuredSummary) -> String {
+    let mut table = Table::new([
+        "run", "channel", "r_mm", "to_mm", "measured", "sigma", "modelled", "unit",
+    ]);
+    for row in &measured.rows {
+        let bound = match row.bound.as_deref() {
+            Some("upper") => "<",
+            Some("lower") => ">",
+            _ => "",
+        };
+        table.row([
+            row.run.clone(),
+            row.channel.clone(),
+            number(row.r_mm, 1),
+            row.r_to_mm.map_or(String::new(), |to| number(to, 1)),
+            format!("{bound}{}", significant(row.measured, 3)),
+            row.sigma.map_or(String::new(), |sigma| significant(sigma, 2)),
+            row.modelled.map_or(String::new(), |value| significant(value, 3)),
+            row.unit.clone(),
+        ]);
+    }
+    format!(
+        "\nBeside the measurement ({}, case {})\n{}",
+        measured.file,
+        measured.case,
+        table.render()
+    )
+}
+
+fn uncertainty(band: &UncertaintySummary) -> String {
+    let mut table = Table::new(["r_mm", "low_deg", "median_deg", "high_deg"]);
+    for row in &band.twist {
+        table.row([
+            number(row.r_mm, 2),
+            number(row.low_deg, 2),
+            number(row.median_deg, 2),
+            number(row.high_deg, 2),
+        ]);
+    }
+    let mut text = format!(
+        "Band of the twist from the assumed ranges ({} % of {} solves{})\n{}",
+        number(100.0 * band.coverage, 0),
+        band.samples,
+        match band.failed {
+            0 => String::new(),
+            failed => format!(", {failed} did not converge and are left out"),
+        },
+        table.render()
+    );
+    if !band.rates.is_empty() {
+        let mut table = Table::new(["from_mm", "to_mm", "low_deg_per_mm", "median", "high"]);
+        for rate in &band.rates {
+            table.row([
+                number(rate.from_mm, 1),
+                number(rate.to_mm, 1),
+                number(rate.low_deg_per_mm, 3),
+                number(rate.median_deg_per_mm, 3),
+                number(rate.high_deg_per_mm, 3),
+            ]);
+        }
+        let _ = write!(text, "\n{}", table.render());
+    }
+    if !band.shares.is_empty() {
+        let mut table = Table::new(["input", "share of the variance of the tip twist"]);
+        for share in &band.shares {
+            table.row([share.key.clone(), format!("{} %", number(100.0 * share.share, 1))]);
+        }
+        let _ = write!(text, "\n{}", table.render());
+    }
+    text
+}
+
+fn air_forces(forces: &AirForces) -> String {
+    let mut table = Table::new(["one wing", "lift_mn", "drag_mn", "power_mw"]);
+    let mean = forces.stroke_mean.map(|row| ("stroke mean", row));
+    for (name, row) in [("as solved", forces.at_phase)].into_iter().chain(mean) {
+        table.row([
+            name.to_string(),
+            number(row.lift_mn, 2),
+            number(row.drag_mn, 2),
+            number(row.power_mw, 2),
+        ]);
+    }
+    let law = forces
+        .stroke_law
+        .as_ref()
+        .map(|law| format!("  stroke mean: {law}\n"));
+    format!("Lift, drag, power\n{}{}", table.render(), law.unwrap_or_default())
+}
+
+fn engineering(engineering: &Engineering) -> String {
+    let mut text = String::from("For the builder\n");
+    let empty = text.len();
+    if let Some(mass) = engineering.mass_mg {
+        line(&mut text, "mass", &format!("{} mg", significant(mass, 4)));
+    }
+    if let Some(inertia) = engineering.inertia_flapping_g_mm2 {
+        line(
+            &mut text,
+            "inertia",
+            &format!("{} g mm² about the flapping axis", significant(inertia, 4)),
+        );
+    }
+    if let Some(inertia) = engineering.inertia_pitch_g_mm2 {
+        line(
+            &mut text,
+            "",
+            &format!("{} g mm² about the leading edge", significant(inertia, 4)),
+        );
+    }
+    if let Some(lowest) = engineering.natural_frequencies_hz.first() {
+        let ratio = engineering
+            .frequency_ratio
+            .map(|ratio| format!(", {} times the flapping", number(ratio, 2)));
+        line(
+            &mut text,
+            "frequency",
+            &format!(
+                "lowest natural {} Hz{}",
+                number(*lowest, 1),
+                ratio.unwrap_or_default()
+            ),
+        );
+    }
+    for (name, extreme) in [
+        ("rod shear", &engineering.rod_shear_stress),
+        ("rod bending", &engineering.rod_bending_stress),
+        ("spars", &engineering.spar_stress),
+        ("film", &engineering.film_stress),
+    ] {
+        if let Some(extreme) = extreme {
+            line(&mut text, name, &stress(extreme));
+        }
+    }
+    if let Some(tension) = engineering.film_tension_max_n_per_m {
+        line(
+            &mut text,
+            "film",
+            &format!("largest tension {} N/m", significant(tension, 3)),
+        );
+    }
+    if let Some(share) = engineering.film_wrinkled_share {
+        line(
+            &mut text,
+            "film",
+            &format!("{} % of its area is wrinkled or slack", number(100.0 * share, 0)),
+        );
+    }
+    if text.len() == empty { String::new() } else { text }
+}
+
+fn stress(extreme: &Extreme) -> String {
+    let margin = match (extreme.strength_mpa, extreme.margin) {
+        (Some(strength), Some(margin)) => {
+            format!(
+                "; strength {} MPa, margin {}",
+                significant(strength, 3),
+                significant(margin, 3)
+            )
+        }
+        _ => "; strength not stated".to_string(),
+    };
+    format!(
+        "{} MPa at {} mm{margin}",
+        significant(extreme.stress_mpa, 3),
+        number(extreme.r_mm, 1)
+    )
+}
+
+fn files(summary: &RunSummary, folder: &str) -> String {
+    format!("Files in {folder}: {}\n", summary.files.join(" "))
+}
+
+fn list(head: &str, lines: &[String]) -> String {
+    lines
+        .iter()
+        .fold(format!("{head}\n"), |text, line| text + "  " + line + "\n")
+}
+
+fn line(text: &mut String, name: &str, value: &str) {
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "  {name:<12}{value}");
+}
+
+fn exponent(value: f64) -> String {
+    format!("{value:.1e}")
+}
