@@ -28,6 +28,22 @@ pub enum ExportError {
         /// The first entry that is not known.
         entry: String,
     },
+    /// A folder that was named as a run is none.
+    #[error("{} is not the folder of a run: no readable summary.json in it ({source}); give the folder that `washout solve` wrote", path.display())]
+    NoRun {
+        /// The folder.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A summary that this version does not understand.
+    #[error("{} was not written by this version of washout ({reason}); solve that design again", path.display())]
+    ForeignSummary {
+        /// The file.
+        path: PathBuf,
+        /// What does not fit.
+        reason: String,
+    },
     /// An array does not fit the grid that it belongs to.
     #[error("array '{name}' has {found} values, the grid needs {expected}; please report this as a bug")]
     ArrayLength {

@@ -14,6 +14,8 @@ pub mod summary;
 
 pub mod run;
 
+pub mod difference;
+
 pub mod report;
 
 pub mod text;

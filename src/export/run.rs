@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 use super::ExportError;
+use super::summary::RunSummary;
 
 /// Name of the file that lists the files of a run.
 pub const SUMMARY: &str = "summary.json";
@@ -89,6 +90,19 @@ impl RunFolder {
         sync_folder(&parent).map_err(ExportError::file("write", &parent))?;
         Ok(target)
     }
+}
+
+/// Reads the summary of a run from its folder.
+pub fn read_summary(folder: &Path) -> Result<RunSummary, ExportError> {
+    let path = folder.join(SUMMARY);
+    let text = fs::read_to_string(&path).map_err(|source| ExportError::NoRun {
+        path: folder.to_path_buf(),
+        source,
+    })?;
+    serde_json::from_str(&text).map_err(|error| ExportError::ForeignSummary {
+        path,
+        reason: error.to_string(),
+    })
 }
 
 /// A folder of a name of its own beside the target, removed when dropped.
