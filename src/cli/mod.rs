@@ -1,1 +1,80 @@
 //! The command line: one file per verb.
+//!
+//! Exit codes: 0 done; 1 files or output could not be written, or anything else; 2 the input is at fault;
+//! 3 not converged; 130 interrupted.
+
+pub mod failure;
+
+pub mod console;
+
+pub mod init;
+
+pub mod schema;
+
+pub mod diff;
+
+use clap::{Args, Parser, Subcommand};
+
+pub use console::Console;
+pub use failure::Failure;
+
+/// The twist of a flexible wing under air load, from a design file.
+#[derive(Debug, Parser)]
+#[command(name = "washout", version, about, color = clap::ColorChoice::Never)]
+#[command(after_help = "Examples:
+  washout init my-wing                          write a design to start from
+  washout solve designs/twist-v2.toml           twist, forces, stresses, ParaView files
+  washout compare designs/twist-v1.toml         where the model misses the measurement
+  washout help solve                            all options of a verb
+
+Exit codes: 0 done, 1 cannot write or other, 2 input at fault, 3 not converged, 130 interrupted")]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub verb: Verb,
+    /// What every verb understands.
+    #[command(flatten)]
+    pub common: Common,
+}
+
+/// Options of every verb.
+#[derive(Debug, Clone, Args)]
+pub struct Common {
+    /// Print one JSON document on standard output, and everything else on standard error
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// Print nothing but errors (and the JSON document, if asked for)
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+    /// Threads to use; results do not depend on it [default: one per core]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Verb {
+    /// Write a commented design file to start from
+    Init(init::Init),
+    /// Print the JSON schema of a file or of an output
+    Schema(schema::Schema),
+    /// Compare two runs: inputs, results, twist
+    Diff(diff::Diff),
+}
+
+/// Runs one verb.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let console = Console::new(&arguments.common);
+    if let Some(threads) = arguments.common.threads {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
+        pool.build_global()
+            .map_err(|error| Failure::Threads(error.to_string()))?;
+    }
+    let result = match &arguments.verb {
+        Verb::Init(verb) => verb.run(&console),
+        Verb::Schema(verb) => verb.run(&console),
+        Verb::Diff(verb) => verb.run(&console),
+    };
+    console.progress().finish();
+    result
+}

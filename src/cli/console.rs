@@ -1,0 +1,81 @@
+//! Standard output and standard error: who gets which text.
+
+use std::fmt;
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use crate::progress::Progress;
+
+use super::{Common, Failure};
+
+/// Where a verb prints.
+#[derive(Debug)]
+pub struct Console {
+    json: bool,
+    quiet: bool,
+    progress: Progress,
+}
+
+impl Console {
+    /// As the options say; from here on Ctrl-C cancels what runs.
+    pub fn new(common: &Common) -> Self {
+        let progress = if common.quiet {
+            Progress::quiet()
+        } else {
+            Progress::shown()
+        };
+        progress.cancel_on_interrupt();
+        Console {
+            json: common.json,
+            quiet: common.quiet,
+            progress,
+        }
+    }
+
+    /// What long computations report to.
+    pub fn progress(&self) -> &Progress {
+        &self.progress
+    }
+
+    /// Prints a result: the page to people, the document to programs, never both.
+    pub fn result(&self, page: &str, document: &impl Serialize) -> Result<(), Failure> {
+        match (self.json, self.quiet) {
+            (true, _) => self.document(document),
+            (false, true) => Ok(()),
+            (false, false) => {
+                self.progress.finish();
+                print(page)
+            }
+        }
+    }
+
+    /// Prints a document for programs, whatever the options say.
+    pub fn document(&self, document: &impl Serialize) -> Result<(), Failure> {
+        self.progress.finish();
+        let text = serde_json::to_string_pretty(document).map_err(|error| Failure::Output(error.into()))?;
+        print(&(text + "\n"))
+    }
+
+    /// Says something on standard error that is no result and no failure.
+    pub fn note(&self, text: impl fmt::Display) {
+        if !self.quiet {
+            complain(&text);
+        }
+    }
+}
+
+/// Prints on standard output; a reader that has gone away is no failure.
+fn print(text: &str) -> Result<(), Failure> {
+    let mut output = io::stdout().lock();
+    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        _ => Ok(()),
+    }
+}
+
+/// Says what went wrong on standard error.
+pub fn complain(text: &impl fmt::Display) {
+    // Nobody is left to tell if standard error is closed.
+    let _ = writeln!(io::stderr(), "washout: {text}");
+}

@@ -1,0 +1,45 @@
+//! `washout schema`: the JSON schema of a file or of an output, generated from the types.
+
+use clap::{Args, ValueEnum};
+
+use crate::export::difference::Difference;
+use crate::export::summary::RunSummary;
+use crate::input::design::Design;
+
+use super::{Console, Failure};
+
+/// Arguments of `washout schema`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout schema > design.schema.json           of design files, for editors
+  washout schema --output                       of `washout solve --json` and summary.json
+  washout schema --output diff                  of `washout diff --json`")]
+pub struct Schema {
+    /// Of the JSON document that a verb prints, instead of design files
+    #[arg(long, value_name = "VERB", num_args = 0..=1, default_missing_value = "solve")]
+    pub output: Option<Output>,
+}
+
+/// Verbs whose JSON document has a schema.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Output {
+    /// `washout solve --json`, and `summary.json`
+    Solve,
+    /// `washout diff --json`
+    Diff,
+    /// `washout init --json`
+    Init,
+}
+
+impl Schema {
+    /// Prints the schema.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let schema = match self.output {
+            None => schemars::schema_for!(Design),
+            Some(Output::Solve) => schemars::schema_for!(RunSummary),
+            Some(Output::Diff) => schemars::schema_for!(Difference),
+            Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
+        };
+        console.document(&schema)
+    }
+}
