@@ -3,3 +3,34 @@
 pub mod design;
 
 pub mod quantity;
+
+pub mod error;
+
+pub mod schema;
+
+pub mod assumption;
+
+mod load;
+
+mod set;
+
+mod check;
+
+mod document;
+
+mod file;
+
+mod form;
+
+mod keys;
+
+mod nearest;
+
+mod path;
+
+mod unit;
+
+pub use assumption::{Assumption, Choice};
+pub use design::Design;
+pub use error::{InputError, Place, Problem, Range};
+pub use load::Loaded;

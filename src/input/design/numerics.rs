@@ -1,0 +1,108 @@
+//! How it is solved: kinematics, mesh density, fixed point.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Structural model.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Structure {
+    /// The kinematics.
+    #[schemars(extend("examples" = ["large-rotation"]))]
+    pub kinematics: Kinematics,
+    /// The factor on the drilling stiffness of the film; results must not depend on it.
+    #[schemars(extend("minimum" = 1e-6, "maximum" = 1e6, "examples" = [1.0]))]
+    pub drilling_factor: f64,
+    /// The number of load increments to start with; results do not depend on it.
+    #[schemars(extend("minimum" = 1, "maximum" = 10000, "examples" = [1]))]
+    pub load_increments: usize,
+}
+
+/// Kinematics of the structure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kinematics {
+    /// Large rotations, small strains.
+    #[default]
+    LargeRotation,
+    /// Everything linear about the undeformed wing.
+    Linear,
+}
+
+/// Mesh density.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct MeshSettings {
+    /// The number of elements across the mean chord at refinement 1.
+    #[schemars(extend("minimum" = 2, "maximum" = 1000, "examples" = [12]))]
+    pub chordwise: usize,
+    /// The factor on the number of elements in both directions.
+    #[schemars(extend("minimum" = 0.1, "maximum" = 100.0, "examples" = [1.0]))]
+    pub refine: f64,
+    /// The mesh file to use instead of the generator, relative to the design file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("examples" = ["wing.msh"]))]
+    pub file: Option<String>,
+}
+
+/// Fixed point between air and structure.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Coupling {
+    /// The acceleration of the fixed point.
+    #[schemars(extend("examples" = ["anderson"]))]
+    pub accelerator: Accelerator,
+    /// The largest change of twist between two iterations at convergence.
+    #[schemars(extend("minimum" = 1e-12, "maximum" = 1.0, "examples" = [1e-6]))]
+    pub twist_tolerance_deg: f64,
+    /// The coupled residual at convergence, relative to the air load.
+    #[schemars(extend("minimum" = 1e-14, "maximum" = 0.01, "examples" = [1e-8]))]
+    pub residual_tolerance: f64,
+    /// The number of iterations after which it gives up.
+    #[schemars(extend("minimum" = 1, "maximum" = 100000, "examples" = [60]))]
+    pub max_iterations: usize,
+}
+
+/// Acceleration of the fixed point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Accelerator {
+    /// Plain iteration.
+    None,
+    /// Aitken's dynamic relaxation.
+    Aitken,
+    /// Anderson acceleration.
+    #[default]
+    Anderson,
+}
+
+impl Default for Structure {
+    fn default() -> Self {
+        Structure {
+            kinematics: Kinematics::LargeRotation,
+            drilling_factor: 1.0,
+            load_increments: 1,
+        }
+    }
+}
+
+impl Default for MeshSettings {
+    fn default() -> Self {
+        MeshSettings {
+            chordwise: 12,
+            refine: 1.0,
+            file: None,
+        }
+    }
+}
+
+impl Default for Coupling {
+    fn default() -> Self {
+        Coupling {
+            accelerator: Accelerator::Anderson,
+            twist_tolerance_deg: 1e-6,
+            residual_tolerance: 1e-8,
+            max_iterations: 60,
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! Reading text files, with a sentence for everything that can be wrong with one.
+
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::{Component, Path, PathBuf};
+
+use super::document::Source;
+use super::error::{InputError, Problem};
+
+/// Largest text file that is read, in bytes.
+const LARGEST: u64 = 4 * 1024 * 1024;
+
+/// Reads a text file; `what` names it with its article, such as "a design file".
+pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, InputError> {
+    let name = shown(path);
+    let fail = |message: String, cure: String| Err(InputError::about_file(&name, message, cure));
+    if path.is_dir() {
+        return fail("is a folder".into(), format!("Name {what} inside it"));
+    }
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
+    if let Err(error) = read {
+        return match error.kind() {
+            ErrorKind::NotFound => fail("no such file".into(), format!("Check the path of {what}")),
+            ErrorKind::PermissionDenied => {
+                fail("may not be read".into(), "Check the file's permissions".into())
+            }
+            _ => fail(
+                format!("cannot be read: {error}"),
+                "Check the file and its disk".into(),
+            ),
+        };
+    }
+    if bytes.len() as u64 > LARGEST {
+        return fail(
+            "is larger than 4 MB".into(),
+            format!("{} is a few kB of text; check the path", capital(what)),
+        );
+    }
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        return fail(
+            "is empty".into(),
+            format!("Name {what} with content; `washout init NAME` writes a design to start from"),
+        );
+    }
+    if bytes.contains(&0) {
+        return fail(
+            "is a binary file".into(),
+            format!("{} is plain text; check the path", capital(what)),
+        );
+    }
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(match text.strip_prefix('\u{feff}') {
+            Some(rest) => rest.to_string(),
+            None => text,
+        }),
+        Err(error) => {
+            let start = error.utf8_error().valid_up_to();
+            let bytes = error.into_bytes();
+            let good = String::from_utf8_lossy(&bytes[..start]).into_owned();
+            let place = Source::file(&name, &good).place(start);
+            let byte = bytes.get(start).copied().unwrap_or_default();
+            let message = format!("is not UTF-8: byte 0x{byte:02x}");
+            Err(InputError::new(
+                place,
+                "",
+                "",
+                Problem::File { message },
+                "Save the file as UTF-8 text",
+            ))
+        }
+    }
+}
+
+/// A path as it is shown to the user: `a/../b` becomes `b`.
+pub(crate) fn shown(path: &Path) -> String {
+    let mut parts: Vec<Component> = Vec::new();
+    for part in path.components() {
+        match (part, parts.last()) {
+            (Component::ParentDir, Some(Component::Normal(_))) => {
+                parts.pop();
+            }
+            (Component::CurDir, _) => {}
+            _ => parts.push(part),
+        }
+    }
+    parts.iter().collect::<PathBuf>().display().to_string()
+}
+
+/// The path of a file that is named relative to another.
+pub(crate) fn beside(file: &Path, name: &str) -> PathBuf {
+    file.parent().unwrap_or(Path::new("")).join(name)
+}
+
+fn capital(what: &str) -> String {
+    let mut letters = what.chars();
+    let first = letters.next().map(|letter| letter.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shown_paths_have_no_detours() {
+        assert_eq!(
+            shown(Path::new("designs/../measurements/a.csv")),
+            "measurements/a.csv"
+        );
+        assert_eq!(shown(Path::new("./a.toml")), "a.toml");
+        assert_eq!(shown(Path::new("../a.toml")), "../a.toml");
+    }
+}

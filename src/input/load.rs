@@ -1,0 +1,267 @@
+//! From files to a checked design.
+
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+use super::check;
+use super::design::Design;
+use super::document::{Node, NodeValue, Source};
+use super::error::{InputError, Problem};
+use super::file;
+use super::form;
+use super::keys;
+use super::set::Setting;
+
+/// A design with all that its file refers to.
+#[derive(Debug, Clone)]
+pub struct Loaded {
+    /// The design, checked, with its materials; `materials` itself is none, so that it stands alone.
+    pub design: Design,
+    /// The design file.
+    pub path: PathBuf,
+    /// The materials file, if one was named.
+    pub materials_path: Option<PathBuf>,
+    /// The mesh file, if one was named; it exists.
+    pub mesh_path: Option<PathBuf>,
+}
+
+impl Design {
+    /// Reads a design file with the files that it names, after `sets` (`key=value`) have changed it.
+    pub fn load(path: &Path, sets: &[String]) -> Result<Loaded, InputError> {
+        let settings: Vec<Setting> = sets
+            .iter()
+            .map(|text| Setting::parse(text))
+            .collect::<Result<_, _>>()?;
+        let text = file::read_text(path, "a design file")?;
+        let mut root = Node::parse_file(&file::shown(path), &text)?;
+        for setting in settings.iter().filter(|setting| setting.is_for("materials")) {
+            setting.apply(&mut root)?;
+        }
+        let materials_path = merge_materials(&mut root, path)?;
+        for setting in settings.iter().filter(|setting| !setting.is_for("materials")) {
+            setting.apply(&mut root)?;
+        }
+        let mut design = design_of(&root)?;
+        design.materials = None;
+        let mesh_path = named_file(&root, path, "mesh.file")?;
+        Ok(Loaded {
+            design,
+            path: path.to_path_buf(),
+            materials_path,
+            mesh_path,
+        })
+    }
+
+    /// Reads a design from its text; no file is opened, so materials must stand in the text.
+    pub fn from_toml(text: &str, file_name: &str) -> Result<Design, InputError> {
+        let root = Node::parse_file(file_name, text)?;
+        if let Some(node) = root.get("materials") {
+            let message = "cannot be followed, because the design is not read from a file".to_string();
+            let problem = Problem::Conflict {
+                message,
+                with: vec!["material".to_string()],
+            };
+            let cure = "Write the materials into the design, as tables [material.NAME]";
+            return Err(InputError::new(
+                node.place(),
+                "materials",
+                &node.shown(),
+                problem,
+                cure,
+            ));
+        }
+        design_of(&root)
+    }
+
+    /// The design as TOML; [`Design::from_toml`] reads it back to the same design.
+    pub fn to_toml(&self) -> String {
+        toml::to_string(self).unwrap_or_default()
+    }
+}
+
+/// The checked design of a tree.
+pub(crate) fn design_of(root: &Node) -> Result<Design, InputError> {
+    check::format_is_one(root)?;
+    form::check(root, keys::design())?;
+    let design = Design::deserialize(root.to_value()).map_err(|error| {
+        let message = format!("cannot be read: {}", error.message());
+        InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
+    })?;
+    check::check(&design, root)?;
+    Ok(design)
+}
+
+/// Joins the tables of the materials file, if one is named, to those of the design.
+fn merge_materials(root: &mut Node, design_path: &Path) -> Result<Option<PathBuf>, InputError> {
+    let Some(path) = named_file(root, design_path, "materials")? else {
+        return Ok(None);
+    };
+    let Some(named) = root.get("materials").cloned() else {
+        return Ok(None);
+    };
+    let circle = |node: &Node, key: &str, message: String, cure: &str| {
+        let problem = Problem::Conflict {
+            message,
+            with: Vec::new(),
+        };
+        Err(InputError::new(node.place(), key, &node.shown(), problem, cure))
+    };
+    if same_file(&path, design_path) {
+        let message = "is the design file itself".to_string();
+        return circle(
+            &named,
+            "materials",
+            message,
+            "Name another file, or leave the key out",
+        );
+    }
+    let text = file::read_text(&path, "a materials file")?;
+    let tree = Node::parse_file(&file::shown(&path), &text)?;
+    if let Some(node) = tree.get("materials") {
+        let message = "a materials file cannot name another one".to_string();
+        return circle(
+            node,
+            "materials",
+            message,
+            "Write all materials into one file, as tables [material.NAME]",
+        );
+    }
+    check::format_is_one(&tree)?;
+    form::check(&tree, keys::materials())?;
+    if root.get("material").is_none() {
+        root.put(
+            "material",
+            Node::new(&Source::other("material"), NodeValue::Table(Vec::new())),
+        );
+    }
+    if let (
+        Some(own),
+        Some(Node {
+            value: NodeValue::Table(entries),
+            ..
+        }),
+    ) = (
+        root.child_mut(&super::path::Step::Key("material".to_string())),
+        tree.get("material"),
+    ) {
+        for entry in entries {
+            if own.get(&entry.key).is_none() {
+                own.add(entry.clone());
+            }
+        }
+    }
+    Ok(Some(path))
+}
+
+/// The path of the file that a key names, relative to the design; it must exist.
+fn named_file(root: &Node, design_path: &Path, key: &str) -> Result<Option<PathBuf>, InputError> {
+    let path = super::path::KeyPath::parse(key).unwrap_or_default();
+    let Some(node) = root.at(&path) else {
+        return Ok(None);
+    };
+    let Some(name) = node.text() else {
+        return Ok(None);
+    };
+    let target = file::beside(design_path, name);
+    if name.is_empty() || !target.is_file() {
+        let message = if target.is_dir() {
+            "is a folder, not a file"
+        } else {
+            "no such file"
+        };
+        let problem = Problem::File {
+            message: message.to_string(),
+        };
+        let cure = format!(
+            "Looked for {}; paths are relative to the design file",
+            file::shown(&target)
+        );
+        return Err(InputError::new(node.place(), key, &node.shown(), problem, cure));
+    }
+    Ok(Some(target))
+}
+
+fn same_file(a: &Path, b: &Path) -> bool {
+    match (a.canonicalize(), b.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shipped(name: &str) -> PathBuf {
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("designs").join(name)
+    }
+
+    #[test]
+    fn the_three_wings_load_with_their_materials() {
+        for name in ["rigid.toml", "twist-v1.toml", "twist-v2.toml"] {
+            let loaded = Design::load(&shipped(name), &[]).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(loaded.design.material.len(), 3, "{name}");
+            assert_eq!(loaded.design.planform.length_mm.value(), 70.0, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_loaded_design_stands_alone_as_text() {
+        let loaded = Design::load(&shipped("twist-v2.toml"), &[]).unwrap();
+        let again =
+            Design::from_toml(&loaded.design.to_toml(), "again").unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(again, loaded.design);
+    }
+
+    #[test]
+    fn settings_change_the_design_before_it_is_checked() {
+        let sets = [
+            "rod[1].section.diameter_mm=0.8",
+            "structure.kinematics=linear",
+            "material.carbon-rod.g_gpa=5",
+        ];
+        let loaded = Design::load(&shipped("twist-v2.toml"), &sets.map(str::to_string)).unwrap();
+        assert_eq!(loaded.design.get("rod[1].section.diameter_mm"), Some(0.8));
+        assert_eq!(loaded.design.material["carbon-rod"].g_gpa, Some(5.0.into()));
+        assert_eq!(
+            loaded.design.structure.kinematics,
+            crate::input::design::Kinematics::Linear
+        );
+    }
+
+    #[test]
+    fn setting_keeps_the_range_of_an_assumption() {
+        let mut design = Design::load(&shipped("rigid.toml"), &[]).unwrap().design;
+        let key = "flapping.half_amplitude_deg";
+        design.set(key, 30.0).unwrap();
+        let found = design
+            .assumptions()
+            .into_iter()
+            .find(|assumption| assumption.key == key)
+            .unwrap();
+        assert_eq!((found.value, found.range), (30.0, [24.0, 45.0]));
+        design.set(key, 50.0).unwrap();
+        assert_eq!(design.get(key), Some(50.0));
+        assert!(
+            design
+                .assumptions()
+                .iter()
+                .all(|assumption| assumption.key != key)
+        );
+    }
+
+    #[test]
+    fn a_refused_setting_leaves_the_design_as_it_was() {
+        let mut design = Design::load(&shipped("rigid.toml"), &[]).unwrap().design;
+        let before = design.clone();
+        let error = design.set("flapping.frequency_hz", -3.0).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .starts_with("set: flapping.frequency_hz = -3: must lie in 0.1 … 1000 Hz"),
+            "{error}"
+        );
+        assert_eq!(design, before);
+    }
+}
