@@ -139,9 +139,8 @@ fn shown(value: &Option<Value>) -> String {
 
 fn results(run: &RunSummary) -> Vec<(&'static str, f64)> {
     let tip = &run.tip;
-    let forces = run.air_forces.as_ref();
-    let at_phase = forces.map(|forces| forces.at_phase);
-    let mean = forces.and_then(|forces| forces.stroke_mean);
+    let solved = run.lift.as_ref().map(|lift| &lift.solved);
+    let mean = run.lift.as_ref().and_then(|lift| lift.stroke_mean.as_ref());
     let engineering = &run.engineering;
     let rows = [
         ("tip twist_deg", tip.twist_deg),
@@ -149,9 +148,9 @@ fn results(run: &RunSummary) -> Vec<(&'static str, f64)> {
             "tip displacement_mm",
             Some(tip.displacement_mm.iter().map(|u| u * u).sum::<f64>().sqrt()),
         ),
-        ("lift_mn", at_phase.map(|row| row.lift_mn)),
-        ("drag_mn", at_phase.map(|row| row.drag_mn)),
-        ("power_mw", at_phase.map(|row| row.power_mw)),
+        ("lift_mn", solved.map(|row| row.lift_mn)),
+        ("drag_mn", solved.map(|row| row.drag_mn)),
+        ("power_mw", solved.map(|row| row.power_mw)),
         ("stroke mean lift_mn", mean.map(|row| row.lift_mn)),
         ("stroke mean drag_mn", mean.map(|row| row.drag_mn)),
         ("stroke mean power_mw", mean.map(|row| row.power_mw)),

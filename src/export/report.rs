@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
+use crate::lift::LiftReport;
+
 use super::summary::{
-    AirForces, Engineering, Extreme, FlowSummary, MeasuredSummary, RunSummary, StagesSummary,
-    UncertaintySummary,
+    Engineering, Extreme, FlowSummary, MeasuredSummary, RunSummary, StagesSummary, UncertaintySummary,
 };
 use super::text::{Table, number, significant};
 
@@ -12,7 +13,7 @@ use super::text::{Table, number, significant};
 pub fn page(summary: &RunSummary, folder: Option<&str>) -> String {
     let mut sections = vec![solved(summary), assumed(summary), twist(summary)];
     sections.extend(summary.uncertainty.as_ref().map(uncertainty));
-    sections.extend(summary.air_forces.as_ref().map(air_forces));
+    sections.extend(summary.lift.as_ref().map(lift));
     sections.push(engineering(&summary.engineering));
     if !summary.warnings.is_empty() {
         sections.push(list("Mind", &summary.warnings));
@@ -252,22 +253,20 @@ fn uncertainty(band: &UncertaintySummary) -> String {
     text
 }
 
-fn air_forces(forces: &AirForces) -> String {
-    let mut table = Table::new(["one wing", "lift_mn", "drag_mn", "power_mw"]);
-    let mean = forces.stroke_mean.map(|row| ("stroke mean", row));
-    for (name, row) in [("as solved", forces.at_phase)].into_iter().chain(mean) {
+fn lift(report: &LiftReport) -> String {
+    let mut table = Table::new(["one wing", "lift_mn", "drag_mn", "power_mw", "lift/drag"]);
+    for forces in [&report.solved].into_iter().chain(&report.stroke_mean) {
         table.row([
-            name.to_string(),
-            number(row.lift_mn, 2),
-            number(row.drag_mn, 2),
-            number(row.power_mw, 2),
+            forces.name.clone(),
+            number(forces.lift_mn, 2),
+            number(forces.drag_mn, 2),
+            number(forces.power_mw, 2),
+            forces
+                .lift_to_drag
+                .map_or(String::new(), |ratio| number(ratio, 3)),
         ]);
     }
-    let law = forces
-        .stroke_law
-        .as_ref()
-        .map(|law| format!("  stroke mean: {law}\n"));
-    format!("Lift, drag, power\n{}{}", table.render(), law.unwrap_or_default())
+    format!("Lift, drag, power\n{}", table.render())
 }
 
 fn engineering(engineering: &Engineering) -> String {

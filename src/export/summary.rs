@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::input::design::{Design, Section};
+use crate::lift::LiftReport;
 
 use super::ExportError;
 
@@ -44,7 +45,7 @@ pub struct RunSummary {
     /// The tip.
     pub tip: TipSummary,
     /// Lift, drag and power; absent without flow.
-    pub air_forces: Option<AirForces>,
+    pub lift: Option<LiftReport>,
     /// What a builder wants to know besides the twist.
     pub engineering: Engineering,
     /// Band from the assumed ranges; absent unless asked for.
@@ -251,28 +252,6 @@ pub struct TipSummary {
     pub node: usize,
     /// Displacement of that node from the unloaded shape, wing frame.
     pub displacement_mm: [f64; 3],
-}
-
-/// Lift, drag and power.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct AirForces {
-    /// At the phase that was solved.
-    pub at_phase: ForceRow,
-    /// Mean over the stroke; absent in steady flow.
-    pub stroke_mean: Option<ForceRow>,
-    /// How twist follows the stroke in the mean.
-    pub stroke_law: Option<String>,
-}
-
-/// One set of forces of one wing.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct ForceRow {
-    /// Lift, across the stroke.
-    pub lift_mn: f64,
-    /// Drag, against the stroke.
-    pub drag_mn: f64,
-    /// Aerodynamic power.
-    pub power_mw: f64,
 }
 
 /// What a builder wants to know besides the twist; absent values do not apply to the design.
