@@ -11,6 +11,12 @@ pub mod stroke;
 
 pub mod ratios;
 
+pub mod effective;
+
+pub mod distribution;
+
+pub mod sweep;
+
 pub mod report;
 
 mod quadrature;
@@ -18,8 +24,11 @@ mod quadrature;
 #[cfg(test)]
 mod paper;
 
+pub use distribution::{SpanPoint, departure_from_ellipse, scaled_to_measured, span_distribution};
+pub use effective::{EffectiveCoefficients, effective_coefficient_ratio, implied_amplitude_ratio};
 pub use error::LiftError;
-pub use ratios::{Ratios, effective_coefficient_ratio, implied_amplitude_ratio};
+pub use ratios::Ratios;
 pub use report::{Forces, LiftReport};
 pub use stroke::{Instant, StationMeans, Stroke, StrokeMeans, forces_at_phase, stroke_means};
+pub use sweep::{AmplitudePoint, amplitude_sweep, lift_at_power};
 pub use twist::{TwistAlongSpan, TwistHistory};

@@ -90,34 +90,8 @@ pub fn mean_local_lift_to_drag(means: &StrokeMeans) -> f64 {
     if span_m > 0.0 { sum / span_m } else { 0.0 }
 }
 
-/// Effective coefficient ratio: measured over modelled ratio (of lift for the lift coefficient, of power for the
-/// drag coefficient); 1 where the quasi-steady model explains the measurement.
-///
-/// # Errors
-/// [`LiftError::NoRatio`] for ratios that are not positive.
-pub fn effective_coefficient_ratio(measured_ratio: f64, modelled_ratio: f64) -> Result<f64, LiftError> {
-    positive("the ratio", "measurement", measured_ratio)?;
-    positive("the ratio", "model", modelled_ratio)?;
-    Ok(measured_ratio / modelled_ratio)
-}
-
-/// Amplitude ratio Φ/Φ_reference that a quasi-steady lift ratio implies, given the lift ratio at equal fΦ and the
-/// ratio of frequencies: lift goes with (fΦ)².
-///
-/// # Errors
-/// [`LiftError::NoRatio`] for ratios that are not positive.
-pub fn implied_amplitude_ratio(
-    lift_ratio: f64,
-    lift_ratio_at_equal_rate: f64,
-    frequency_ratio: f64,
-) -> Result<f64, LiftError> {
-    positive("the lift ratio", "wing", lift_ratio)?;
-    positive("the lift ratio at equal fΦ", "wing", lift_ratio_at_equal_rate)?;
-    positive("the frequency ratio", "wing", frequency_ratio)?;
-    Ok((lift_ratio / lift_ratio_at_equal_rate).sqrt() / frequency_ratio)
-}
-
-fn positive(what: &'static str, wing: &'static str, value: f64) -> Result<(), LiftError> {
+/// Refuses what no ratio can be formed with.
+pub(super) fn positive(what: &'static str, wing: &'static str, value: f64) -> Result<(), LiftError> {
     if value > 0.0 && value.is_finite() {
         return Ok(());
     }
@@ -126,8 +100,9 @@ fn positive(what: &'static str, wing: &'static str, value: f64) -> Result<(), Li
 
 #[cfg(test)]
 mod tests {
-    use super::{Ratios, effective_coefficient_ratio, implied_amplitude_ratio};
+    use super::Ratios;
     use crate::geometry::Planform;
+    use crate::lift::effective::implied_amplitude_ratio;
     use crate::lift::paper;
     use crate::lift::stroke::{StrokeMeans, stroke_means};
     use crate::lift::twist::{TwistAlongSpan, TwistHistory};
@@ -252,13 +227,6 @@ mod tests {
     }
 
     #[test]
-    fn effective_lift_coefficients_of_the_paper_follow_from_its_lift_and_the_modelled_ratio() {
-        // The paper's own numbers: measured +35.3 %, quasi-steady 0.827 of rigid: effective +63.6 %.
-        let ratio = effective_coefficient_ratio(1.353, 0.827).expect("ratio");
-        close(ratio, 1.636, 1e-3, "effective lift coefficient");
-    }
-
-    #[test]
     fn no_ratio_is_formed_with_nothing() {
         let rigid = means(&paper::planform(), TwistAlongSpan::flat(), 21.0);
         let still = means(&paper::planform(), TwistAlongSpan::flat(), 0.0);
@@ -268,7 +236,5 @@ mod tests {
             "the mean lift (N) of the reference is 0, so no ratio can be formed; choose a wing and a stroke that \
              give some"
         );
-        assert!(effective_coefficient_ratio(f64::NAN, 1.0).is_err());
-        assert!(implied_amplitude_ratio(1.0, 0.0, 1.0).is_err());
     }
 }
