@@ -1,1 +1,3 @@
 //! Twist and other channels as an instrument sees them.
+
+pub mod broken_line;
