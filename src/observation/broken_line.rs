@@ -29,7 +29,9 @@ pub struct BrokenLine {
 impl BrokenLine {
     /// Value at `x`; the first and last piece run on beyond the points.
     pub fn value(&self, x: f64) -> f64 {
-        (0..self.rates.len()).fold(self.start_y, |y, piece| y + self.rates[piece] * self.overlap(piece, x))
+        (0..self.rates.len()).fold(self.start_y, |y, piece| {
+            y + self.rates[piece] * self.overlap(piece, x)
+        })
     }
 
     /// Number of fitted parameters; an anchored line does not fit its start.
@@ -39,7 +41,11 @@ impl BrokenLine {
 
     /// Signed length of piece `piece` between the start and `x`.
     fn overlap(&self, piece: usize, x: f64) -> f64 {
-        let from = if piece == 0 { self.start_x } else { self.breaks[piece - 1] };
+        let from = if piece == 0 {
+            self.start_x
+        } else {
+            self.breaks[piece - 1]
+        };
         let past = if piece == 0 { x - from } else { (x - from).max(0.0) };
         match self.breaks.get(piece) {
             Some(to) => past.min(to - from),
@@ -58,7 +64,11 @@ impl BrokenLine {
                 _ if column < first + pieces => self.overlap(column - first, x),
                 _ => {
                     let bend = column - first - pieces;
-                    if x > self.breaks[bend] { self.rates[bend] - self.rates[bend + 1] } else { 0.0 }
+                    if x > self.breaks[bend] {
+                        self.rates[bend] - self.rates[bend + 1]
+                    } else {
+                        0.0
+                    }
                 }
             }
         })
@@ -100,14 +110,19 @@ pub fn fit(
 /// Gauss-Newton on all parameters from the best split, as far as it lowers the residual, and the variances.
 fn refine(mut line: BrokenLine, points: &[[f64; 2]], anchored: bool) -> BrokenLine {
     let residuals = |line: &BrokenLine| {
-        DVector::from_iterator(points.len(), points.iter().map(|point| point[1] - line.value(point[0])))
+        DVector::from_iterator(
+            points.len(),
+            points.iter().map(|point| point[1] - line.value(point[0])),
+        )
     };
     let first = usize::from(!anchored);
     let pieces = line.rates.len();
     line.rss = residuals(&line).norm_squared();
     for _ in 0..4 {
         let jacobian = line.jacobian(points, anchored);
-        let Ok(step) = jacobian.svd(true, true).solve(&residuals(&line), 1e-12) else { break };
+        let Ok(step) = jacobian.svd(true, true).solve(&residuals(&line), 1e-12) else {
+            break;
+        };
         let mut trial = line.clone();
         if !anchored {
             trial.start_y += step[0];
@@ -116,7 +131,10 @@ fn refine(mut line: BrokenLine, points: &[[f64; 2]], anchored: bool) -> BrokenLi
         (0..pieces - 1).for_each(|bend| trial.breaks[bend] += step[first + pieces + bend]);
         trial.rss = residuals(&trial).norm_squared();
         let last = points.len() - 1;
-        let inside = trial.breaks.iter().all(|b| *b > trial.start_x && *b < points[last][0]);
+        let inside = trial
+            .breaks
+            .iter()
+            .all(|b| *b > trial.start_x && *b < points[last][0]);
         if !(trial.rss < line.rss && inside && trial.breaks.windows(2).all(|pair| pair[0] < pair[1])) {
             break;
         }
@@ -136,9 +154,13 @@ fn unit_variance(jacobian: &DMatrix<f64>) -> Option<Vec<f64>> {
         jacobian[(row, column)] / lengths[column]
     });
     let inverse = (scaled.transpose() * scaled).cholesky()?.inverse();
-    let variance: Vec<f64> =
-        (0..lengths.len()).map(|k| inverse[(k, k)] / (lengths[k] * lengths[k])).collect();
-    variance.iter().all(|v| v.is_finite() && *v < 1e14).then_some(variance)
+    let variance: Vec<f64> = (0..lengths.len())
+        .map(|k| inverse[(k, k)] / (lengths[k] * lengths[k]))
+        .collect();
+    variance
+        .iter()
+        .all(|v| v.is_finite() && *v < 1e14)
+        .then_some(variance)
 }
 
 /// Shift and scale that bring the points near [0, 1]², so that running sums keep their digits.
@@ -151,8 +173,15 @@ impl Scale {
     fn of(points: &[[f64; 2]], anchor: Option<[f64; 2]>) -> Option<Scale> {
         let start = anchor.unwrap_or(points[0]);
         let length = points[points.len() - 1][0] - start[0];
-        let height = points.iter().map(|point| (point[1] - start[1]).abs()).fold(0.0, f64::max);
-        let finite = points.iter().flatten().chain(&start).all(|value| value.is_finite());
+        let height = points
+            .iter()
+            .map(|point| (point[1] - start[1]).abs())
+            .fold(0.0, f64::max);
+        let finite = points
+            .iter()
+            .flatten()
+            .chain(&start)
+            .all(|value| value.is_finite());
         (finite && length > 0.0).then_some(Scale {
             x: [start[0], length],
             y: [start[1], if height > 0.0 { height } else { 1.0 }],
@@ -160,7 +189,10 @@ impl Scale {
     }
 
     fn inward(&self, point: [f64; 2]) -> [f64; 2] {
-        [(point[0] - self.x[0]) / self.x[1], (point[1] - self.y[0]) / self.y[1]]
+        [
+            (point[0] - self.x[0]) / self.x[1],
+            (point[1] - self.y[0]) / self.y[1],
+        ]
     }
 
     /// The line through knots `[x, y]` in scaled units, back in the units of the points.
@@ -170,7 +202,10 @@ impl Scale {
         BrokenLine {
             start_x: knots[0][0],
             start_y: knots[0][1],
-            rates: knots.windows(2).map(|pair| (pair[1][1] - pair[0][1]) / (pair[1][0] - pair[0][0])).collect(),
+            rates: knots
+                .windows(2)
+                .map(|pair| (pair[1][1] - pair[0][1]) / (pair[1][0] - pair[0][0]))
+                .collect(),
             breaks: knots[1..knots.len() - 1].iter().map(|knot| knot[0]).collect(),
             rss: f64::INFINITY,
             unit_variance: None,
@@ -241,7 +276,9 @@ impl Search<'_> {
     fn try_split(&mut self, split: &[usize]) {
         let bends = split.len();
         let mut kinds = vec![Bend::Free; bends];
-        let Some((lower_bound, _)) = self.groups(split, &kinds) else { return };
+        let Some((lower_bound, _)) = self.groups(split, &kinds) else {
+            return;
+        };
         let beaten = |rss: f64, best: &Option<(f64, Vec<[f64; 2]>)>| {
             best.as_ref().is_some_and(|(lowest, _)| rss >= *lowest)
         };
@@ -252,7 +289,9 @@ impl Search<'_> {
             for (bend, kind) in kinds.iter_mut().enumerate() {
                 *kind = Bend::ALL[pattern / 3usize.pow(bend as u32) % 3];
             }
-            let Some((rss, lines)) = self.groups(split, &kinds) else { continue };
+            let Some((rss, lines)) = self.groups(split, &kinds) else {
+                continue;
+            };
             if beaten(rss, &self.best) {
                 continue;
             }
@@ -313,7 +352,9 @@ impl Search<'_> {
             (diagonal[0], upper[0], right[0]) = (1.0, 0.0, place[1]);
         }
         let y = solve_tridiagonal(&diagonal, &upper, &right)?;
-        let explained: f64 = (usize::from(anchor.is_some())..unknowns).map(|k| right[k] * y[k]).sum();
+        let explained: f64 = (usize::from(anchor.is_some())..unknowns)
+            .map(|k| right[k] * y[k])
+            .sum();
         let knots = x.iter().zip(&y).map(|(x, y)| [*x, *y]).collect();
         Some(((total - explained).max(0.0), knots))
     }
@@ -329,8 +370,8 @@ impl Search<'_> {
             }
             let rate = |line: [[f64; 2]; 2]| (line[1][1] - line[0][1]) / (line[1][0] - line[0][0]);
             let change = rate(left) - rate(right);
-            let x = left[0][0]
-                + (right[0][1] - left[0][1] + rate(right) * (left[0][0] - right[0][0])) / change;
+            let x =
+                left[0][0] + (right[0][1] - left[0][1] + rate(right) * (left[0][0] - right[0][0])) / change;
             let (low, high) = (self.points[index - 1][0], self.points[index][0]);
             if !(x.is_finite() && x > low && x < high) {
                 return None;
@@ -375,7 +416,10 @@ mod tests {
     /// Residual of the best line for breaks on a fine grid that meets no point, by dense least squares: no code shared.
     fn brute_force(points: &[[f64; 2]], bends: usize, step: f64) -> f64 {
         let end = points[points.len() - 1][0];
-        let grid: Vec<f64> = (0..).map(|k| (k as f64 + 0.5) * step).take_while(|x| *x < end).collect();
+        let grid: Vec<f64> = (0..)
+            .map(|k| (k as f64 + 0.5) * step)
+            .take_while(|x| *x < end)
+            .collect();
         let mut breaks = vec![0usize; bends];
         let mut lowest = f64::INFINITY;
         loop {
@@ -388,16 +432,21 @@ mod tests {
                 });
                 let y = DVector::from_iterator(points.len(), points.iter().map(|p| p[1]));
                 let solved = a.clone().svd(true, true).solve(&y, 1e-12).unwrap();
-                let ok = breaks.iter().map(|k| grid[*k]).fold((true, -1.0), |(ok, from), to| {
-                    let count = points.iter().filter(|p| p[0] >= from && p[0] <= to).count();
-                    (ok && count >= 2, to)
-                });
+                let ok = breaks
+                    .iter()
+                    .map(|k| grid[*k])
+                    .fold((true, -1.0), |(ok, from), to| {
+                        let count = points.iter().filter(|p| p[0] >= from && p[0] <= to).count();
+                        (ok && count >= 2, to)
+                    });
                 let last = points.iter().filter(|p| p[0] >= ok.1).count();
                 if ok.0 && last >= 2 {
                     lowest = lowest.min((y - a * solved).norm_squared());
                 }
             }
-            let Some(slot) = (0..bends).rev().find(|k| breaks[*k] + 1 < grid.len()) else { return lowest };
+            let Some(slot) = (0..bends).rev().find(|k| breaks[*k] + 1 < grid.len()) else {
+                return lowest;
+            };
             breaks[slot] += 1;
             breaks[slot + 1..].fill(0);
         }
@@ -408,7 +457,12 @@ mod tests {
         let truth = |x: f64| 1.0 + 0.5 * x + 2.0 * (x - 4.3).max(0.0) - 1.7 * (x - 9.6).max(0.0);
         let line = fit(&sampled(16, truth), None, 3, 2).unwrap();
         assert!(line.rss < 1e-24, "{line:?}");
-        for (found, wanted) in line.breaks.iter().zip([4.3, 9.6]).chain(line.rates.iter().zip([0.5, 2.5, 0.8])) {
+        for (found, wanted) in line
+            .breaks
+            .iter()
+            .zip([4.3, 9.6])
+            .chain(line.rates.iter().zip([0.5, 2.5, 0.8]))
+        {
             assert!((found - wanted).abs() < 1e-11, "{line:?}");
         }
     }
@@ -423,8 +477,16 @@ mod tests {
             for bends in 1..=2 {
                 let line = fit(&points, None, bends + 1, 2).unwrap();
                 let grid = brute_force(&points, bends, 0.04);
-                assert!(line.rss <= grid * (1.0 + 1e-12), "seed {seed}: {} above {grid}", line.rss);
-                assert!(line.rss > 0.9 * grid, "seed {seed}: {} far below {grid}", line.rss);
+                assert!(
+                    line.rss <= grid * (1.0 + 1e-12),
+                    "seed {seed}: {} above {grid}",
+                    line.rss
+                );
+                assert!(
+                    line.rss > 0.9 * grid,
+                    "seed {seed}: {} far below {grid}",
+                    line.rss
+                );
             }
         }
     }

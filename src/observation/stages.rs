@@ -1,0 +1,398 @@
+//! Stages of a twist profile: a continuous piecewise-linear fit whose number of stages the data choose.
+//!
+//! Rule: starting from one stage, a fit with more stages is taken if the F-test of its gain,
+//! F = ((RSS_few − RSS_more)/Δp) / s², s² = max(RSS_more/(n − p), resolution²), is significant at 0.2 %;
+//! p counts start value (unless anchored), rates and breaks. Breaks are searched, so the true rate of one stage
+//! too many is higher than the level: 0.2 to 1.3 % on straight or two-stage profiles of 10 to 60 noisy points.
+//!
+//! Standard errors come from the Jacobian (rates and breaks together), s² = RSS/(n − p). Two of them cover the
+//! truth in 94 % of cases where the break is known to a fraction of the distance between points, in about 91 %
+//! where it is known no better than that distance.
+
+use std::fmt;
+
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
+use super::broken_line::{self, BrokenLine};
+
+/// Angle per length, from rad/m to deg/mm.
+pub const DEG_PER_MM: f64 = 180.0 / std::f64::consts::PI / 1000.0;
+
+/// Settings of a stage fit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StageSettings {
+    /// Largest number of stages tried.
+    pub most_stages: usize,
+    /// Fewest points on each stage; a point on a break counts once.
+    pub min_points: usize,
+    /// Level of the F-test by which another stage is accepted.
+    pub significance: f64,
+    /// Scatter below which nothing is explained any more, rad.
+    pub resolution_rad: f64,
+    /// Whether the points are read off a model's smooth curve or were measured.
+    pub source: PointSource,
+}
+
+/// Where the points of a fit come from; decides what its standard errors mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PointSource {
+    /// Read with independent errors: the standard error is the usual one.
+    Measured,
+    /// Free of noise: the scatter is the curve's distance from a broken line.
+    Modelled,
+}
+
+impl PointSource {
+    /// What the standard errors of a fit mean, in one sentence.
+    pub fn meaning_of_errors(self) -> &'static str {
+        match self {
+            PointSource::Measured => "standard errors from the scatter of the readings about the broken line",
+            PointSource::Modelled => {
+                "the model curve has no noise: the errors say how far it is from a broken line, not how sure it is"
+            }
+        }
+    }
+}
+
+impl Default for StageSettings {
+    fn default() -> Self {
+        StageSettings {
+            most_stages: 4,
+            min_points: 2,
+            significance: 0.002,
+            resolution_rad: 0.01f64.to_radians(),
+            source: PointSource::Modelled,
+        }
+    }
+}
+
+/// A twist profile as stages of constant rate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StageFit {
+    /// The stages, from base to tip.
+    pub stages: Vec<Stage>,
+    /// Twist where the first stage starts, rad.
+    pub start_twist_rad: f64,
+    /// Standard error of each break, m; none where the points do not fix it.
+    pub break_error_m: Vec<Option<f64>>,
+    /// Root of RSS/(n − p), rad; none where as many parameters as points were fitted.
+    pub scatter_rad: Option<f64>,
+    /// Number of points fitted, without the anchor.
+    pub points: usize,
+    /// Whether the line was made to pass the base exactly.
+    pub anchored: bool,
+    /// Every number of stages that was tried, and what it gained.
+    pub trials: Vec<StageTrial>,
+    /// Where the points come from.
+    pub source: PointSource,
+    line: BrokenLine,
+}
+
+/// One stage: constant twist rate between two places.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stage {
+    /// Where it starts, m from the wing base.
+    pub from_m: f64,
+    /// Where it ends: the next break, or the last point.
+    pub to_m: f64,
+    /// Twist rate, rad/m.
+    pub rate_rad_per_m: f64,
+    /// Its standard error, rad/m; none where the points do not fix it.
+    pub rate_error_rad_per_m: Option<f64>,
+}
+
+/// One number of stages that was tried.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StageTrial {
+    /// Number of stages.
+    pub stages: usize,
+    /// Root mean square residual, rad.
+    pub rms_rad: f64,
+    /// Chance of such a gain over the fit held until then, if that one were true; none for the first.
+    pub p_value: Option<f64>,
+}
+
+impl StageFit {
+    /// Twist of the fitted line at `r_m`, rad.
+    pub fn twist_rad(&self, r_m: f64) -> f64 {
+        self.line.value(r_m)
+    }
+
+    /// Places of the breaks, m from the wing base.
+    pub fn breaks_m(&self) -> &[f64] {
+        &self.line.breaks
+    }
+}
+
+/// Fit of stages to points `[r_m, twist_rad]`, r rising; `base` is a place `[r_m, twist_rad]` that the line
+/// passes exactly (the clamp). None with fewer than two points (one with a base), or points out of order.
+pub fn fit_stages(points: &[[f64; 2]], base: Option<[f64; 2]>, settings: StageSettings) -> Option<StageFit> {
+    let anchored = base.is_some();
+    let spare = |stages: usize| points.len().checked_sub(BrokenLine::parameters(stages, anchored));
+    let mut held = broken_line::fit(points, base, 1, settings.min_points.min(points.len()))?;
+    spare(1)?;
+    let rms = |line: &BrokenLine| (line.rss / points.len() as f64).sqrt();
+    let mut trials = vec![StageTrial {
+        stages: 1,
+        rms_rad: rms(&held),
+        p_value: None,
+    }];
+    for stages in 2..=settings.most_stages {
+        let Some(free) = spare(stages).filter(|free| *free > 0) else {
+            break;
+        };
+        let Some(trial) = broken_line::fit(points, base, stages, settings.min_points) else {
+            break;
+        };
+        let more = 2 * (stages - held.rates.len());
+        let variance = (trial.rss / free as f64).max(settings.resolution_rad.powi(2));
+        let gain = (held.rss - trial.rss) / more as f64 / variance;
+        let p_value = chance_of_gain(gain, more, free);
+        trials.push(StageTrial {
+            stages,
+            rms_rad: rms(&trial),
+            p_value: Some(p_value),
+        });
+        if p_value < settings.significance {
+            held = trial;
+        }
+    }
+    Some(summarise(held, points, anchored, trials, settings.source))
+}
+
+/// Chance that F(more, free) exceeds `gain`.
+fn chance_of_gain(gain: f64, more: usize, free: usize) -> f64 {
+    match FisherSnedecor::new(more as f64, free as f64) {
+        Ok(law) if gain > 0.0 => law.sf(gain),
+        _ => 1.0,
+    }
+}
+
+fn summarise(
+    line: BrokenLine,
+    points: &[[f64; 2]],
+    anchored: bool,
+    trials: Vec<StageTrial>,
+    source: PointSource,
+) -> StageFit {
+    let count = line.rates.len();
+    let free = points.len() - BrokenLine::parameters(count, anchored);
+    let scatter_rad = (free > 0).then(|| (line.rss / free as f64).sqrt());
+    let first = usize::from(!anchored);
+    let error = |parameter: usize| {
+        let variance = line.unit_variance.as_ref()?[parameter];
+        Some(scatter_rad? * variance.sqrt())
+    };
+    let mut places = vec![line.start_x];
+    places.extend(&line.breaks);
+    places.push(points[points.len() - 1][0]);
+    let stages = (0..count)
+        .map(|k| Stage {
+            from_m: places[k],
+            to_m: places[k + 1],
+            rate_rad_per_m: line.rates[k],
+            rate_error_rad_per_m: error(first + k),
+        })
+        .collect();
+    StageFit {
+        stages,
+        start_twist_rad: line.start_y,
+        break_error_m: (0..count - 1).map(|bend| error(first + count + bend)).collect(),
+        scatter_rad,
+        points: points.len(),
+        anchored,
+        trials,
+        source,
+        line,
+    }
+}
+
+impl fmt::Display for StageFit {
+    /// An aligned table with units in its head, and a line that says what the errors mean.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let shown = |value: Option<f64>, digits: usize| match value {
+            Some(value) => format!("± {value:.digits$}"),
+            None => "± not fixed".to_string(),
+        };
+        writeln!(f, "{:>8}  {:>8}  {:>13}  {:>9}", "from mm", "to mm", "", "deg/mm")?;
+        for (k, stage) in self.stages.iter().enumerate() {
+            let end = match self.break_error_m.get(k) {
+                Some(error) => shown(error.map(|m| m * 1000.0), 1),
+                None => String::new(),
+            };
+            writeln!(
+                f,
+                "{:>8.1}  {:>8.1}  {:<13}  {:>9.3}  {}",
+                stage.from_m * 1000.0,
+                stage.to_m * 1000.0,
+                end,
+                stage.rate_rad_per_m * DEG_PER_MM,
+                shown(stage.rate_error_rad_per_m.map(|rate| rate * DEG_PER_MM), 3),
+            )?;
+        }
+        if let Some(scatter_rad) = self.scatter_rad {
+            writeln!(
+                f,
+                "scatter {:.2} deg over {} points",
+                scatter_rad.to_degrees(),
+                self.points
+            )?;
+        }
+        writeln!(f, "{}", self.source.meaning_of_errors())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Normal deviates from a fixed seed (splitmix64 and the sum of twelve uniforms).
+    struct Noise(u64);
+
+    impl Noise {
+        fn next(&mut self) -> f64 {
+            let uniform = || {
+                self.0 = self.0.wrapping_add(0x9e3779b97f4a7c15);
+                let mut z = self.0;
+                z = (z ^ (z >> 30)).wrapping_mul(0xbf58476d1ce4e5b9);
+                z = (z ^ (z >> 27)).wrapping_mul(0x94d049bb133111eb);
+                ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+            };
+            std::iter::repeat_with(uniform).take(12).sum::<f64>() - 6.0
+        }
+    }
+
+    const MEASURED: StageSettings = StageSettings {
+        most_stages: 4,
+        min_points: 3,
+        significance: 0.002,
+        resolution_rad: 1e-9,
+        source: PointSource::Measured,
+    };
+
+    fn broken_twist_rad(r_mm: f64, stages: &[(f64, f64)]) -> f64 {
+        let mut from = 0.0;
+        let mut twist_deg = 0.0;
+        for (to, rate) in stages {
+            twist_deg += rate * (r_mm.min(*to) - from).max(0.0);
+            from = *to;
+        }
+        twist_deg.to_radians()
+    }
+
+    fn profile(count: usize, stages: &[(f64, f64)]) -> Vec<[f64; 2]> {
+        (1..=count)
+            .map(|k| 70.0 * k as f64 / count as f64)
+            .map(|r_mm| [r_mm / 1000.0, broken_twist_rad(r_mm, stages)])
+            .collect()
+    }
+
+    #[test]
+    fn the_two_stages_of_twist_v1_come_back_from_points_on_its_profile() {
+        let points = profile(14, &[(48.0, 0.29), (70.0, 1.39)]);
+        for base in [None, Some([0.0, 0.0])] {
+            let fit = fit_stages(&points, base, StageSettings::default()).unwrap();
+            assert_eq!(fit.stages.len(), 2, "{fit:?}");
+            assert!((fit.stages[0].rate_rad_per_m * DEG_PER_MM - 0.29).abs() < 1e-9);
+            assert!((fit.stages[1].rate_rad_per_m * DEG_PER_MM - 1.39).abs() < 1e-9);
+            assert!((fit.breaks_m()[0] - 0.048).abs() < 1e-9);
+            assert!((fit.twist_rad(0.070).to_degrees() - 44.5).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn one_two_three_and_four_stages_are_told_apart_without_noise() {
+        let truth: [&[(f64, f64)]; 4] = [
+            &[(70.0, 0.5)],
+            &[(20.0, 0.0), (70.0, 0.46)],
+            &[(20.0, 0.1), (45.0, 0.9), (70.0, 0.3)],
+            &[(15.0, 0.1), (33.0, 0.9), (52.0, 0.2), (70.0, 1.1)],
+        ];
+        for stages in truth {
+            let fit = fit_stages(&profile(28, stages), None, StageSettings::default()).unwrap();
+            assert_eq!(fit.stages.len(), stages.len(), "{fit:?}");
+            for (found, (to, rate)) in fit.stages.iter().zip(stages) {
+                assert!((found.rate_rad_per_m * DEG_PER_MM - rate).abs() < 1e-8, "{fit:?}");
+                assert!((found.to_m * 1000.0 - to).abs() < 1e-6, "{fit:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn two_standard_errors_cover_rates_and_break_of_noisy_profiles_as_often_as_they_should() {
+        let (rates, break_mm, trials) = ([0.29, 1.39], 48.0, 1000);
+        let clean = profile(24, &[(break_mm, rates[0]), (70.0, rates[1])]);
+        let mut noise = Noise(7);
+        let (mut right_count, mut covered) = (0, [0usize; 3]);
+        for _ in 0..trials {
+            let noisy: Vec<[f64; 2]> = clean
+                .iter()
+                .map(|[r, twist]| [*r, twist + 0.3f64.to_radians() * noise.next()])
+                .collect();
+            let fit = fit_stages(&noisy, None, MEASURED).unwrap();
+            if fit.stages.len() != 2 {
+                continue;
+            }
+            right_count += 1;
+            for (k, stage) in fit.stages.iter().enumerate() {
+                let miss = (stage.rate_rad_per_m - rates[k] / DEG_PER_MM).abs();
+                covered[k] += usize::from(miss <= 2.0 * stage.rate_error_rad_per_m.unwrap());
+            }
+            let miss = (fit.breaks_m()[0] - break_mm / 1000.0).abs();
+            covered[2] += usize::from(miss <= 2.0 * fit.break_error_m[0].unwrap());
+        }
+        assert!(
+            right_count >= 985,
+            "{right_count} of {trials} fits have two stages"
+        );
+        for count in covered {
+            let share = count as f64 / right_count as f64;
+            assert!(
+                (0.915..=0.965).contains(&share),
+                "coverage {share} ({covered:?} of {right_count})"
+            );
+        }
+    }
+
+    #[test]
+    fn a_straight_noisy_profile_is_seldom_split() {
+        let clean = profile(20, &[(70.0, 0.5)]);
+        let mut noise = Noise(11);
+        let split = (0..400)
+            .filter(|_| {
+                let noisy: Vec<[f64; 2]> = clean
+                    .iter()
+                    .map(|[r, twist]| [*r, twist + 0.01 * noise.next()])
+                    .collect();
+                fit_stages(&noisy, None, MEASURED).unwrap().stages.len() > 1
+            })
+            .count();
+        assert!(split <= 6, "{split} of 400 straight profiles were split");
+    }
+
+    #[test]
+    fn a_smooth_model_curve_says_that_its_errors_are_not_noise() {
+        let points: Vec<[f64; 2]> = (1..=7)
+            .map(|k| k as f64 / 100.0)
+            .map(|r| [r, 0.4 * (1.0 - (1.0 - r / 0.07).powi(2))])
+            .collect();
+        let fit = fit_stages(&points, Some([0.0, 0.0]), StageSettings::default()).unwrap();
+        assert!(fit.scatter_rad.unwrap() > 0.0);
+        assert!(fit.to_string().contains("not how sure it is"), "{fit}");
+        assert!(
+            fit.stages
+                .iter()
+                .all(|stage| stage.rate_error_rad_per_m.is_none_or(f64::is_finite))
+        );
+    }
+
+    #[test]
+    fn too_few_points_give_no_fit_and_two_give_a_line_without_errors() {
+        assert!(fit_stages(&[[0.01, 0.1]], None, StageSettings::default()).is_none());
+        assert!(fit_stages(&[], Some([0.0, 0.0]), StageSettings::default()).is_none());
+        let fit = fit_stages(&[[0.01, 0.1], [0.02, 0.2]], None, StageSettings::default()).unwrap();
+        assert_eq!((fit.stages.len(), fit.scatter_rad), (1, None));
+        assert!((fit.stages[0].rate_rad_per_m - 10.0).abs() < 1e-12);
+    }
+}
