@@ -6,12 +6,16 @@ use std::path::PathBuf;
 use crate::aero::AeroError;
 use crate::export::ExportError;
 use crate::geometry::GeometryError;
+use crate::input::InputError;
 use crate::mesh::MeshError;
 use crate::progress::Cancelled;
 
 /// Why a verb did not do what it should.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
+    /// A design or measurement is refused.
+    #[error(transparent)]
+    Input(#[from] InputError),
     /// The wing cannot be laid out.
     #[error("{}: {source}", design.display())]
     Geometry {
@@ -66,7 +70,7 @@ impl Failure {
     /// The exit code of the process: 1 other, 2 input, 3 not converged, 130 interrupted.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Failure::Geometry { .. } | Failure::Mesh { .. } | Failure::Aero { .. } => 2,
+            Failure::Input(_) | Failure::Geometry { .. } | Failure::Mesh { .. } | Failure::Aero { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } => 2,
             Failure::Export(ExportError::NoRun { .. } | ExportError::ForeignSummary { .. }) => 2,
             Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) => 1,

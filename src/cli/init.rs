@@ -23,9 +23,9 @@ const TEMPLATE: &str = include_str!("init_design.toml");
 pub struct Init {
     /// Name of the wing: letters, digits, '-' and '_'
     pub name: String,
-    /// Folder to write into
-    #[arg(long, short, value_name = "DIR", default_value = ".")]
-    pub output: PathBuf,
+    /// Folder to write into [default: this one]
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
 }
 
 /// What `washout init` wrote.
@@ -38,7 +38,8 @@ pub struct InitReport {
 impl Init {
     /// Writes the file; an existing one is never touched.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let path = self.output.join(format!("{}.toml", checked(&self.name)?));
+        let folder = self.output.clone().unwrap_or_default();
+        let path = folder.join(format!("{}.toml", checked(&self.name)?));
         let write = || {
             let mut file = OpenOptions::new().write(true).create_new(true).open(&path)?;
             file.write_all(design(&self.name).as_bytes())
@@ -75,6 +76,15 @@ fn checked(name: &str) -> Result<&str, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::input::Design;
+
+    #[test]
+    fn the_template_is_a_design_without_faults() {
+        let found = Design::from_toml(&design("first-wing"), "first-wing.toml");
+        let found = found.unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(found.name, "first-wing");
+        assert_eq!(found.assumptions().len(), 2);
+    }
 
     #[test]
     fn a_name_with_a_path_or_a_space_is_refused() {

@@ -7,6 +7,10 @@ pub mod failure;
 
 pub mod console;
 
+pub mod case;
+
+pub mod mesh;
+
 pub mod init;
 
 pub mod schema;
@@ -54,6 +58,8 @@ pub struct Common {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub enum Verb {
+    /// Write the mesh of a design, for VTK and Gmsh
+    Mesh(mesh::WriteMesh),
     /// Write a commented design file to start from
     Init(init::Init),
     /// Print the JSON schema of a file or of an output
@@ -71,6 +77,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             .map_err(|error| Failure::Threads(error.to_string()))?;
     }
     let result = match &arguments.verb {
+        Verb::Mesh(verb) => verb.run(&console),
         Verb::Init(verb) => verb.run(&console),
         Verb::Schema(verb) => verb.run(&console),
         Verb::Diff(verb) => verb.run(&console),

@@ -27,6 +27,8 @@ pub enum Output {
     Solve,
     /// `washout diff --json`
     Diff,
+    /// `washout mesh --json`
+    Mesh,
     /// `washout init --json`
     Init,
 }
@@ -38,6 +40,7 @@ impl Schema {
             None => schemars::schema_for!(Design),
             Some(Output::Solve) => schemars::schema_for!(RunSummary),
             Some(Output::Diff) => schemars::schema_for!(Difference),
+            Some(Output::Mesh) => schemars::schema_for!(super::mesh::MeshReport),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
         };
         console.document(&schema)

@@ -9,6 +9,8 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use tempfile::TempDir;
 
 use super::ExportError;
@@ -59,9 +61,22 @@ impl RunFolder {
         Ok(())
     }
 
-    /// Names of the files added so far.
-    pub fn names(&self) -> &[String] {
-        &self.names
+    /// Names of all files of the folder, the summary among them, as its `files` must list them.
+    pub fn listed(&self) -> Vec<String> {
+        let mut names = self.names.clone();
+        names.push(SUMMARY.to_string());
+        names
+    }
+
+    /// Adds `summary.json`, the last file; its `files` are what [`RunFolder::listed`] says.
+    ///
+    /// Refuses a document that would not read back as it is, above all numbers that are not finite.
+    pub fn add_summary<T>(&mut self, document: &T) -> Result<(), ExportError>
+    where
+        T: Serialize + DeserializeOwned + PartialEq,
+    {
+        let text = to_json(document)?;
+        self.add(SUMMARY, text.as_bytes())
     }
 
     /// Puts the folder in place of an earlier run; gives its path.
@@ -90,6 +105,26 @@ impl RunFolder {
         sync_folder(&parent).map_err(ExportError::file("write", &parent))?;
         Ok(target)
     }
+}
+
+/// The text of a document, ended by a line feed; refuses what would not read back as it is.
+fn to_json<T>(document: &T) -> Result<String, ExportError>
+where
+    T: Serialize + DeserializeOwned + PartialEq,
+{
+    let refuse = |reason: String| ExportError::Encoding {
+        format: "JSON",
+        reason,
+    };
+    let mut text = serde_json::to_string_pretty(document).map_err(|error| refuse(error.to_string()))?;
+    // JSON writes a number that is not finite as null.
+    let back: T = serde_json::from_str(&text)
+        .map_err(|error| refuse(format!("a number that is not finite, or the like: {error}")))?;
+    if back != *document {
+        return Err(refuse("it holds a number that is not finite".to_string()));
+    }
+    text.push('\n');
+    Ok(text)
 }
 
 /// Reads the summary of a run from its folder.
@@ -217,6 +252,16 @@ mod tests {
         let error = write_run(&target, "second").expect_err("foreign file");
         assert!(error.to_string().contains("'notes.txt'"), "{error}");
         assert_eq!(entries(&target), ["notes.txt", "profile.csv", "summary.json"]);
+    }
+
+    #[test]
+    fn a_document_with_a_number_that_is_not_finite_is_refused() {
+        assert!(to_json(&[1.0, f64::NAN].to_vec()).is_err());
+        assert!(to_json(&vec![Some(f64::INFINITY)]).is_err());
+        assert_eq!(
+            to_json(&vec![Some(0.1), None]).expect("finite"),
+            "[\n  0.1,\n  null\n]\n"
+        );
     }
 
     #[test]

@@ -8,8 +8,6 @@ use serde::{Deserialize, Serialize};
 use crate::input::design::{Design, Section};
 use crate::lift::LiftReport;
 
-use super::ExportError;
-
 /// Version of this document.
 pub const FORMAT: u32 = 1;
 
@@ -357,26 +355,4 @@ pub struct CellLegend {
     pub material: Vec<String>,
     /// Sections of `section` 0, 1, …; -1 is none.
     pub section: Vec<Section>,
-}
-
-impl RunSummary {
-    /// The text of `summary.json`, ended by a line feed.
-    ///
-    /// Refuses what would not read back as it is, above all a number that is not finite.
-    pub fn to_json(&self) -> Result<String, ExportError> {
-        let refuse = |reason: String| ExportError::Encoding {
-            format: "JSON",
-            reason,
-        };
-        let mut text = serde_json::to_string_pretty(self).map_err(|error| refuse(error.to_string()))?;
-        let back: RunSummary = serde_json::from_str(&text)
-            .map_err(|error| refuse(format!("a number that is not finite, or the like: {error}")))?;
-        if back != *self {
-            return Err(refuse(
-                "the summary holds a number that is not finite".to_string(),
-            ));
-        }
-        text.push('\n');
-        Ok(text)
-    }
 }

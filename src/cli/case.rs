@@ -1,0 +1,101 @@
+//! A design on the command line, and the wing that it makes.
+
+use std::path::{Component, Path, PathBuf};
+
+use clap::Args;
+
+use crate::geometry::Planform;
+use crate::input::{Design, Loaded};
+use crate::mesh::{self, Mesh};
+
+use super::{Console, Failure};
+
+/// A design file and what the command line changes in it.
+#[derive(Debug, Clone, Args)]
+pub struct DesignArguments {
+    /// Design file
+    pub design: PathBuf,
+    /// Set a key of the design, e.g. flapping.frequency_hz=23; can be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Refine the mesh by this factor in both directions
+    #[arg(long, value_name = "FACTOR")]
+    pub refine: Option<f64>,
+    /// Use this Gmsh mesh instead of making one
+    #[arg(long, value_name = "FILE")]
+    pub mesh: Option<PathBuf>,
+}
+
+/// A wing that is ready to be solved.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// The design with all that its file refers to.
+    pub loaded: Loaded,
+    /// Its outline.
+    pub planform: Planform,
+    /// Its mesh.
+    pub mesh: Mesh,
+}
+
+impl DesignArguments {
+    /// Reads the design and meshes the wing.
+    pub fn case(&self, console: &Console) -> Result<Case, Failure> {
+        let loaded = self.load()?;
+        console.progress().say(format!("meshing {}", loaded.design.name));
+        let design = || self.design.clone();
+        let planform = Planform::from_design(&loaded.design).map_err(|source| Failure::Geometry {
+            design: design(),
+            source,
+        })?;
+        let mesh = mesh::generate(&loaded.design, &planform).map_err(|source| Failure::Mesh {
+            design: design(),
+            source,
+        })?;
+        Ok(Case {
+            loaded,
+            planform,
+            mesh,
+        })
+    }
+
+    /// Reads the design with the changes of the command line.
+    pub fn load(&self) -> Result<Loaded, Failure> {
+        let mut sets = self.set.clone();
+        sets.extend(self.refine.map(|factor| format!("mesh.refine={factor}")));
+        let file = self.mesh.as_ref().map(|file| beside(&self.design, file));
+        sets.extend(file.map(|file| format!("mesh.file={}", file.display())));
+        Ok(Design::load(&self.design, &sets)?)
+    }
+}
+
+/// A path that means the same seen from the folder of the design as `file` does seen from here.
+fn beside(design: &Path, file: &Path) -> PathBuf {
+    let folder = design.parent().unwrap_or(Path::new(""));
+    let plain = |path: &Path| path.components().all(|part| matches!(part, Component::Normal(_)));
+    if plain(folder) && file.is_relative() {
+        let up: PathBuf = folder.components().map(|_| Component::ParentDir).collect();
+        up.join(file)
+    } else {
+        std::path::absolute(file).unwrap_or_else(|_| file.to_path_buf())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mesh_file_is_found_from_the_folder_of_the_design() {
+        let seen = |design: &str, file: &str| beside(Path::new(design), Path::new(file));
+        assert_eq!(seen("wing.toml", "wing.msh"), Path::new("wing.msh"));
+        assert_eq!(
+            seen("designs/a/wing.toml", "meshes/wing.msh"),
+            Path::new("../../meshes/wing.msh")
+        );
+        assert_eq!(
+            seen("designs/wing.toml", "/meshes/wing.msh"),
+            Path::new("/meshes/wing.msh")
+        );
+        assert!(seen("../wing.toml", "wing.msh").is_absolute());
+    }
+}
