@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
+use super::air_table;
 use super::check;
 use super::design::Design;
 use super::document::{Node, NodeValue, Source};
@@ -11,6 +12,7 @@ use super::error::{InputError, Problem};
 use super::file;
 use super::form;
 use super::keys;
+use super::measurement::Measurement;
 use super::set::Setting;
 
 /// A design with all that its file refers to.
@@ -24,6 +26,10 @@ pub struct Loaded {
     pub materials_path: Option<PathBuf>,
     /// The mesh file, if one was named; it exists.
     pub mesh_path: Option<PathBuf>,
+    /// Rows alpha_deg, cl, cd of the table of coefficients, if one was named; α rises.
+    pub air_table: Option<Vec<[f64; 3]>>,
+    /// The rows of the measured case, if a measurement was named; their stations lie on the wing.
+    pub measurement: Option<Measurement>,
 }
 
 impl Design {
@@ -45,11 +51,24 @@ impl Design {
         let mut design = design_of(&root)?;
         design.materials = None;
         let mesh_path = named_file(&root, path, "mesh.file")?;
+        let air_table = match named_file(&root, path, "air.table")? {
+            Some(path) => Some(air_table::parse(
+                &file::shown(&path),
+                &file::read_text(&path, "a table of coefficients")?,
+            )?),
+            None => None,
+        };
+        let measurement = match named_file(&root, path, "measured.file")? {
+            Some(path) => Some(measured_case(&root, &design, &path)?),
+            None => None,
+        };
         Ok(Loaded {
             design,
             path: path.to_path_buf(),
             materials_path,
             mesh_path,
+            air_table,
+            measurement,
         })
     }
 
@@ -180,6 +199,33 @@ fn named_file(root: &Node, design_path: &Path, key: &str) -> Result<Option<PathB
         return Err(InputError::new(node.place(), key, &node.shown(), problem, cure));
     }
     Ok(Some(target))
+}
+
+/// The rows of the case that the design names.
+fn measured_case(root: &Node, design: &Design, path: &Path) -> Result<Measurement, InputError> {
+    let all = Measurement::load(path)?;
+    let case = design
+        .measured
+        .as_ref()
+        .map_or("", |measured| measured.case.as_str());
+    let rows = all.case(case);
+    if rows.rows.is_empty() {
+        let allowed = all.cases().into_iter().map(str::to_string).collect();
+        let node = root
+            .at(&super::path::KeyPath::parse("measured.case").unwrap_or_default())
+            .unwrap_or(root);
+        let cure = format!("These are the cases of {}", all.file);
+        let problem = Problem::UnknownValue { allowed };
+        return Err(InputError::new(
+            node.place(),
+            "measured.case",
+            &node.shown(),
+            problem,
+            cure,
+        ));
+    }
+    rows.check_stations(design)?;
+    Ok(rows)
 }
 
 fn same_file(a: &Path, b: &Path) -> bool {

@@ -10,9 +10,15 @@ pub mod schema;
 
 pub mod assumption;
 
+pub mod measurement;
+
+mod air_table;
+
 mod load;
 
 mod set;
+
+mod table;
 
 mod check;
 

@@ -1,0 +1,500 @@
+//! Tidy measurement tables: one row per number, with its error and what reported it.
+
+use std::path::Path;
+
+use super::design::{Design, Instrument};
+use super::error::{InputError, Problem, Range};
+use super::file;
+use super::table::{Record, Table};
+
+/// What a measurement file holds, or the rows of one case of it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Measurement {
+    /// File that it came from, as the user named it.
+    pub file: String,
+    /// Comment lines at the head of the file (source, licence, meaning of columns), without `#`.
+    pub comments: Vec<String>,
+    /// The rows, in the order of the file.
+    pub rows: Vec<Row>,
+}
+
+/// One measured number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Line of the file.
+    pub line: usize,
+    /// Which wing at which condition.
+    pub case: String,
+    /// What was measured.
+    pub channel: Channel,
+    /// Instrument that reported a twist; none for other channels.
+    pub instrument: Option<Instrument>,
+    /// Name of the run, to keep repeats apart; may be empty.
+    pub run: String,
+    /// Station, or inner end of the interval, mm from the wing base; none for channels of the whole wing.
+    pub r_mm: Option<f64>,
+    /// Outer end of the interval, mm, for twist rates.
+    pub r_to_mm: Option<f64>,
+    /// The value in the unit of the channel; twist is washout, whatever the sign in the file.
+    pub value: f64,
+    /// Standard deviation of the value, same unit, positive.
+    pub sigma: f64,
+    /// Where the standard deviation comes from.
+    pub sigma_kind: SigmaKind,
+    /// Whether the value is a bound only.
+    pub bound: Bound,
+}
+
+/// What was measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Channel {
+    /// Twist at a station, deg, washout positive.
+    Twist,
+    /// Mean twist rate over an interval, deg/mm, washout rising toward the tip positive.
+    TwistRate,
+    /// Deflection of the leading edge at a station, mm, positive toward +z.
+    Deflection,
+    /// Mean lift of one wing, mN.
+    Lift,
+    /// Mean drag of one wing, mN.
+    Drag,
+    /// Mean aerodynamic power of one wing, mW.
+    Power,
+    /// Mean lift as a ratio to the rigid wing.
+    LiftRatio,
+    /// Mean drag as a ratio to the rigid wing.
+    DragRatio,
+    /// Aerodynamic efficiency as a ratio to the rigid wing.
+    EfficiencyRatio,
+    /// Effective lift coefficient as a ratio to the rigid wing.
+    EffectiveLiftRatio,
+    /// Natural frequency, Hz.
+    Frequency,
+}
+
+/// Where a standard deviation comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SigmaKind {
+    /// The source states it.
+    Stated,
+    /// From repeated measurements.
+    Repeats,
+    /// Assumed.
+    Assumed,
+}
+
+/// Whether a value is a bound only.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bound {
+    /// A value.
+    None,
+    /// The true value lies below.
+    Upper,
+    /// The true value lies above.
+    Lower,
+}
+
+/// Columns of a measurement file, in the order in which they are written.
+pub const COLUMNS: [&str; 12] = [
+    "case",
+    "channel",
+    "instrument",
+    "unit",
+    "sign",
+    "run",
+    "r_mm",
+    "r_to_mm",
+    "value",
+    "sigma",
+    "sigma_kind",
+    "bound",
+];
+
+const CHANNELS: [(&str, Channel); 11] = [
+    ("twist", Channel::Twist),
+    ("twist_rate", Channel::TwistRate),
+    ("deflection", Channel::Deflection),
+    ("lift", Channel::Lift),
+    ("drag", Channel::Drag),
+    ("power", Channel::Power),
+    ("lift_ratio", Channel::LiftRatio),
+    ("drag_ratio", Channel::DragRatio),
+    ("efficiency_ratio", Channel::EfficiencyRatio),
+    ("effective_lift_ratio", Channel::EffectiveLiftRatio),
+    ("frequency", Channel::Frequency),
+];
+
+impl Channel {
+    /// Name in the file.
+    pub fn name(self) -> &'static str {
+        CHANNELS
+            .iter()
+            .find(|(_, channel)| *channel == self)
+            .map_or("", |(name, _)| name)
+    }
+
+    /// Unit of its values; `1` for ratios.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Channel::Twist => "deg",
+            Channel::TwistRate => "deg/mm",
+            Channel::Deflection => "mm",
+            Channel::Lift | Channel::Drag => "mN",
+            Channel::Power => "mW",
+            Channel::LiftRatio
+            | Channel::DragRatio
+            | Channel::EfficiencyRatio
+            | Channel::EffectiveLiftRatio => "1",
+            Channel::Frequency => "Hz",
+        }
+    }
+
+    /// Whether it is a twist, so that it has a sign and an instrument.
+    pub fn is_twist(self) -> bool {
+        matches!(self, Channel::Twist | Channel::TwistRate)
+    }
+
+    fn has_station(self) -> bool {
+        self.is_twist() || self == Channel::Deflection
+    }
+
+    /// Range of values that are no slip of the pen.
+    fn range(self) -> Range {
+        let (low, high) = match self {
+            Channel::Twist => (-180.0, 180.0),
+            Channel::TwistRate => (-1000.0, 1000.0),
+            Channel::Deflection => (-1e5, 1e5),
+            Channel::Lift | Channel::Drag | Channel::Power => (-1e9, 1e9),
+            Channel::Frequency => (0.0, 1e6),
+            _ => (0.0, 1000.0),
+        };
+        Range {
+            low,
+            high,
+            open: false,
+            unit: if self.unit() == "1" { "" } else { self.unit() },
+        }
+    }
+}
+
+impl Measurement {
+    /// Reads a measurement file with all its cases.
+    pub fn load(path: &Path) -> Result<Measurement, InputError> {
+        let text = file::read_text(path, "a measurement file")?;
+        Measurement::from_csv(&text, &file::shown(path))
+    }
+
+    /// Reads the rows that belong to a design: of the case it names under `measured`, of the case with its
+    /// name, or of the only case; their stations must lie on the wing.
+    pub fn load_for(path: &Path, design: &Design) -> Result<Measurement, InputError> {
+        let all = Measurement::load(path)?;
+        let cases = all.cases();
+        let named = design.measured.as_ref().map(|measured| measured.case.as_str());
+        let wanted = named
+            .into_iter()
+            .chain([design.name.as_str()])
+            .find(|name| cases.contains(name));
+        let case = match (wanted, &cases[..]) {
+            (Some(case), _) => case.to_string(),
+            (None, [only]) => only.to_string(),
+            (None, _) => {
+                let message = format!(
+                    "has no case for the design {}, only {}",
+                    design.name,
+                    cases.join(", ")
+                );
+                let cure = "Name the case in the design: [measured] case = \"...\"";
+                return Err(InputError::about_file(&all.file, message, cure));
+            }
+        };
+        let rows = all.case(&case);
+        rows.check_stations(design)?;
+        Ok(rows)
+    }
+
+    /// Reads a measurement from its text.
+    pub fn from_csv(text: &str, file_name: &str) -> Result<Measurement, InputError> {
+        let table = Table::parse(file_name, text, &COLUMNS)?;
+        let mut rows: Vec<Row> = Vec::new();
+        for record in &table.records {
+            let row = read_row(record)?;
+            if let Some(first) = rows.iter().find(|other| same_place(other, &row)) {
+                let message = format!("repeats the row on line {}", first.line);
+                let cure = "Delete one of them, or tell repeats apart in the column run";
+                return Err(record.conflict(
+                    "case",
+                    message,
+                    &["channel", "instrument", "run", "r_mm"],
+                    cure,
+                ));
+            }
+            rows.push(row);
+        }
+        Ok(Measurement {
+            file: file_name.to_string(),
+            comments: table.comments,
+            rows,
+        })
+    }
+
+    /// The names of the cases, in the order of the file.
+    pub fn cases(&self) -> Vec<&str> {
+        let mut cases: Vec<&str> = Vec::new();
+        for row in &self.rows {
+            if !cases.contains(&row.case.as_str()) {
+                cases.push(&row.case);
+            }
+        }
+        cases
+    }
+
+    /// The rows of one case.
+    pub fn case(&self, case: &str) -> Measurement {
+        Measurement {
+            file: self.file.clone(),
+            comments: self.comments.clone(),
+            rows: self.rows.iter().filter(|row| row.case == case).cloned().collect(),
+        }
+    }
+
+    /// Refuses stations that do not lie on the wing.
+    pub fn check_stations(&self, design: &Design) -> Result<(), InputError> {
+        let range = Range {
+            low: 0.0,
+            high: design.planform.length_mm.value(),
+            open: false,
+            unit: "mm",
+        };
+        for row in &self.rows {
+            for (column, station) in [("r_mm", row.r_mm), ("r_to_mm", row.r_to_mm)] {
+                if let Some(station) = station
+                    && !range.contains(station)
+                {
+                    let place = super::error::Place {
+                        file: self.file.clone(),
+                        line: Some(row.line),
+                        column: None,
+                    };
+                    let problem = Problem::OutOfRange { range };
+                    let cure = format!(
+                        "Give the station from the wing base; {} is {} mm long (planform.length_mm)",
+                        design.name, range.high
+                    );
+                    return Err(InputError::new(
+                        place,
+                        column,
+                        &station.to_string(),
+                        problem,
+                        cure,
+                    ));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn read_row(record: &Record) -> Result<Row, InputError> {
+    let case = record.text("case").to_string();
+    if case.is_empty() {
+        return Err(record.fault(
+            "case",
+            Problem::Missing,
+            "Name the wing and condition, e.g. twist-v2",
+        ));
+    }
+    let channel = record.word("channel", &CHANNELS, "Give what was measured, e.g. twist")?;
+    read_unit(record, channel)?;
+    let instrument = read_instrument(record, channel)?;
+    let washout = read_sign(record, channel)?;
+    let (r_mm, r_to_mm) = read_station(record, channel)?;
+    let cure = format!("Give the value in {}, e.g. 12.5", unit_words(channel));
+    let value = record.number_in("value", channel.range(), &cure)?;
+    let sigma_cure = "Give the standard deviation of the value in its unit; if the source states none, assume one \
+                      and write sigma_kind = assumed";
+    let sigma = record.number("sigma", sigma_cure)?;
+    if sigma <= 0.0 {
+        return Err(record.conflict("sigma", "must be larger than 0", &[], sigma_cure));
+    }
+    let kinds = [
+        ("stated", SigmaKind::Stated),
+        ("repeats", SigmaKind::Repeats),
+        ("assumed", SigmaKind::Assumed),
+    ];
+    let sigma_kind = record.word("sigma_kind", &kinds, "Say where sigma comes from")?;
+    let bounds = [
+        ("none", Bound::None),
+        ("upper", Bound::Upper),
+        ("lower", Bound::Lower),
+    ];
+    let bound = record.word("bound", &bounds, "Write none unless the value is only a bound")?;
+    let bound = match (washout, bound) {
+        (false, Bound::Upper) => Bound::Lower,
+        (false, Bound::Lower) => Bound::Upper,
+        _ => bound,
+    };
+    Ok(Row {
+        line: record.line,
+        case,
+        channel,
+        instrument,
+        run: record.text("run").to_string(),
+        r_mm,
+        r_to_mm,
+        value: if washout { value } else { -value },
+        sigma,
+        sigma_kind,
+        bound,
+    })
+}
+
+fn unit_words(channel: Channel) -> &'static str {
+    match channel.unit() {
+        "1" => "parts of the rigid wing (1.35 for +35 %)",
+        unit => unit,
+    }
+}
+
+fn read_unit(record: &Record, channel: Channel) -> Result<(), InputError> {
+    let unit = channel.unit();
+    if record.text("unit") == unit {
+        return Ok(());
+    }
+    let cure = format!(
+        "Convert value and sigma to {} and write unit {unit}",
+        unit_words(channel)
+    );
+    let problem = match record.text("unit") {
+        "" => Problem::Missing,
+        _ => Problem::Conflict {
+            message: format!("the channel {} is given in {unit}", channel.name()),
+            with: vec!["channel".to_string()],
+        },
+    };
+    Err(record.fault("unit", problem, &cure))
+}
+
+fn read_instrument(record: &Record, channel: Channel) -> Result<Option<Instrument>, InputError> {
+    let words = [
+        ("chord_rotation", Instrument::ChordRotation),
+        ("camera", Instrument::Camera),
+    ];
+    match (channel.is_twist(), record.text("instrument")) {
+        (true, _) => record
+            .word("instrument", &words, "Say how twist was read")
+            .map(Some),
+        (false, "") => Ok(None),
+        (false, _) => {
+            let message = format!("only twist has an instrument, not {}", channel.name());
+            Err(record.conflict("instrument", message, &["channel"], "Leave it empty"))
+        }
+    }
+}
+
+/// Whether twist counts as washout; true for channels without a sign.
+fn read_sign(record: &Record, channel: Channel) -> Result<bool, InputError> {
+    let words = [("washout", true), ("nose_up", false)];
+    match (channel.is_twist(), record.text("sign")) {
+        (true, _) => record.word(
+            "sign",
+            &words,
+            "Write washout where a positive value lowers the angle of attack",
+        ),
+        (false, "") => Ok(true),
+        (false, _) => {
+            let message = format!("only twist has a sign, not {}", channel.name());
+            Err(record.conflict("sign", message, &["channel"], "Leave it empty"))
+        }
+    }
+}
+
+fn read_station(record: &Record, channel: Channel) -> Result<(Option<f64>, Option<f64>), InputError> {
+    let cure = "Give the distance from the wing base in millimetres, e.g. 35.0";
+    let range = Range {
+        low: 0.0,
+        high: 100000.0,
+        open: false,
+        unit: "mm",
+    };
+    let empty = |column: &str, needs: &str| -> Result<Option<f64>, InputError> {
+        match record.text(column) {
+            "" => Ok(None),
+            _ => {
+                let message = format!("the channel {} {needs}", channel.name());
+                Err(record.conflict(column, message, &["channel"], "Leave it empty"))
+            }
+        }
+    };
+    if !channel.has_station() {
+        return Ok((
+            empty("r_mm", "belongs to the whole wing")?,
+            empty("r_to_mm", "belongs to the whole wing")?,
+        ));
+    }
+    let r_mm = record.number_in("r_mm", range, cure)?;
+    if channel != Channel::TwistRate {
+        return Ok((
+            Some(r_mm),
+            empty("r_to_mm", "belongs to one station, not to an interval")?,
+        ));
+    }
+    let r_to_mm = record.number_in(
+        "r_to_mm",
+        range,
+        "Give the outer end of the interval in millimetres, e.g. 48.0",
+    )?;
+    if r_to_mm <= r_mm {
+        let message = format!("must be larger than r_mm = {r_mm}");
+        let cure = "Give the inner end as r_mm and the outer end as r_to_mm";
+        return Err(record.conflict("r_to_mm", message, &["r_mm"], cure));
+    }
+    Ok((Some(r_mm), Some(r_to_mm)))
+}
+
+fn same_place(a: &Row, b: &Row) -> bool {
+    a.case == b.case
+        && a.channel == b.channel
+        && a.instrument == b.instrument
+        && a.run == b.run
+        && a.r_mm == b.r_mm
+        && a.r_to_mm == b.r_to_mm
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEAD: &str = "# source: a bench\ncase,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound\n";
+
+    #[test]
+    fn nose_up_becomes_washout_with_its_bound() {
+        let text = format!("{HEAD}a,twist,camera,deg,nose_up,1,50,,-4.5,0.5,stated,lower\n");
+        let measurement = Measurement::from_csv(&text, "m.csv").unwrap();
+        let row = &measurement.rows[0];
+        assert_eq!((row.value, row.bound, row.line), (4.5, Bound::Upper, 3));
+        assert_eq!(measurement.comments, ["source: a bench"]);
+    }
+
+    #[test]
+    fn a_rate_needs_an_interval_and_a_ratio_needs_no_station() {
+        let text = format!(
+            "{HEAD}a,twist_rate,camera,deg/mm,washout,,0,48,0.29,0.04,assumed,none\n\
+             a,lift_ratio,,1,,,,,1.353,0.05,assumed,none\n"
+        );
+        let rows = Measurement::from_csv(&text, "m.csv").unwrap().rows;
+        assert_eq!((rows[0].r_mm, rows[0].r_to_mm), (Some(0.0), Some(48.0)));
+        assert_eq!((rows[1].r_mm, rows[1].instrument), (None, None));
+    }
+
+    #[test]
+    fn duplicate_rows_name_the_first() {
+        let row = "a,twist,camera,deg,washout,1,50,,4.5,0.5,stated,none\n";
+        let error = Measurement::from_csv(&format!("{HEAD}{row}{row}"), "m.csv").unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .starts_with("m.csv:4: case = a: repeats the row on line 3"),
+            "{error}"
+        );
+    }
+}

@@ -1,0 +1,216 @@
+//! CSV tables with named columns, `#` comments, and a place for every fault.
+
+use std::rc::Rc;
+
+use super::error::{InputError, Place, Problem, Range};
+use super::nearest::nearest;
+
+/// A table as read: all wanted columns are there, every record is whole.
+#[derive(Debug)]
+pub(crate) struct Table {
+    /// Comment lines at the head, without `#`.
+    pub comments: Vec<String>,
+    /// Records in the order of the file.
+    pub records: Vec<Record>,
+}
+
+/// One record of a table.
+#[derive(Debug)]
+pub(crate) struct Record {
+    file: Rc<str>,
+    /// Line on which it starts.
+    pub line: usize,
+    fields: Vec<(&'static str, String)>,
+}
+
+impl Table {
+    /// Reads a table that must have exactly these columns, in any order.
+    pub fn parse(file: &str, text: &str, columns: &[&'static str]) -> Result<Table, InputError> {
+        let name: Rc<str> = file.into();
+        let mut reader = csv::ReaderBuilder::new()
+            .comment(Some(b'#'))
+            .trim(csv::Trim::All)
+            .from_reader(text.as_bytes());
+        let headers = reader.headers().map_err(|error| broken(file, &error))?.clone();
+        let line = headers.position().map_or(1, |position| position.line() as usize);
+        check_header(file, line, &headers, columns)?;
+        let mut records = Vec::new();
+        for record in reader.records() {
+            let record = record.map_err(|error| broken(file, &error))?;
+            let fields = headers.iter().zip(record.iter()).filter_map(|(header, field)| {
+                let column = columns.iter().find(|column| **column == header)?;
+                Some((*column, field.to_string()))
+            });
+            records.push(Record {
+                file: name.clone(),
+                line: record.position().map_or(0, |position| position.line() as usize),
+                fields: fields.collect(),
+            });
+        }
+        if records.is_empty() {
+            let message = "has a header but no rows";
+            return Err(InputError::about_file(
+                file,
+                message,
+                format!("Give rows with {}", columns.join(",")),
+            ));
+        }
+        let comments = text.lines().map_while(|line| line.trim_start().strip_prefix('#'));
+        Ok(Table {
+            comments: comments.map(|comment| comment.trim().to_string()).collect(),
+            records,
+        })
+    }
+}
+
+impl Record {
+    /// The text of a column.
+    pub fn text(&self, column: &str) -> &str {
+        let field = self.fields.iter().find(|(name, _)| *name == column);
+        field.map_or("", |(_, text)| text)
+    }
+
+    /// A finite number.
+    pub fn number(&self, column: &str, cure: &str) -> Result<f64, InputError> {
+        let text = self.text(column);
+        if text.is_empty() {
+            return Err(self.fault(column, Problem::Missing, cure));
+        }
+        match text.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            Ok(_) => Err(self.fault(column, Problem::NotFinite, cure)),
+            Err(_) => {
+                let problem = Problem::WrongType {
+                    expected: "a number".to_string(),
+                    found: "text".to_string(),
+                };
+                Err(self.fault(column, problem, cure))
+            }
+        }
+    }
+
+    /// A finite number in a range.
+    pub fn number_in(&self, column: &str, range: Range, cure: &str) -> Result<f64, InputError> {
+        let number = self.number(column, cure)?;
+        match range.contains(number) {
+            true => Ok(number),
+            false => Err(self.fault(column, Problem::OutOfRange { range }, cure)),
+        }
+    }
+
+    /// One of some words.
+    pub fn word<T: Copy>(&self, column: &str, words: &[(&str, T)], cure: &str) -> Result<T, InputError> {
+        let text = self.text(column);
+        if text.is_empty() {
+            return Err(self.fault(column, Problem::Missing, cure));
+        }
+        if let Some((_, value)) = words.iter().find(|(word, _)| *word == text) {
+            return Ok(*value);
+        }
+        let near = nearest(text, words.iter().map(|(word, _)| *word));
+        let allowed = words.iter().map(|(word, _)| word.to_string()).collect();
+        let cure = match near {
+            Some(near) => format!("Did you mean {near}? {cure}"),
+            None => cure.to_string(),
+        };
+        Err(self.fault(column, Problem::UnknownValue { allowed }, &cure))
+    }
+
+    /// An error about a column of this record.
+    pub fn fault(&self, column: &str, problem: Problem, cure: &str) -> InputError {
+        InputError::new(self.place(), column, self.text(column), problem, cure)
+    }
+
+    /// An error about a column that contradicts another.
+    pub fn conflict(
+        &self,
+        column: &str,
+        message: impl Into<String>,
+        with: &[&str],
+        cure: &str,
+    ) -> InputError {
+        let problem = Problem::Conflict {
+            message: message.into(),
+            with: with.iter().map(|column| column.to_string()).collect(),
+        };
+        self.fault(column, problem, cure)
+    }
+
+    fn place(&self) -> Place {
+        Place {
+            file: self.file.to_string(),
+            line: Some(self.line),
+            column: None,
+        }
+    }
+}
+
+fn check_header(
+    file: &str,
+    line: usize,
+    headers: &csv::StringRecord,
+    columns: &[&'static str],
+) -> Result<(), InputError> {
+    let fail = |column: &str, problem: Problem, cure: String| {
+        let place = Place {
+            file: file.to_string(),
+            line: Some(line),
+            column: None,
+        };
+        Err(InputError::new(
+            place,
+            &format!("column {column}"),
+            "",
+            problem,
+            cure,
+        ))
+    };
+    let all = format!("The columns are {}", columns.join(","));
+    for (number, header) in headers.iter().enumerate() {
+        if !columns.contains(&header) {
+            let allowed = columns.iter().map(|column| column.to_string()).collect();
+            let cure = match nearest(header, columns.iter().copied()) {
+                Some(near) => format!("Did you mean {near}? {all}"),
+                None => all,
+            };
+            return fail(&format!("\"{header}\""), Problem::UnknownKey { allowed }, cure);
+        }
+        if headers.iter().take(number).any(|other| other == header) {
+            let message = "stands twice".to_string();
+            return fail(
+                header,
+                Problem::Conflict {
+                    message,
+                    with: Vec::new(),
+                },
+                all,
+            );
+        }
+    }
+    match columns
+        .iter()
+        .find(|column| !headers.iter().any(|header| header == **column))
+    {
+        Some(column) => fail(column, Problem::Missing, all),
+        None => Ok(()),
+    }
+}
+
+fn broken(file: &str, error: &csv::Error) -> InputError {
+    let place = Place {
+        file: file.to_string(),
+        line: error.position().map(|position| position.line() as usize),
+        column: None,
+    };
+    let message = match error.kind() {
+        csv::ErrorKind::UnequalLengths {
+            expected_len, len, ..
+        } => {
+            format!("the row has {len} values, the header {expected_len}")
+        }
+        _ => format!("is not a CSV table: {error}"),
+    };
+    let cure =
+        "Separate values by commas, leave a value empty where there is none, quote text that has a comma";
+    InputError::new(place, "", "", Problem::Syntax { message }, cure)
+}
