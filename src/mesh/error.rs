@@ -1,5 +1,7 @@
 //! What can be wrong with a mesh, and the cure.
 
+use super::check::Defect;
+use super::gmsh::GmshError;
 use crate::geometry::GeometryError;
 
 /// No mesh. Lengths in mm.
@@ -8,6 +10,12 @@ pub enum MeshError {
     /// The design's geometry is impossible.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
+    /// The mesh is not sound.
+    #[error("mesh: {0}")]
+    Defect(#[from] Defect),
+    /// The mesh file cannot be used.
+    #[error(transparent)]
+    File(#[from] GmshError),
     /// A density that gives no mesh, or one beyond any memory.
     #[error(
         "mesh: chordwise = {chordwise} with refine = {refine} gives {elements} elements across the chord; \

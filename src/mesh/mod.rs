@@ -4,6 +4,8 @@
 
 pub mod bisect;
 
+pub mod check;
+
 pub mod chordline;
 
 pub mod columns;
@@ -11,6 +13,10 @@ pub mod columns;
 pub mod error;
 
 pub mod generate;
+
+pub mod gmsh;
+
+pub mod names;
 
 pub mod quality;
 
