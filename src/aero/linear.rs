@@ -161,4 +161,45 @@ mod tests {
         assert_eq!(force.force_n_per_m.map(|part| part.re), Vector3::zeros());
         assert!(force.speed.eps.is_finite());
     }
+
+    /// Washout θ (rad) at the tip of a uniform cantilever under its strips: GJ θ″ = −m with the moment of the normal
+    /// force about an axis 0.05 m behind its centre, by Runge-Kutta from the root and shooting on θ′ there.
+    fn tip_washout_rad(speed_m_s: f64, alpha_rad: f64) -> f64 {
+        let law = law(CoefficientLaw::ThinAirfoil {
+            lift_slope_per_rad: 6.283185307,
+        });
+        let velocity = Vector3::new(0.0, speed_m_s * alpha_rad.cos(), speed_m_s * alpha_rad.sin());
+        let bend = |twist: f64| {
+            let chord = Vector3::new(0.0, 0.2, 0.2 * twist);
+            let alpha = alpha_linear(&velocity, &chord, &Vector3::x(), 0.2);
+            0.05 * strip_force_linear(&law, &velocity, alpha, 0.2).normal_n_per_m / 10.0
+        };
+        let shoot = |rate: f64| {
+            let (mut y, h) = ([0.0, rate], 1e-3);
+            for _ in 0..1000 {
+                let slope = |y: [f64; 2]| [y[1], bend(y[0])];
+                let step = |k: [f64; 2], h: f64| [y[0] + h * k[0], y[1] + h * k[1]];
+                let k1 = slope(y);
+                let k2 = slope(step(k1, h / 2.0));
+                let k3 = slope(step(k2, h / 2.0));
+                let k4 = slope(step(k3, h));
+                y = [0, 1].map(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]));
+            }
+            y
+        };
+        let (start, unit) = (shoot(0.0), shoot(1.0));
+        let rate = -start[1] / (unit[1] - start[1]);
+        start[0] + rate * (unit[0] - start[0])
+    }
+
+    #[test]
+    fn a_uniform_wing_follows_the_closed_form_toward_divergence() {
+        // GJ = 10 N·m², L = 1 m, c = 0.2 m, e = 0.05 m, slope 2π, 1.225 kg/m³: q_D = 392.699 Pa (Bisplinghoff);
+        // twist at the tip over the root angle (nose up, so washout is negative).
+        for (share, expected) in [(0.1, 0.137468), (0.5, 1.252172), (0.9, 11.419148)] {
+            let speed_m_s = (2.0 * share * 392.699 / 1.225_f64).sqrt();
+            let ratio = -tip_washout_rad(speed_m_s, 0.01) / 0.01;
+            assert!((ratio / expected - 1.0).abs() < 5e-5, "{share}: {ratio}");
+        }
+    }
 }

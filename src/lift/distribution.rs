@@ -1,8 +1,8 @@
 //! Distributions along the span: lift and drag (the paper's Fig. 6c) and local L/D (Fig. 6d).
 
 use super::effective::EffectiveCoefficients;
+use super::means::{StationMeans, StrokeMeans};
 use super::ratios::mean_local_lift_to_drag;
-use super::stroke::{StationMeans, StrokeMeans};
 
 /// Stroke means at one station of a distribution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,9 +73,10 @@ pub fn departure_from_ellipse(means: &StrokeMeans) -> Option<f64> {
 mod tests {
     use super::{departure_from_ellipse, scaled_to_measured, span_distribution};
     use crate::lift::effective::EffectiveCoefficients;
+    use crate::lift::means::StrokeMeans;
     use crate::lift::paper;
     use crate::lift::ratios::{Ratios, mean_local_lift_to_drag};
-    use crate::lift::stroke::{StrokeMeans, stroke_means};
+    use crate::lift::stroke::stroke_means;
     use crate::lift::twist::{TwistAlongSpan, TwistHistory};
 
     fn means(twist: TwistAlongSpan, frequency_hz: f64) -> StrokeMeans {

@@ -7,6 +7,8 @@ pub mod error;
 
 pub mod twist;
 
+pub mod means;
+
 pub mod stroke;
 
 pub mod ratios;
@@ -27,8 +29,9 @@ mod paper;
 pub use distribution::{SpanPoint, departure_from_ellipse, scaled_to_measured, span_distribution};
 pub use effective::{EffectiveCoefficients, effective_coefficient_ratio, implied_amplitude_ratio};
 pub use error::LiftError;
+pub use means::{StationMeans, StrokeMeans};
 pub use ratios::Ratios;
 pub use report::{Forces, LiftReport};
-pub use stroke::{Instant, StationMeans, Stroke, StrokeMeans, forces_at_phase, stroke_means};
+pub use stroke::{Instant, Stroke, forces_at_phase, stroke_means};
 pub use sweep::{AmplitudePoint, amplitude_sweep, lift_at_power};
 pub use twist::{TwistAlongSpan, TwistHistory};

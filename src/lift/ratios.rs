@@ -5,7 +5,7 @@
 //! equal power, lift per power ℓ^(3/2)/p at equal lift.
 
 use super::error::LiftError;
-use super::stroke::StrokeMeans;
+use super::means::StrokeMeans;
 
 /// Ratios of a wing to a reference, the wing at `rate_ratio` times the reference's fΦ.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,8 +103,9 @@ mod tests {
     use super::Ratios;
     use crate::geometry::Planform;
     use crate::lift::effective::implied_amplitude_ratio;
+    use crate::lift::means::StrokeMeans;
     use crate::lift::paper;
-    use crate::lift::stroke::{StrokeMeans, stroke_means};
+    use crate::lift::stroke::stroke_means;
     use crate::lift::twist::{TwistAlongSpan, TwistHistory};
 
     fn means(planform: &Planform, twist: TwistAlongSpan, frequency_hz: f64) -> StrokeMeans {

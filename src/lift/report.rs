@@ -8,7 +8,8 @@ use crate::coupling::solution::StripLoad;
 use crate::geometry::Planform;
 
 use super::error::LiftError;
-use super::stroke::{Stroke, StrokeMeans, stroke_means};
+use super::means::StrokeMeans;
+use super::stroke::{Stroke, stroke_means};
 use super::twist::{TwistAlongSpan, TwistHistory};
 
 /// Forces on one wing under a name that says what they are.
