@@ -166,7 +166,7 @@ mod tests {
     /// force about an axis 0.05 m behind its centre, by Runge-Kutta from the root and shooting on θ′ there.
     fn tip_washout_rad(speed_m_s: f64, alpha_rad: f64) -> f64 {
         let law = law(CoefficientLaw::ThinAirfoil {
-            lift_slope_per_rad: 6.283185307,
+            lift_slope_per_rad: std::f64::consts::TAU,
         });
         let velocity = Vector3::new(0.0, speed_m_s * alpha_rad.cos(), speed_m_s * alpha_rad.sin());
         let bend = |twist: f64| {
