@@ -1,14 +1,89 @@
 //! What a design must satisfy beyond its form: values that only make sense together.
 
+mod layout;
+
+mod loads;
+
+mod planform;
+
+mod reading;
+
+mod section;
+
 use super::design::Design;
 use super::document::Node;
 use super::error::{InputError, Problem};
+use super::nearest::nearest;
 use super::path::KeyPath;
 
 /// Checks a design; `root` is the tree it was read from.
 pub(crate) fn check(design: &Design, root: &Node) -> Result<(), InputError> {
-    let _ = (design, root);
+    name(design, root)?;
+    planform::check(&design.planform, root)?;
+    flow(design, root)?;
+    section::check_materials(design, root)?;
+    layout::check_rod(design, root)?;
+    layout::check_spars(design, root)?;
+    if let Some(film) = &design.film {
+        material_is_known(design, root, &film.material, "film.material")?;
+    }
+    loads::check(design, root)?;
+    reading::check(design, root)
+}
+
+/// The name becomes a folder.
+fn name(design: &Design, root: &Node) -> Result<(), InputError> {
+    let name = &design.name;
+    let allowed = |c: char| c.is_ascii_alphanumeric() || "_-.".contains(c);
+    let cure = "Use letters, digits, - and _, e.g. name = \"my-wing\"";
+    if name.is_empty() {
+        return refuse(root, "name", "must not be empty", &[], cure);
+    }
+    if name.starts_with('.') || !name.chars().all(allowed) {
+        let message = "must be usable as the name of a folder";
+        return refuse(root, "name", message, &[], cure);
+    }
+    if name.len() > 64 {
+        return refuse(root, "name", "must have at most 64 characters", &[], cure);
+    }
     Ok(())
+}
+
+fn flow(design: &Design, root: &Node) -> Result<(), InputError> {
+    if design.flapping.is_some() && design.steady.is_some() {
+        let message = "cannot stand together with flapping";
+        let cure = "Keep [flapping] or [steady]; delete both for bench loads only";
+        return refuse(root, "steady", message, &["flapping"], cure);
+    }
+    if design.air.coefficients == super::design::Coefficients::Table && design.air.table.is_none() {
+        let message = "needs air.table";
+        let cure =
+            "Give table = \"coefficients.csv\" with the columns alpha_deg, cl, cd, or name another set";
+        return refuse(root, "air.coefficients", message, &["air.table"], cure);
+    }
+    Ok(())
+}
+
+/// Refuses the name of a material that is not defined.
+fn material_is_known(design: &Design, root: &Node, name: &str, key: &str) -> Result<(), InputError> {
+    if design.material.contains_key(name) {
+        return Ok(());
+    }
+    let known = design.material.keys().map(String::as_str);
+    let mut cure = match nearest(name, known.clone()) {
+        Some(near) => format!("Did you mean \"{near}\"? "),
+        None => String::new(),
+    };
+    cure.push_str(&match design.material.is_empty() {
+        true => format!(
+            "No material is defined; add a table [material.{name}], or name a file: materials = \"...\""
+        ),
+        false => format!(
+            "Defined are {}; add a table [material.{name}]",
+            known.collect::<Vec<_>>().join(", ")
+        ),
+    });
+    refuse(root, key, "there is no such material", &["material"], cure)
 }
 
 /// The version of the file format.

@@ -1,0 +1,195 @@
+//! Rod and spars: no gaps, no overlaps, nothing off the wing, nothing too near.
+
+use super::section::check_section;
+use super::{material_is_known, refuse};
+use crate::input::design::{Design, Section};
+use crate::input::document::Node;
+use crate::input::error::{InputError, Number};
+
+/// Ends of spars nearer than this, mm, would make slivers.
+const NEAREST_MM: f64 = 0.2;
+
+pub(super) fn check_rod(design: &Design, root: &Node) -> Result<(), InputError> {
+    let length = design.planform.length_mm.value();
+    if design.rod.is_empty() {
+        let cure = "Add a table [[rod]] with from_mm = 0.0, to_mm and section";
+        return refuse(root, "rod", "there is no rod", &[], cure);
+    }
+    let mut end = 0.0;
+    for (number, segment) in design.rod.iter().enumerate() {
+        let key = |name: &str| format!("rod[{number}].{name}");
+        let (from, to) = (segment.from_mm.value(), segment.to_mm.value());
+        if (from - end).abs() > 1e-9 * length {
+            let (message, cure) = joint(number, from, end);
+            return refuse(root, &key("from_mm"), message, &[], cure);
+        }
+        if to <= from {
+            let message = format!("must be larger than from_mm = {}", Number(from));
+            let cure = "Give the outer end of the segment, measured from the wing base";
+            return refuse(root, &key("to_mm"), message, &[&key("from_mm")], cure);
+        }
+        if to > length * (1.0 + 1e-9) {
+            let message = format!("runs past the tip at length_mm = {}", Number(length));
+            let cure = format!("End the rod at {} mm or before", Number(length));
+            return refuse(root, &key("to_mm"), message, &["planform.length_mm"], cure);
+        }
+        material_of(
+            design,
+            root,
+            segment.material.as_deref(),
+            &segment.section,
+            &format!("rod[{number}]"),
+        )?;
+        end = to;
+    }
+    Ok(())
+}
+
+fn joint(number: usize, from: f64, end: f64) -> (String, String) {
+    let before = number.wrapping_sub(1);
+    match number {
+        0 => (
+            "the rod must start at the wing base, at 0".to_string(),
+            "Write from_mm = 0.0 for the first segment".to_string(),
+        ),
+        _ if from > end => (
+            format!(
+                "leaves a gap after rod[{before}], which ends at {} mm",
+                Number(end)
+            ),
+            format!("Write from_mm = {end:?}, or let rod[{before}] end at {from:?}"),
+        ),
+        _ => (
+            format!("overlaps rod[{before}], which ends at {} mm", Number(end)),
+            format!("Write from_mm = {end:?}, or let rod[{before}] end at {from:?}"),
+        ),
+    }
+}
+
+pub(super) fn check_spars(design: &Design, root: &Node) -> Result<(), InputError> {
+    let tip = design.planform.length_mm.value() * design.planform.tip_cut.value();
+    let mut ends: Vec<[f64; 2]> = Vec::new();
+    for (number, spar) in design.spar.iter().enumerate() {
+        let at = spar.at_mm.value();
+        let trailing = spar.trailing_edge_at_mm.as_ref().map_or(at, |at| at.value());
+        for (name, place) in [("at_mm", at), ("trailing_edge_at_mm", trailing)] {
+            off_the_wing(root, &format!("spar[{number}].{name}"), place, tip)?;
+        }
+        for (other, [other_at, other_trailing]) in ends.iter().enumerate() {
+            apart(
+                root,
+                [number, other],
+                [at, trailing],
+                [*other_at, *other_trailing],
+            )?;
+        }
+        material_of(
+            design,
+            root,
+            spar.material.as_deref(),
+            &spar.section,
+            &format!("spar[{number}]"),
+        )?;
+        ends.push([at, trailing]);
+    }
+    Ok(())
+}
+
+fn off_the_wing(root: &Node, key: &str, place: f64, tip: f64) -> Result<(), InputError> {
+    if place > tip + 1e-9 {
+        let message = format!("is off the wing, which is cut at {tip:.4} mm (length_mm × tip_cut)");
+        let cure = "Move the spar inboard";
+        return refuse(
+            root,
+            key,
+            message,
+            &["planform.length_mm", "planform.tip_cut"],
+            cure,
+        );
+    }
+    for (edge, distance) in [("the wing base", place), ("the tip cut", tip - place)] {
+        if distance > 1e-9 && distance < NEAREST_MM {
+            let message = format!("is only {distance:.4} mm from {edge}, which leaves a sliver");
+            let cure = format!("Keep {NEAREST_MM} mm or more, or lay the spar on the edge itself");
+            return refuse(root, key, message, &["planform.tip_cut"], cure);
+        }
+    }
+    Ok(())
+}
+
+fn apart(root: &Node, numbers: [usize; 2], own: [f64; 2], other: [f64; 2]) -> Result<(), InputError> {
+    let [number, earlier] = numbers;
+    let key = format!("spar[{number}].at_mm");
+    let with = format!("spar[{earlier}].at_mm");
+    let gaps = [own[0] - other[0], own[1] - other[1]];
+    if gaps == [0.0, 0.0] {
+        let cure = "Delete one of them, or move it";
+        return refuse(
+            root,
+            &key,
+            format!("spar[{earlier}] stands at the same place"),
+            &[&with],
+            cure,
+        );
+    }
+    if gaps[0] * gaps[1] < 0.0 {
+        let message = format!("crosses spar[{earlier}] between the leading and the trailing edge");
+        let cure = "Give spars that do not cross the same order along both edges";
+        return refuse(
+            root,
+            &key,
+            message,
+            &[&with, &format!("spar[{number}].trailing_edge_at_mm")],
+            cure,
+        );
+    }
+    for (gap, edge) in gaps.iter().zip(["leading", "trailing"]) {
+        if gap.abs() < NEAREST_MM {
+            let message = format!(
+                "is only {:.4} mm from spar[{earlier}] at the {edge} edge",
+                gap.abs()
+            );
+            let cure = format!("Keep {NEAREST_MM} mm or more between spars, or merge them into a wider one");
+            return refuse(root, &key, message, &[&with], cure);
+        }
+    }
+    Ok(())
+}
+
+fn material_of(
+    design: &Design,
+    root: &Node,
+    material: Option<&str>,
+    section: &Section,
+    part: &str,
+) -> Result<(), InputError> {
+    let key = format!("{part}.material");
+    let needs_none = matches!(section, Section::Laminate { .. } | Section::Given { .. });
+    match material {
+        Some(name) => material_is_known(design, root, name, &key)?,
+        None if needs_none => {}
+        None => {
+            let cure =
+                "Name a material, e.g. material = \"carbon-rod\", and define it under [material.carbon-rod]";
+            return refuse(root, &key, "is missing", &[&format!("{part}.section")], cure);
+        }
+    }
+    check_section(design, root, section, &format!("{part}.section"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_segment_is_told_to_start_at_zero() {
+        let (message, cure) = joint(0, 2.0, 0.0);
+        assert!(message.contains("at 0") && cure.contains("from_mm = 0.0"));
+    }
+
+    #[test]
+    fn gap_and_overlap_are_told_apart() {
+        assert!(joint(1, 41.0, 40.0).0.contains("gap after rod[0]"));
+        assert!(joint(1, 39.0, 40.0).0.contains("overlaps rod[0]"));
+    }
+}
