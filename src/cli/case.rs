@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::geometry::Planform;
 use crate::input::{Design, Loaded};
-use crate::mesh::{self, Mesh};
+use crate::mesh::{self, Mesh, MeshError};
 
 use super::{Console, Failure};
 
@@ -47,7 +47,8 @@ impl DesignArguments {
             design: design(),
             source,
         })?;
-        let mesh = mesh::generate(&loaded.design, &planform).map_err(|source| Failure::Mesh {
+        let file = loaded.read_mesh_file()?;
+        let mesh = wing_mesh(&loaded.design, &planform, file).map_err(|source| Failure::Mesh {
             design: design(),
             source,
         })?;
@@ -66,6 +67,20 @@ impl DesignArguments {
         sets.extend(file.map(|file| format!("mesh.file={}", file.display())));
         Ok(Design::load(&self.design, &sets)?)
     }
+}
+
+/// The mesh of the file, or one of our own.
+fn wing_mesh(
+    design: &Design,
+    planform: &Planform,
+    file: Option<(String, Vec<u8>)>,
+) -> Result<Mesh, MeshError> {
+    let Some((name, bytes)) = file else {
+        return mesh::generate(design, planform);
+    };
+    let mesh = mesh::gmsh::read(&bytes, &name)?;
+    mesh::fit(&mesh, design, planform)?;
+    Ok(mesh)
 }
 
 /// A path that means the same seen from the folder of the design as `file` does seen from here.

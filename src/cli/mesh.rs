@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::export::run::RunFolder;
 use crate::export::text::number;
 use crate::export::wing::mesh_grid;
-use crate::mesh::quality::Quality;
+use crate::mesh::{Quality, gmsh};
 
 use super::case::DesignArguments;
 use super::{Console, Failure};
@@ -65,6 +65,7 @@ impl WriteMesh {
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(format!("{}-mesh", design.name)));
         let mut folder = RunFolder::create(&target)?;
         folder.add("mesh.vtu", &mesh_grid(design, &case.mesh).to_vtu()?)?;
+        folder.add("mesh.msh", gmsh::write(&case.mesh).as_bytes())?;
         let quality = Quality::of(&case.mesh);
         let report = MeshReport {
             name: design.name.clone(),

@@ -32,6 +32,27 @@ pub struct Loaded {
     pub measurement: Option<Measurement>,
 }
 
+impl Loaded {
+    /// Name and bytes of the mesh file, if one was named.
+    pub fn read_mesh_file(&self) -> Result<Option<(String, Vec<u8>)>, InputError> {
+        let Some(path) = &self.mesh_path else {
+            return Ok(None);
+        };
+        let name = file::shown(path);
+        match std::fs::read(path) {
+            Ok(bytes) => Ok(Some((name, bytes))),
+            Err(error) => {
+                let message = format!("cannot be read: {error}");
+                Err(InputError::about_file(
+                    &name,
+                    message,
+                    "Check the file and its permissions",
+                ))
+            }
+        }
+    }
+}
+
 impl Design {
     /// Reads a design file with the files that it names, after `sets` (`key=value`) have changed it.
     pub fn load(path: &Path, sets: &[String]) -> Result<Loaded, InputError> {
