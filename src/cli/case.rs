@@ -79,7 +79,6 @@ fn wing_mesh(
         return mesh::generate(design, planform);
     };
     let mesh = mesh::gmsh::read(&bytes, &name)?;
-    mesh::fit(&mesh, design, planform)?;
     Ok(mesh)
 }
 

@@ -1,7 +1,6 @@
 //! What can be wrong with a mesh, and the cure.
 
 use super::check::Defect;
-use super::fit::Misfit;
 use super::gmsh::GmshError;
 use crate::geometry::GeometryError;
 
@@ -17,9 +16,6 @@ pub enum MeshError {
     /// The mesh file cannot be used.
     #[error(transparent)]
     File(#[from] GmshError),
-    /// The mesh file does not belong to the design.
-    #[error("mesh: {0}")]
-    Misfit(#[from] Misfit),
     /// A density that gives no mesh, or one beyond any memory.
     #[error(
         "mesh: chordwise = {chordwise} with refine = {refine} gives {elements} elements across the chord; \

@@ -12,8 +12,6 @@ pub mod columns;
 
 pub mod error;
 
-pub mod fit;
-
 pub mod generate;
 
 pub mod gmsh;
@@ -24,7 +22,6 @@ pub mod quality;
 
 pub use chordline::{ChordLine, ChordLines, ChordPoint, chord_line};
 pub use error::MeshError;
-pub use fit::{Misfit, fit};
 pub use generate::generate;
 pub use quality::Quality;
 
