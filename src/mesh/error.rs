@@ -1,6 +1,7 @@
 //! What can be wrong with a mesh, and the cure.
 
-use super::check::Defect;
+use super::BeamPart;
+use super::defect::Defect;
 use super::gmsh::GmshError;
 use crate::geometry::GeometryError;
 
@@ -52,5 +53,76 @@ pub enum MeshError {
         at_mm: f64,
         /// Where the rod ends.
         rod_end_mm: f64,
+    },
+    /// The film stands in the mesh or in the design only.
+    #[error(
+        "{file}: {}; {cure}",
+        if *.in_mesh { "the mesh has a membrane, but the design has no [film]" }
+        else { "the design has a [film], but the mesh has no set `membrane`" }
+    )]
+    FilmMismatch {
+        /// The mesh file.
+        file: String,
+        /// Whether it is the mesh that has it.
+        in_mesh: bool,
+        /// What to do.
+        cure: &'static str,
+    },
+    /// Another number of rod pieces or spars.
+    #[error("{file}: the mesh has {in_mesh} {part}, the design {in_design}; mesh this design again")]
+    PartCount {
+        /// The mesh file.
+        file: String,
+        /// "rod pieces" or "spars".
+        part: &'static str,
+        /// Number in the mesh.
+        in_mesh: usize,
+        /// Number in the design, on the wing as built.
+        in_design: usize,
+    },
+    /// A rod piece or spar that ends elsewhere.
+    #[error(
+        "{file}: {part} {end} at {in_mesh_mm:.3} mm in the mesh, at {in_design_mm:.3} mm in the design; mesh this design again, or change the design"
+    )]
+    PartPlace {
+        /// The mesh file.
+        file: String,
+        /// The part.
+        part: BeamPart,
+        /// Which end, in words.
+        end: &'static str,
+        /// Place in the mesh.
+        in_mesh_mm: f64,
+        /// Place in the design.
+        in_design_mm: f64,
+    },
+    /// Another outline.
+    #[error(
+        "{file}: the chord at r = {at_mm:.3} mm is {in_mesh_mm:.3} mm in the mesh, {in_design_mm:.3} mm in the design; \
+         mesh this design again, or take mean_chord_mm, r1_hat, r2_hat and outline out of [planform] to have the \
+         outline from the mesh"
+    )]
+    Outline {
+        /// The mesh file.
+        file: String,
+        /// Span position.
+        at_mm: f64,
+        /// Chord of the mesh there.
+        in_mesh_mm: f64,
+        /// Chord of the design there.
+        in_design_mm: f64,
+    },
+    /// A span that cannot be that of the design.
+    #[error(
+        "{file}: the mesh ends at r = {in_mesh_mm:.3} mm, the design at {in_design_mm:.3} mm; mesh files are in metres \
+         (gmsh: Mesh.ScalingFactor = 0.001 if it was drawn in mm)"
+    )]
+    Span {
+        /// The mesh file.
+        file: String,
+        /// End of the mesh.
+        in_mesh_mm: f64,
+        /// End of the wing in the design.
+        in_design_mm: f64,
     },
 }

@@ -10,19 +10,25 @@ pub mod chordline;
 
 pub mod columns;
 
+pub mod defect;
+
 pub mod error;
 
 pub mod generate;
 
 pub mod gmsh;
 
+pub mod import;
+
 pub mod names;
 
 pub mod quality;
 
 pub use chordline::{ChordLine, ChordLines, ChordPoint, chord_line};
+pub use defect::Defect;
 pub use error::MeshError;
 pub use generate::generate;
+pub use import::{MeshFile, for_design};
 pub use quality::Quality;
 
 /// A mesh of a wing at rest.

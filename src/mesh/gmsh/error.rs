@@ -1,6 +1,6 @@
 //! What can be wrong with a Gmsh file, and the cure.
 
-use crate::mesh::check::Defect;
+use crate::mesh::defect::Defect;
 
 /// A mesh file that cannot be used: which file, which line, what.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,8 @@ use super::chains::chain;
 use super::error::{FileDefect, GmshError};
 use super::lines::Lines;
 use super::sections::{RawElement, Sections, sections};
-use crate::mesh::check::{Member, check};
+use crate::mesh::check::check;
+use crate::mesh::defect::Member;
 use crate::mesh::names::SetName;
 use crate::mesh::{BeamElement, BeamPart, Mesh, signed_area_m2};
 
