@@ -1,5 +1,31 @@
 //! Twist and other channels as an instrument sees them.
+//!
+//! Lengths in metres, angles in radians, frame and signs of [`crate::geometry`]; twist is positive as washout.
 
 pub mod broken_line;
 
+pub mod camera;
+
+pub mod deflection;
+
+pub mod edges;
+
+pub mod error;
+
+pub mod profile;
+
+pub mod rate;
+
 pub mod stages;
+
+pub mod station;
+
+#[cfg(test)]
+pub(crate) mod imposed;
+
+pub use deflection::{LeadingEdgeReading, read_leading_edge};
+pub use error::ObservationError;
+pub use profile::{TwistProfile, TwistReading, read_profile, twist_at};
+pub use rate::{MeanRate, mean_rate};
+pub use stages::{PointSource, Stage, StageFit, StageSettings, fit_stages};
+pub use station::{Bound, Place, SkipReason, SkippedStation, Station};

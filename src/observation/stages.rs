@@ -9,8 +9,6 @@
 //! truth in 94 % of cases where the break is known to a fraction of the distance between points, in about 91 %
 //! where it is known no better than that distance.
 
-use std::fmt;
-
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::broken_line::{self, BrokenLine};
@@ -208,41 +206,6 @@ fn summarise(
     }
 }
 
-impl fmt::Display for StageFit {
-    /// An aligned table with units in its head, and a line that says what the errors mean.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let shown = |value: Option<f64>, digits: usize| match value {
-            Some(value) => format!("± {value:.digits$}"),
-            None => "± not fixed".to_string(),
-        };
-        writeln!(f, "{:>8}  {:>8}  {:>13}  {:>9}", "from mm", "to mm", "", "deg/mm")?;
-        for (k, stage) in self.stages.iter().enumerate() {
-            let end = match self.break_error_m.get(k) {
-                Some(error) => shown(error.map(|m| m * 1000.0), 1),
-                None => String::new(),
-            };
-            writeln!(
-                f,
-                "{:>8.1}  {:>8.1}  {:<13}  {:>9.3}  {}",
-                stage.from_m * 1000.0,
-                stage.to_m * 1000.0,
-                end,
-                stage.rate_rad_per_m * DEG_PER_MM,
-                shown(stage.rate_error_rad_per_m.map(|rate| rate * DEG_PER_MM), 3),
-            )?;
-        }
-        if let Some(scatter_rad) = self.scatter_rad {
-            writeln!(
-                f,
-                "scatter {:.2} deg over {} points",
-                scatter_rad.to_degrees(),
-                self.points
-            )?;
-        }
-        writeln!(f, "{}", self.source.meaning_of_errors())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -379,7 +342,7 @@ mod tests {
             .collect();
         let fit = fit_stages(&points, Some([0.0, 0.0]), StageSettings::default()).unwrap();
         assert!(fit.scatter_rad.unwrap() > 0.0);
-        assert!(fit.to_string().contains("not how sure it is"), "{fit}");
+        assert!(fit.source.meaning_of_errors().contains("not how sure it is"));
         assert!(
             fit.stages
                 .iter()

@@ -14,6 +14,9 @@ pub struct Observation {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = ["flapping-axis"]))]
     pub camera_axis: Option<CameraAxis>,
+    /// The error of a distance read from the video, for `camera`; 0.2 mm is assumed where absent.
+    #[schemars(extend("minimum" = 0.0, "maximum" = 100.0, "examples" = [0.2]))]
+    pub camera_error_mm: f64,
     /// The stations to read besides the spar ends.
     #[schemars(extend("minimum" = 0.0, "maximum" = 100000.0, "examples" = [[10.0, 30.0]]))]
     pub stations_mm: Vec<f64>,
@@ -63,6 +66,7 @@ impl Default for Observation {
         Observation {
             instrument: Instrument::ChordRotation,
             camera_axis: None,
+            camera_error_mm: 0.2,
             stations_mm: Vec::new(),
             smallest_chord: 0.2,
             tip_station: 0.97,
