@@ -1,0 +1,59 @@
+//! Help, version and usage.
+
+use crate::{folder, washout};
+
+/// Every verb of the program.
+pub const VERBS: [&str; 5] = ["mesh", "init", "schema", "diff", "help"];
+
+#[test]
+fn help_names_every_verb_and_the_exit_codes() {
+    let said = washout(folder().path(), &["--help"]);
+    assert_eq!(said.code, Some(0));
+    for verb in VERBS {
+        assert!(said.out.contains(&format!("\n  {verb} ")), "{verb}\n{}", said.out);
+    }
+    assert!(
+        said.out.contains("3 not converged, 130 interrupted"),
+        "{}",
+        said.out
+    );
+    assert!(!said.out.contains('\u{1b}'), "colours in {}", said.out);
+}
+
+#[test]
+fn help_of_every_verb_shows_examples_that_begin_with_that_verb() {
+    for verb in VERBS.into_iter().filter(|verb| *verb != "help") {
+        let said = washout(folder().path(), &[verb, "--help"]);
+        assert_eq!(said.code, Some(0), "{verb}");
+        let examples = said.out.split("Examples:").nth(1).unwrap_or_default();
+        assert!(
+            examples.contains(&format!("\n  washout {verb} ")),
+            "{verb}\n{}",
+            said.out
+        );
+    }
+}
+
+#[test]
+fn version_is_that_of_the_package() {
+    let said = washout(folder().path(), &["--version"]);
+    assert_eq!(
+        (said.code, said.out),
+        (Some(0), format!("washout {}\n", env!("CARGO_PKG_VERSION")))
+    );
+}
+
+#[test]
+fn wrong_usage_ends_with_2_and_leaves_standard_output_empty() {
+    for arguments in [
+        vec![],
+        vec!["twist"],
+        vec!["mesh"],
+        vec!["diff", "one"],
+        vec!["mesh", "a.toml", "--threads", "0"],
+    ] {
+        let said = washout(folder().path(), &arguments);
+        assert_eq!((said.code, said.out.as_str()), (Some(2), ""), "{arguments:?}");
+        assert!(said.err.contains("--help"), "{arguments:?}\n{}", said.err);
+    }
+}
