@@ -2,6 +2,9 @@
 
 use std::path::Path;
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::design::{Design, Instrument};
 use super::error::{InputError, Problem, Range};
 use super::file;
@@ -46,7 +49,8 @@ pub struct Row {
 }
 
 /// What was measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Channel {
     /// Twist at a station, deg, washout positive.
     Twist,
@@ -73,7 +77,8 @@ pub enum Channel {
 }
 
 /// Where a standard deviation comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum SigmaKind {
     /// The source states it.
     Stated,
@@ -84,9 +89,11 @@ pub enum SigmaKind {
 }
 
 /// Whether a value is a bound only.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Bound {
     /// A value.
+    #[default]
     None,
     /// The true value lies below.
     Upper,

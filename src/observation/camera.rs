@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use crate::input::design::CameraAxis;
 
 use super::edges::Edges;
-use super::station::Bound;
+use crate::input::measurement::Bound;
 
 /// Below this angle of attack a wing counts as feathered, rad: its reading is a bound.
 pub const FEATHERED_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;

@@ -12,6 +12,8 @@ pub mod edges;
 
 pub mod error;
 
+pub mod observer;
+
 pub mod profile;
 
 pub mod rate;
@@ -25,7 +27,8 @@ pub(crate) mod imposed;
 
 pub use deflection::{LeadingEdgeReading, read_leading_edge};
 pub use error::ObservationError;
+pub use observer::Observer;
 pub use profile::{TwistProfile, TwistReading, read_profile, twist_at};
 pub use rate::{MeanRate, mean_rate};
 pub use stages::{PointSource, Stage, StageFit, StageSettings, fit_stages};
-pub use station::{Bound, Place, SkipReason, SkippedStation, Station};
+pub use station::{Place, SkipReason, SkippedStation, Station};

@@ -3,12 +3,11 @@
 use crate::coupling::solution::Solution;
 use crate::geometry::Planform;
 use crate::input::design::{CameraAxis, Design, Instrument};
-use crate::mesh::ChordLines;
+use crate::input::measurement::Bound;
 
-use super::camera::Camera;
-use super::edges::{Edges, edges_at, sections_at};
 use super::error::ObservationError;
-use super::station::{Bound, Place, SkippedStation, Station, readable, stations};
+use super::observer::Observer;
+use super::station::{Place, SkippedStation};
 
 /// Twist along the span, r rising.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,162 +75,19 @@ impl TwistProfile {
     }
 }
 
-/// The twist profile of a solved wing at the stations of its design.
-///
-/// Errors: a camera whose axis or root angle is not stated or that sees the wing edge-on; states of another mesh.
+/// The twist profile of a solved wing at the stations of its design; errors as [`Observer::new`].
 pub fn read_profile(
     design: &Design,
     planform: &Planform,
     solution: &Solution,
 ) -> Result<TwistProfile, ObservationError> {
-    let reader = Reader::new(design, planform, solution)?;
-    let (mut readings, mut skipped) = (Vec::new(), Vec::new());
-    for station in stations(design, planform) {
-        match reader.read(station) {
-            Ok(reading) => readings.push(reading),
-            Err(reason) => skipped.push(SkippedStation { station, reason }),
-        }
-    }
-    Ok(TwistProfile {
-        readings,
-        skipped,
-        instrument: design.observation.instrument,
-        camera_axis: reader.camera.map(|camera| camera.axis),
-        root_angle_rad: reader.root_angle_rad,
-    })
+    Ok(Observer::new(design, planform, solution)?.profile())
 }
 
 /// Twist at `r_m` by the design's instrument, rad; none where it cannot be read.
 pub fn twist_at(design: &Design, planform: &Planform, solution: &Solution, r_m: f64) -> Option<f64> {
-    let reader = Reader::new(design, planform, solution).ok()?;
-    let reading = reader
-        .read(Station {
-            place: Place::OnRequest,
-            r_m,
-        })
-        .ok()?;
-    Some(reading.twist_rad)
-}
-
-/// A solved wing ready to be read at any station.
-struct Reader<'a> {
-    design: &'a Design,
-    planform: &'a Planform,
-    solution: &'a Solution,
-    lines: ChordLines<'a>,
-    camera: Option<Camera>,
-    root_angle_rad: Option<f64>,
-}
-
-impl<'a> Reader<'a> {
-    fn new(
-        design: &'a Design,
-        planform: &'a Planform,
-        solution: &'a Solution,
-    ) -> Result<Reader<'a>, ObservationError> {
-        let expected = solution.mesh.nodes.len();
-        for (state, shape) in [("unloaded", &solution.rest), ("loaded", &solution.state)] {
-            let found = shape.displacement.len().min(shape.rotation.len());
-            if found != expected {
-                return Err(ObservationError::ForeignState {
-                    state,
-                    found,
-                    expected,
-                });
-            }
-        }
-        let root_angle_rad = root_angle_rad(design);
-        let camera = match design.observation.instrument {
-            Instrument::ChordRotation => None,
-            Instrument::Camera => Some(camera(design, root_angle_rad)?),
-        };
-        let lines = ChordLines::new(&solution.mesh);
-        Ok(Reader {
-            design,
-            planform,
-            solution,
-            lines,
-            camera,
-            root_angle_rad,
-        })
-    }
-
-    fn read(&self, station: Station) -> Result<TwistReading, super::SkipReason> {
-        let Station { place, r_m } = station;
-        let is_base = place == Place::Base;
-        if !is_base {
-            readable(self.design, self.planform, r_m)?;
-        }
-        let chord_m = self.planform.chord_m(r_m);
-        let Solution {
-            mesh, rest, state, ..
-        } = self.solution;
-        let edges = if is_base {
-            sections_at(mesh, [rest, state], r_m, chord_m)
-        } else {
-            edges_at(mesh, &self.lines, [rest, state], r_m, chord_m)
-        };
-        let off_wing = super::SkipReason::OffWing {
-            tip_m: self.planform.tip_m(),
-        };
-        let [unloaded, loaded] = edges.ok_or(off_wing)?;
-        let (twist_rad, sigma_rad, bound) = match self.camera.filter(|_| !is_base) {
-            None => (chord_rotation_rad(&unloaded, &loaded), None, Bound::None),
-            Some(camera) => {
-                let reading = camera.read(&unloaded, &loaded, chord_m);
-                (reading.twist_rad, reading.sigma_rad, reading.bound)
-            }
-        };
-        let moved = loaded.leading_m - unloaded.leading_m;
-        Ok(TwistReading {
-            place,
-            r_m,
-            chord_m,
-            twist_rad,
-            sigma_rad,
-            bound,
-            alpha_rad: self.root_angle_rad.map(|root| root - twist_rad),
-            le_deflection_m: moved.z,
-            le_sweep_m: moved.y,
-        })
-    }
-}
-
-/// Angle of the loaded chord about the span axis less that of the unloaded one, in (−π, π].
-fn chord_rotation_rad(unloaded: &Edges, loaded: &Edges) -> f64 {
-    let (before, after) = (unloaded.chord(), loaded.chord());
-    let sin = before.y * after.z - before.z * after.y;
-    let cos = before.y * after.y + before.z * after.z;
-    sin.atan2(cos)
-}
-
-fn root_angle_rad(design: &Design) -> Option<f64> {
-    let flapping = design.flapping.as_ref().map(|flow| flow.stop_angle_deg.value());
-    let root_angle_deg = flapping.or(design.steady.as_ref().map(|flow| flow.root_angle_deg.value()))?;
-    Some(root_angle_deg.to_radians())
-}
-
-fn camera(design: &Design, root_angle_rad: Option<f64>) -> Result<Camera, ObservationError> {
-    let axis = design
-        .observation
-        .camera_axis
-        .ok_or(ObservationError::CameraWithoutAxis)?;
-    let root_angle_rad = root_angle_rad.ok_or(ObservationError::CameraWithoutFlow)?;
-    let distance_error_m = design.observation.camera_error_mm / 1e3;
-    let camera = Camera {
-        axis,
-        root_angle_rad,
-        distance_error_m,
-    };
-    if camera.seen_share().abs() < 1e-6 {
-        let axis = match axis {
-            CameraAxis::FlappingAxis => "flapping axis",
-            CameraAxis::Stroke => "stroke",
-        };
-        let root_angle_deg = root_angle_rad.to_degrees();
-        return Err(ObservationError::CameraSeesNothing { axis, root_angle_deg });
-    }
-    Ok(camera)
+    let observer = Observer::new(design, planform, solution).ok()?;
+    Some(observer.twist(r_m).ok()?.twist_rad)
 }
 
 #[cfg(test)]
@@ -361,7 +217,7 @@ mod tests {
         assert_eq!(profile.tip(), None);
         assert!(profile.skipped[1].reason.to_string().contains("does not exceed"));
         assert!(
-            profile.skipped[4]
+            profile.skipped[2]
                 .reason
                 .to_string()
                 .contains("nothing is extrapolated")

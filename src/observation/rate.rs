@@ -1,7 +1,7 @@
 //! Mean twist rate over a stretch of the span, read from a profile.
 
 use super::profile::TwistProfile;
-use super::station::Bound;
+use crate::input::measurement::Bound;
 
 /// Mean twist rate over a stretch.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -29,19 +29,6 @@ pub struct Station {
     pub r_m: f64,
 }
 
-/// Whether a reading is a value or only a bound on the twist.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Bound {
-    /// A value.
-    #[default]
-    None,
-    /// The twist is at most this.
-    Upper,
-    /// The twist is at least this.
-    Lower,
-}
-
 /// A station that was not read.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SkippedStation {

@@ -1,0 +1,174 @@
+//! A solved wing before the design's instrument: twist and leading edge at any station.
+
+use crate::coupling::solution::Solution;
+use crate::geometry::Planform;
+use crate::input::design::{CameraAxis, Design, Instrument};
+use crate::input::measurement::Bound;
+use crate::mesh::ChordLines;
+
+use super::camera::Camera;
+use super::deflection::{LeadingEdgeReading, leading_edge_at};
+use super::edges::{Edges, edges_at, sections_at};
+use super::error::ObservationError;
+use super::profile::{TwistProfile, TwistReading};
+use super::station::{Place, SkipReason, SkippedStation, Station, readable, stations};
+
+/// A solved wing ready to be read at any station.
+#[derive(Debug)]
+pub struct Observer<'a> {
+    design: &'a Design,
+    planform: &'a Planform,
+    solution: &'a Solution,
+    lines: ChordLines<'a>,
+    camera: Option<Camera>,
+    root_angle_rad: Option<f64>,
+}
+
+impl<'a> Observer<'a> {
+    /// The instrument of `design` before a solved wing.
+    ///
+    /// Errors: a camera whose axis or root angle is not stated or that sees the wing edge-on; states of another
+    /// mesh.
+    pub fn new(
+        design: &'a Design,
+        planform: &'a Planform,
+        solution: &'a Solution,
+    ) -> Result<Observer<'a>, ObservationError> {
+        let expected = solution.mesh.nodes.len();
+        for (state, shape) in [("unloaded", &solution.rest), ("loaded", &solution.state)] {
+            let found = shape.displacement.len().min(shape.rotation.len());
+            if found != expected {
+                return Err(ObservationError::ForeignState {
+                    state,
+                    found,
+                    expected,
+                });
+            }
+        }
+        let root_angle_rad = root_angle_rad(design);
+        let camera = match design.observation.instrument {
+            Instrument::ChordRotation => None,
+            Instrument::Camera => Some(camera(design, root_angle_rad)?),
+        };
+        let lines = ChordLines::new(&solution.mesh);
+        Ok(Observer {
+            design,
+            planform,
+            solution,
+            lines,
+            camera,
+            root_angle_rad,
+        })
+    }
+
+    /// Twist along the span at the stations of the design.
+    pub fn profile(&self) -> TwistProfile {
+        let (mut readings, mut skipped) = (Vec::new(), Vec::new());
+        for station in stations(self.design, self.planform) {
+            match self.read(station) {
+                Ok(reading) => readings.push(reading),
+                Err(reason) => skipped.push(SkippedStation { station, reason }),
+            }
+        }
+        TwistProfile {
+            readings,
+            skipped,
+            instrument: self.design.observation.instrument,
+            camera_axis: self.camera.map(|camera| camera.axis),
+            root_angle_rad: self.root_angle_rad,
+        }
+    }
+
+    /// Twist at `r_m`.
+    pub fn twist(&self, r_m: f64) -> Result<TwistReading, SkipReason> {
+        let place = if r_m == 0.0 { Place::Base } else { Place::OnRequest };
+        self.read(Station { place, r_m })
+    }
+
+    /// Leading edge at `r_m`; none off it.
+    pub fn leading_edge(&self, r_m: f64) -> Option<LeadingEdgeReading> {
+        leading_edge_at(self.solution, r_m)
+    }
+
+    /// Design of the wing.
+    pub fn design(&self) -> &Design {
+        self.design
+    }
+
+    fn read(&self, station: Station) -> Result<TwistReading, SkipReason> {
+        let Station { place, r_m } = station;
+        let is_base = place == Place::Base;
+        if !is_base {
+            readable(self.design, self.planform, r_m)?;
+        }
+        let chord_m = self.planform.chord_m(r_m);
+        let Solution {
+            mesh, rest, state, ..
+        } = self.solution;
+        let edges = if is_base {
+            sections_at(mesh, [rest, state], r_m, chord_m)
+        } else {
+            edges_at(mesh, &self.lines, [rest, state], r_m, chord_m)
+        };
+        let off_wing = SkipReason::OffWing {
+            tip_m: self.planform.tip_m(),
+        };
+        let [unloaded, loaded] = edges.ok_or(off_wing)?;
+        let (twist_rad, sigma_rad, bound) = match self.camera.filter(|_| !is_base) {
+            None => (chord_rotation_rad(&unloaded, &loaded), None, Bound::None),
+            Some(camera) => {
+                let reading = camera.read(&unloaded, &loaded, chord_m);
+                (reading.twist_rad, reading.sigma_rad, reading.bound)
+            }
+        };
+        let moved = loaded.leading_m - unloaded.leading_m;
+        Ok(TwistReading {
+            place,
+            r_m,
+            chord_m,
+            twist_rad,
+            sigma_rad,
+            bound,
+            alpha_rad: self.root_angle_rad.map(|root| root - twist_rad),
+            le_deflection_m: moved.z,
+            le_sweep_m: moved.y,
+        })
+    }
+}
+
+/// Angle of the loaded chord about the span axis less that of the unloaded one, in (−π, π].
+fn chord_rotation_rad(unloaded: &Edges, loaded: &Edges) -> f64 {
+    let (before, after) = (unloaded.chord(), loaded.chord());
+    let sin = before.y * after.z - before.z * after.y;
+    let cos = before.y * after.y + before.z * after.z;
+    sin.atan2(cos)
+}
+
+fn root_angle_rad(design: &Design) -> Option<f64> {
+    let flapping = design.flapping.as_ref().map(|flow| flow.stop_angle_deg.value());
+    let root_angle_deg = flapping.or(design.steady.as_ref().map(|flow| flow.root_angle_deg.value()))?;
+    Some(root_angle_deg.to_radians())
+}
+
+fn camera(design: &Design, root_angle_rad: Option<f64>) -> Result<Camera, ObservationError> {
+    let axis = design
+        .observation
+        .camera_axis
+        .ok_or(ObservationError::CameraWithoutAxis)?;
+    let root_angle_rad = root_angle_rad.ok_or(ObservationError::CameraWithoutFlow)?;
+    let distance_error_m = design.observation.camera_error_mm / 1e3;
+    let camera = Camera {
+        axis,
+        root_angle_rad,
+        distance_error_m,
+    };
+    if camera.seen_share().abs() < 1e-6 {
+        let axis = match axis {
+            CameraAxis::FlappingAxis => "flapping axis",
+            CameraAxis::Stroke => "stroke",
+        };
+        let root_angle_deg = root_angle_rad.to_degrees();
+        return Err(ObservationError::CameraSeesNothing { axis, root_angle_deg });
+    }
+    Ok(camera)
+}
