@@ -108,7 +108,7 @@ fn columns_are_straight_and_the_rod_changes_at_a_node() {
         let nodes = mesh.spar_nodes(index);
         assert_eq!(nodes.len(), rows);
         assert!(mesh.leading_edge.contains(&nodes[0]) && mesh.trailing_edge.contains(&nodes[rows - 1]));
-        assert_eq!(mesh.nodes[nodes[4]][0], spar[0] / 1000.0);
+        assert!((mesh.nodes[nodes[4]][0] - spar[0] / 1000.0).abs() < 1e-12);
     }
     assert_eq!(mesh.root[0], mesh.leading_edge[0]);
     assert_eq!(mesh.root.len(), rows);
