@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::geometry::Planform;
 use crate::input::{Design, Loaded};
-use crate::mesh::{self, Mesh, MeshError};
+use crate::mesh::{self, Mesh, MeshError, MeshFile};
 
 use super::{Console, Failure};
 
@@ -42,15 +42,14 @@ impl DesignArguments {
     pub fn case(&self, console: &Console) -> Result<Case, Failure> {
         let loaded = self.load()?;
         console.progress().say(format!("meshing {}", loaded.design.name));
-        let design = || self.design.clone();
-        let planform = Planform::from_design(&loaded.design).map_err(|source| Failure::Geometry {
-            design: design(),
-            source,
-        })?;
         let file = loaded.read_mesh_file()?;
-        let mesh = wing_mesh(&loaded.design, &planform, file).map_err(|source| Failure::Mesh {
-            design: design(),
-            source,
+        let file = file.as_ref().map(|(name, bytes)| MeshFile { name, bytes });
+        let (planform, mesh) = mesh::for_design(&loaded.design, file).map_err(|error| {
+            let design = self.design.clone();
+            match error {
+                MeshError::Geometry(source) => Failure::Geometry { design, source },
+                source => Failure::Mesh { design, source },
+            }
         })?;
         Ok(Case {
             loaded,
@@ -67,19 +66,6 @@ impl DesignArguments {
         sets.extend(file.map(|file| format!("mesh.file={}", file.display())));
         Ok(Design::load(&self.design, &sets)?)
     }
-}
-
-/// The mesh of the file, or one of our own.
-fn wing_mesh(
-    design: &Design,
-    planform: &Planform,
-    file: Option<(String, Vec<u8>)>,
-) -> Result<Mesh, MeshError> {
-    let Some((name, bytes)) = file else {
-        return mesh::generate(design, planform);
-    };
-    let mesh = mesh::gmsh::read(&bytes, &name)?;
-    Ok(mesh)
 }
 
 /// A path that means the same seen from the folder of the design as `file` does seen from here.

@@ -16,7 +16,7 @@ pub enum MeshError {
     Defect(#[from] Defect),
     /// The mesh file cannot be used.
     #[error(transparent)]
-    File(#[from] GmshError),
+    File(Box<GmshError>),
     /// A density that gives no mesh, or one beyond any memory.
     #[error(
         "mesh: chordwise = {chordwise} with refine = {refine} gives {elements} elements across the chord; \
@@ -125,4 +125,10 @@ pub enum MeshError {
         /// End of the wing in the design.
         in_design_mm: f64,
     },
+}
+
+impl From<GmshError> for MeshError {
+    fn from(error: GmshError) -> Self {
+        MeshError::File(Box::new(error))
+    }
 }

@@ -94,3 +94,17 @@ fn a_mesh_of_another_design_is_refused() {
         "bay.msh: the mesh has a membrane, but the design has no [film]; add [film]"
     );
 }
+
+#[test]
+fn a_design_may_leave_its_shape_to_the_mesh_file_only() {
+    let text = |file: &str| {
+        format!(
+            "format = 1\nname = 'bay'\n[planform]\nlength_mm = 30.0\n[mesh]\n{file}\n\
+             [[rod]]\nfrom_mm = 0.0\nto_mm = 30.0\nmaterial = 'carbon'\n{SECTION}\n\
+             [material.carbon]\ne_gpa = 134.0\ng_gpa = 4.0\ndensity_kg_m3 = 1500.0\n"
+        )
+    };
+    Design::from_toml(&text("file = 'bay.msh'"), "bay.toml").unwrap_or_else(|error| panic!("{error}"));
+    let error = Design::from_toml(&text(""), "bay.toml").unwrap_err();
+    assert!(error.to_string().contains("planform.mean_chord_mm"), "{error}");
+}

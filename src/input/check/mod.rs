@@ -19,7 +19,7 @@ use super::path::KeyPath;
 /// Checks a design; `root` is the tree it was read from.
 pub(crate) fn check(design: &Design, root: &Node) -> Result<(), InputError> {
     name(design, root)?;
-    planform::check(&design.planform, root)?;
+    planform::check(&design.planform, design.mesh.file.is_some(), root)?;
     flow(design, root)?;
     section::check_materials(design, root)?;
     layout::check_rod(design, root)?;

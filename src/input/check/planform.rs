@@ -5,7 +5,10 @@ use crate::input::design::Planform;
 use crate::input::document::Node;
 use crate::input::error::{InputError, Number};
 
-pub(super) fn check(planform: &Planform, root: &Node) -> Result<(), InputError> {
+/// Without a shape of its own, a design with a mesh file takes the outline of the mesh.
+pub(super) fn check(planform: &Planform, has_mesh_file: bool, root: &Node) -> Result<(), InputError> {
+    let has_shape =
+        planform.mean_chord_mm.is_some() || planform.r1_hat.is_some() || planform.r2_hat.is_some();
     let (closure, cut) = (planform.base_closure.value(), planform.tip_cut.value());
     if closure >= cut {
         let message = format!("must be smaller than tip_cut = {}", Number(cut));
@@ -21,6 +24,7 @@ pub(super) fn check(planform: &Planform, root: &Node) -> Result<(), InputError> 
     }
     match &planform.outline {
         Some(points) => outline(planform, points, root),
+        None if has_mesh_file && !has_shape => Ok(()),
         None => moments(planform, root),
     }
 }
