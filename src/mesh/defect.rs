@@ -265,28 +265,27 @@ impl std::fmt::Display for Member {
 impl Defect {
     /// The member of the mesh that is at fault.
     pub fn member(&self) -> Member {
-        use Defect::*;
         match *self {
-            MissingNode { by } => by,
-            NotFinite { node }
-            | OffPlane { node, .. }
-            | SamePlace { node, .. }
-            | Hanging { node, .. }
-            | Loose { node, .. }
-            | Unconnected { node, .. }
-            | LeadingEdgeOff { node, .. }
-            | RootOff { node, .. }
-            | Interrupted { node, .. }
-            | RootCorner { node, .. }
-            | Disorder { node, .. } => Member::Node(node),
-            NoArea { triangle, .. } | Clockwise { triangle, .. } | Inverted { triangle, .. } => {
-                Member::Triangle(triangle)
-            }
-            OffEdges { beam, .. }
-            | BrokenRod { beam, .. }
-            | BrokenSpar { beam, .. }
-            | ShortSpar { beam, .. } => Member::Beam(beam),
-            MissingSet { set } => Member::Set(set),
+            Defect::MissingNode { by } => by,
+            Defect::NotFinite { node }
+            | Defect::OffPlane { node, .. }
+            | Defect::SamePlace { node, .. }
+            | Defect::Hanging { node, .. }
+            | Defect::Loose { node, .. }
+            | Defect::Unconnected { node, .. }
+            | Defect::LeadingEdgeOff { node, .. }
+            | Defect::RootOff { node, .. }
+            | Defect::Interrupted { node, .. }
+            | Defect::RootCorner { node, .. }
+            | Defect::Disorder { node, .. } => Member::Node(node),
+            Defect::NoArea { triangle, .. }
+            | Defect::Clockwise { triangle, .. }
+            | Defect::Inverted { triangle, .. } => Member::Triangle(triangle),
+            Defect::OffEdges { beam, .. }
+            | Defect::BrokenRod { beam, .. }
+            | Defect::BrokenSpar { beam, .. }
+            | Defect::ShortSpar { beam, .. } => Member::Beam(beam),
+            Defect::MissingSet { set } => Member::Set(set),
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use washout::geometry::Planform;
 use washout::input::design::Design;
-use washout::mesh::{BeamPart, Mesh, MeshError, Quality, generate};
+use washout::mesh::check::check;
+use washout::mesh::{BeamPart, Mesh, MeshError, Quality, generate, gmsh};
 
 /// The paper's planform with rods `[from, to]`, spars `[at, trailing edge at]`, and more lines of TOML.
 fn design(rods: &[[f64; 2]], spars: &[[f64; 2]], refine: f64, more: &str) -> Design {
@@ -246,4 +247,47 @@ fn spars_on_the_root_and_on_the_tip_close_the_wing() {
         mesh.spar_nodes(1)[0],
         mesh.leading_edge[mesh.leading_edge.len() - 1]
     );
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::prelude::ProptestConfig { cases: 300, failure_persistence: None, ..Default::default() })]
+
+    #[test]
+    fn whatever_is_meshed_is_sound(
+        places in proptest::collection::vec((0.0..69.3f64, -4.0..4.0f64), 0..8),
+        straight_across: bool,
+        joint in 0.1..68.0f64,
+        near in proptest::option::of(-1.0..1.0f64),
+        end in 68.5..70.0f64,
+        refine in 0.17..1.5f64,
+        film: bool,
+    ) {
+        let mut ends: Vec<[f64; 2]> = places
+            .iter()
+            .map(|&(at, sweep)| [at, if straight_across { at } else { (at + sweep).clamp(0.001, 69.299) }])
+            .collect();
+        ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        ends.dedup_by(|next, kept| next[0] <= kept[0] + 0.01 || next[1] <= kept[1] + 0.01);
+        // Joints at, beside and far from spars.
+        let joint = match (near, ends.first()) {
+            (Some(offset), Some(first)) => (first[0] + offset.powi(5)).clamp(0.1, 68.0),
+            _ => joint,
+        };
+        let design = design(&[[0.0, joint], [joint, end]], &ends, refine, if film { FILM } else { "" });
+        let planform = Planform::from_design(&design).unwrap();
+        match generate(&design, &planform) {
+            Ok(mesh) => {
+                check(&mesh).unwrap_or_else(|defect| panic!("{defect}"));
+                if film && straight_across {
+                    proptest::prop_assert!((mesh.area_m2() / planform.area_m2() - 1.0).abs() < 0.05);
+                }
+                let again = gmsh::read(gmsh::write(&mesh).as_bytes(), "again.msh").unwrap();
+                proptest::prop_assert_eq!(again, mesh);
+            }
+            Err(error) => proptest::prop_assert!(
+                matches!(error, MeshError::Folded { .. } | MeshError::LooseSpar { .. }),
+                "{}", error
+            ),
+        }
+    }
 }
