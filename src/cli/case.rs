@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::geometry::Planform;
 use crate::input::{Design, Loaded};
-use crate::mesh::{self, Mesh, MeshError, MeshFile};
+use crate::mesh::{Mesh, MeshFile, for_design};
 
 use super::{Console, Failure};
 
@@ -44,13 +44,8 @@ impl DesignArguments {
         console.progress().say(format!("meshing {}", loaded.design.name));
         let file = loaded.read_mesh_file()?;
         let file = file.as_ref().map(|(name, bytes)| MeshFile { name, bytes });
-        let (planform, mesh) = mesh::for_design(&loaded.design, file).map_err(|error| {
-            let design = self.design.clone();
-            match error {
-                MeshError::Geometry(source) => Failure::Geometry { design, source },
-                source => Failure::Mesh { design, source },
-            }
-        })?;
+        let (planform, mesh) =
+            for_design(&loaded.design, file).map_err(|error| Failure::design(&self.design, error))?;
         Ok(Case {
             loaded,
             planform,

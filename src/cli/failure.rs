@@ -1,13 +1,11 @@
 //! How a verb can fail, and the exit code of each way.
 
+use std::error::Error;
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use crate::aero::AeroError;
 use crate::export::ExportError;
-use crate::geometry::GeometryError;
 use crate::input::InputError;
-use crate::mesh::MeshError;
 use crate::progress::Cancelled;
 
 /// Why a verb did not do what it should.
@@ -16,29 +14,13 @@ pub enum Failure {
     /// A design or measurement is refused.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The wing cannot be laid out.
-    #[error("{}: {source}", design.display())]
-    Geometry {
+    /// The design is sound by itself, but no such wing can be laid out, meshed, put into the air or read.
+    #[error("{}: {reason}", design.display())]
+    Design {
         /// The design file.
         design: PathBuf,
         /// What is wrong.
-        source: GeometryError,
-    },
-    /// The wing cannot be meshed.
-    #[error("{}: {source}", design.display())]
-    Mesh {
-        /// The design file.
-        design: PathBuf,
-        /// What is wrong.
-        source: MeshError,
-    },
-    /// The air cannot be set up.
-    #[error("{}: {source}", design.display())]
-    Aero {
-        /// The design file.
-        design: PathBuf,
-        /// What is wrong.
-        source: AeroError,
+        reason: Box<dyn Error + Send + Sync>,
     },
     /// Results cannot be written or read.
     #[error(transparent)]
@@ -67,10 +49,18 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// A design that makes no wing, because of `reason`.
+    pub fn design(design: &Path, reason: impl Error + Send + Sync + 'static) -> Self {
+        Failure::Design {
+            design: design.to_path_buf(),
+            reason: Box::new(reason),
+        }
+    }
+
     /// The exit code of the process: 1 other, 2 input, 3 not converged, 130 interrupted.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Failure::Input(_) | Failure::Geometry { .. } | Failure::Mesh { .. } | Failure::Aero { .. } => 2,
+            Failure::Input(_) | Failure::Design { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } => 2,
             Failure::Export(ExportError::NoRun { .. } | ExportError::ForeignSummary { .. }) => 2,
             Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) => 1,

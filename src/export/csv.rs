@@ -8,7 +8,17 @@ use super::ExportError;
 use super::summary::ProfileRow;
 
 /// Columns of `profile.csv`.
-const PROFILE_HEAD: [&str; 5] = ["r_mm", "chord_mm", "twist_deg", "alpha_deg", "le_deflection_mm"];
+const PROFILE_HEAD: [&str; 9] = [
+    "place",
+    "r_mm",
+    "chord_mm",
+    "twist_deg",
+    "sigma_deg",
+    "bound",
+    "alpha_deg",
+    "le_deflection_mm",
+    "le_sweep_mm",
+];
 
 /// Columns of `strips.csv`.
 const STRIPS_HEAD: [&str; 10] = [
@@ -69,24 +79,28 @@ fn table(head: &[&str], rows: &[impl Serialize]) -> Result<Vec<u8>, ExportError>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::input::measurement::Bound;
 
     #[test]
     fn the_head_names_the_fields_of_a_row_in_their_order() {
         let row = ProfileRow {
+            place: "spar[0]".to_string(),
             r_mm: 2.8,
             chord_mm: 11.25,
             twist_deg: -0.5,
+            sigma_deg: None,
+            bound: Bound::Upper,
             alpha_deg: None,
             le_deflection_mm: 0.125,
+            le_sweep_mm: 0.0,
         };
         let json = serde_json::to_value(&row).expect("object");
         let names: Vec<_> = json.as_object().expect("object").keys().cloned().collect();
         assert_eq!(names, PROFILE_HEAD);
         let text = String::from_utf8(profile(&[row]).expect("written")).expect("UTF-8");
-        assert_eq!(
-            text,
-            "r_mm,chord_mm,twist_deg,alpha_deg,le_deflection_mm\n2.8,11.25,-0.5,,0.125\n"
-        );
+        let (head, row) = text.split_once('\n').expect("two lines");
+        assert_eq!(head, PROFILE_HEAD.join(","));
+        assert_eq!(row, "spar[0],2.8,11.25,-0.5,,upper,,0.125,0.0\n");
     }
 
     #[test]

@@ -235,11 +235,15 @@ mod tests {
 
     fn row(r_mm: f64, twist_deg: f64) -> ProfileRow {
         ProfileRow {
+            place: "station".to_string(),
             r_mm,
             chord_mm: 20.0,
             twist_deg,
+            sigma_deg: None,
+            bound: crate::input::measurement::Bound::None,
             alpha_deg: None,
             le_deflection_mm: 0.0,
+            le_sweep_mm: 0.0,
         }
     }
 

@@ -12,6 +12,8 @@ pub mod csv;
 
 pub mod summary;
 
+pub mod collect;
+
 pub mod run;
 
 pub mod difference;

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::input::measurement::Bound;
 use crate::lift::LiftReport;
 
 use super::summary::{
@@ -111,33 +112,56 @@ fn air(flow: Option<&FlowSummary>) -> String {
 }
 
 fn assumed(summary: &RunSummary) -> String {
-    if summary.assumed.is_empty() {
+    if summary.assumed.is_empty() && summary.assumed_choices.is_empty() {
         return "Every input is stated as a fact; none is assumed.\n".to_string();
     }
     let mut table = Table::new(["input", "value", "from", "to", "why"]);
+    let mut said = "";
     for input in &summary.assumed {
         let [low, high] = input.range.map(|end| significant(end, 4));
+        // A reason that holds for many inputs in a row is said once.
+        let why = if input.why == said { "" } else { &input.why };
+        said = &input.why;
         table.row([
             input.key.clone(),
             significant(input.value, 4),
             low,
             high,
-            input.why.clone(),
+            why.to_string(),
         ]);
     }
-    format!(
-        "Assumed, not known (the result moves with these; --uncertainty says how far)\n{}",
-        table.render()
-    )
+    let mut text = "Assumed, not known (--uncertainty says how far these move the result)\n".to_string();
+    text.push_str(&table.render());
+    let mut table = Table::new(["choice", "value", "why"]);
+    for choice in &summary.assumed_choices {
+        table.row([choice.key.clone(), choice.value.clone(), choice.why.clone()]);
+    }
+    if !table.is_empty() {
+        let _ = write!(text, "\n{}", table.render());
+    }
+    text
 }
 
 fn twist(summary: &RunSummary) -> String {
-    let mut table = Table::new(["r_mm", "chord_mm", "twist_deg", "alpha_deg", "le_deflection_mm"]);
+    let mut table = Table::new([
+        "at",
+        "r_mm",
+        "chord_mm",
+        "twist_deg",
+        "alpha_deg",
+        "le_deflection_mm",
+    ]);
     for row in &summary.profile {
+        let bound = match row.bound {
+            Bound::None => "",
+            Bound::Upper => "<",
+            Bound::Lower => ">",
+        };
         table.row([
+            row.place.clone(),
             number(row.r_mm, 2),
             number(row.chord_mm, 2),
-            number(row.twist_deg, 2),
+            format!("{bound}{}", number(row.twist_deg, 2)),
             row.alpha_deg.map_or(String::new(), |alpha| number(alpha, 2)),
             number(row.le_deflection_mm, 3),
         ]);
@@ -157,6 +181,9 @@ fn twist(summary: &RunSummary) -> String {
         (None, _) => format!("not readable at {at} mm: the chord is too short there"),
     };
     let _ = writeln!(text, "  tip twist {read}");
+    for skipped in &summary.skipped {
+        let _ = writeln!(text, "  not read: {skipped}");
+    }
     text.extend(summary.stages.as_ref().map(stages));
     text.extend(summary.measured.as_ref().map(measured));
     text
@@ -174,10 +201,15 @@ fn stages(fit: &StagesSummary) -> String {
                 .map_or(String::new(), |sigma| number(sigma, 3)),
         ]);
     }
+    let scatter = fit
+        .scatter_deg
+        .map(|scatter| format!(", scatter {}°", number(scatter, 2)));
     format!(
-        "\nStages of the modelled profile (fit within {}° RMS)\n{}",
-        number(fit.rms_deg, 2),
-        table.render()
+        "\nStages of the modelled profile ({} points{})\n{}  {}\n",
+        fit.points,
+        scatter.unwrap_or_default(),
+        table.render(),
+        fit.meaning_of_sigma
     )
 }
 

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::input::design::{Design, Section};
+use crate::input::measurement::Bound;
 use crate::lift::LiftReport;
 
 /// Version of this document.
@@ -26,6 +27,8 @@ pub struct RunSummary {
     pub design: Design,
     /// Inputs that are assumed, not known.
     pub assumed: Vec<AssumedInput>,
+    /// Choices among words that are assumed.
+    pub assumed_choices: Vec<AssumedChoice>,
     /// The wing as built.
     pub wing: WingSummary,
     /// The air it meets; absent without flow.
@@ -36,6 +39,8 @@ pub struct RunSummary {
     pub solve: SolveSummary,
     /// Twist along the span.
     pub profile: Vec<ProfileRow>,
+    /// Stations that were not read, and why.
+    pub skipped: Vec<String>,
     /// Piecewise-linear stages of the profile; absent where the profile does not carry a fit.
     pub stages: Option<StagesSummary>,
     /// What was measured on this wing; absent where the design names no measurement.
@@ -65,6 +70,17 @@ pub struct AssumedInput {
     pub value: f64,
     /// Lower and upper end of the range thought possible.
     pub range: [f64; 2],
+    /// Why it is assumed.
+    pub why: String,
+}
+
+/// An assumed choice.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct AssumedChoice {
+    /// Dotted path in the design.
+    pub key: String,
+    /// Word that was used.
+    pub value: String,
     /// Why it is assumed.
     pub why: String,
 }
@@ -167,16 +183,24 @@ pub enum Outcome {
 /// Twist at one station.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ProfileRow {
+    /// What stands there: `base`, `spar[0]`, `station`, `tip`.
+    pub place: String,
     /// Place along the span.
     pub r_mm: f64,
     /// Chord there at rest.
     pub chord_mm: f64,
-    /// Twist; positive is washout.
+    /// Twist as the design's instrument reads it; positive is washout.
     pub twist_deg: f64,
+    /// Error of the instrument; absent where it has none.
+    pub sigma_deg: Option<f64>,
+    /// Whether the instrument gives a value or only a bound.
+    pub bound: Bound,
     /// Angle of attack of the chord; absent without flow.
     pub alpha_deg: Option<f64>,
     /// Deflection of the leading edge across the wing plane (+z).
     pub le_deflection_mm: f64,
+    /// Sweep of the leading edge in the wing plane, toward the trailing edge (+y).
+    pub le_sweep_mm: f64,
 }
 
 /// Piecewise-linear stages of a profile.
@@ -184,8 +208,12 @@ pub struct ProfileRow {
 pub struct StagesSummary {
     /// Stages from base to tip; as many as the profile justifies.
     pub stages: Vec<StageRow>,
-    /// Root of the mean squared distance from the profile to the fit.
-    pub rms_deg: f64,
+    /// Points that were fitted.
+    pub points: usize,
+    /// Scatter of the profile about the fit; absent where it has as many parameters as points.
+    pub scatter_deg: Option<f64>,
+    /// What the standard errors mean.
+    pub meaning_of_sigma: String,
 }
 
 /// One stage: a stretch of constant twist rate.
@@ -193,14 +221,14 @@ pub struct StagesSummary {
 pub struct StageRow {
     /// Where it starts.
     pub from_mm: f64,
+    /// Standard error of the break where it starts; absent for the first stage.
+    pub from_sigma_mm: Option<f64>,
     /// Where it ends.
     pub to_mm: f64,
     /// Twist rate.
     pub rate_deg_per_mm: f64,
     /// Standard error of the rate; absent where the fit leaves none.
     pub rate_sigma_deg_per_mm: Option<f64>,
-    /// Standard error of the break at its start; absent for the first stage.
-    pub from_sigma_mm: Option<f64>,
 }
 
 /// What was measured on this wing, as the measurement file states it.

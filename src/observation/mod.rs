@@ -12,6 +12,8 @@ pub mod edges;
 
 pub mod error;
 
+pub mod field;
+
 pub mod observer;
 
 pub mod profile;

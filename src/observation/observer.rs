@@ -137,7 +137,7 @@ impl<'a> Observer<'a> {
 }
 
 /// Angle of the loaded chord about the span axis less that of the unloaded one, in (−π, π].
-fn chord_rotation_rad(unloaded: &Edges, loaded: &Edges) -> f64 {
+pub(super) fn chord_rotation_rad(unloaded: &Edges, loaded: &Edges) -> f64 {
     let (before, after) = (unloaded.chord(), loaded.chord());
     let sin = before.y * after.z - before.z * after.y;
     let cos = before.y * after.y + before.z * after.z;

@@ -1,0 +1,351 @@
+//! From a solved wing to its summary and its files.
+
+use crate::aero::Flow;
+use crate::coupling::solution::Solution;
+use crate::geometry::Planform;
+use crate::input::Loaded;
+use crate::lift::LiftReport;
+use crate::mesh::Mesh;
+use crate::observation::field::twist_at_nodes;
+use crate::observation::{Place, StageFit, TwistProfile, TwistReading};
+
+use super::run::RunFolder;
+use super::summary::{
+    AssumedChoice, AssumedInput, CellLegend, Engineering, FORMAT, FlowSummary, MeshSummary, Outcome,
+    ProfileRow, RunSummary, SolveSummary, StageRow, StagesSummary, TipSummary, WingSummary,
+};
+use super::wing::{Legend, PARTS, Shape, displacement_mm, solution_grid};
+use super::{ExportError, csv, pvd};
+
+/// A solved wing and what was read from it.
+#[derive(Debug, Clone, Copy)]
+pub struct Solved<'a> {
+    /// The design with all that its file refers to.
+    pub loaded: &'a Loaded,
+    /// Its outline.
+    pub planform: &'a Planform,
+    /// The solution.
+    pub solution: &'a Solution,
+    /// Twist along the span.
+    pub profile: &'a TwistProfile,
+    /// Stages of the profile.
+    pub stages: Option<&'a StageFit>,
+    /// Lift, drag, power.
+    pub lift: Option<&'a LiftReport>,
+    /// What a builder wants to know besides.
+    pub engineering: &'a Engineering,
+}
+
+/// The summary of a solved wing, without files.
+pub fn summarize(solved: &Solved) -> RunSummary {
+    let Solved {
+        loaded,
+        planform,
+        solution,
+        profile,
+        ..
+    } = *solved;
+    let design = &loaded.design;
+    let legend = Legend::of(design);
+    RunSummary {
+        format: FORMAT,
+        washout_version: env!("CARGO_PKG_VERSION").to_string(),
+        name: design.name.clone(),
+        design_file: loaded.path.display().to_string(),
+        design: design.clone(),
+        assumed: assumed(loaded),
+        assumed_choices: assumed_choices(loaded),
+        wing: wing(planform),
+        flow: Flow::from_design(design).map(|flow| air(&flow, design.air.density_kg_m3.value(), planform)),
+        mesh: mesh(&solution.mesh, loaded),
+        solve: solve(solution),
+        profile: profile.readings.iter().map(row).collect(),
+        skipped: skipped(profile),
+        stages: solved.stages.map(stages),
+        measured: None,
+        tip: tip(solved),
+        lift: solved.lift.cloned(),
+        engineering: solved.engineering.clone(),
+        uncertainty: None,
+        legend: CellLegend {
+            part: PARTS.map(str::to_string).to_vec(),
+            material: legend.materials.iter().map(|name| name.to_string()).collect(),
+            section: legend.sections.into_iter().cloned().collect(),
+        },
+        warnings: Vec::new(),
+        files: Vec::new(),
+    }
+}
+
+/// Adds all files of a run to its folder; `summary.files` is filled with their names.
+pub fn write_files(
+    folder: &mut RunFolder,
+    solved: &Solved,
+    summary: &mut RunSummary,
+) -> Result<(), ExportError> {
+    let (solution, design) = (solved.solution, &solved.loaded.design);
+    let twist_deg = twist_at_nodes(solved.planform, solution);
+    let twist_deg: Vec<f64> = twist_deg.into_iter().map(f64::to_degrees).collect();
+    let series = [("wing-rest.vtu", Shape::Unloaded), ("wing.vtu", Shape::Deformed)];
+    for (name, shape) in series {
+        folder.add(
+            name,
+            &solution_grid(design, solution, twist_deg.clone(), shape).to_vtu()?,
+        )?;
+    }
+    let steps = [0.0, 1.0]
+        .into_iter()
+        .zip(series.map(|(name, _)| name.to_string()));
+    folder.add("wing.pvd", pvd::collection(&steps.collect::<Vec<_>>()).as_bytes())?;
+    folder.add("profile.csv", &csv::profile(&summary.profile)?)?;
+    if !solution.strips.is_empty() {
+        folder.add("strips.csv", &csv::strips(&solution.strips)?)?;
+    }
+    summary.files = folder.listed();
+    folder.add_summary(summary)
+}
+
+fn assumed(loaded: &Loaded) -> Vec<AssumedInput> {
+    let assumptions = loaded.design.assumptions().into_iter();
+    let input = assumptions.map(|assumption| AssumedInput {
+        key: assumption.key,
+        value: assumption.value,
+        range: assumption.range,
+        why: assumption.why,
+    });
+    input.collect()
+}
+
+fn assumed_choices(loaded: &Loaded) -> Vec<AssumedChoice> {
+    let choices = loaded.design.assumed_choices().into_iter();
+    let choice = choices.map(|choice| AssumedChoice {
+        key: choice.key,
+        value: choice.value,
+        why: choice.why,
+    });
+    choice.collect()
+}
+
+fn wing(planform: &Planform) -> WingSummary {
+    WingSummary {
+        length_mm: planform.length_m() * 1e3,
+        tip_mm: planform.tip_m() * 1e3,
+        root_offset_mm: planform.root_offset_m() * 1e3,
+        mean_chord_mm: planform.mean_chord_m() * 1e3,
+        area_mm2: planform.area_m2() * 1e6,
+        r1_hat: planform.r1_hat(),
+        r2_hat: planform.r2_hat(),
+    }
+}
+
+fn air(flow: &Flow, density_kg_m3: f64, planform: &Planform) -> FlowSummary {
+    let root_angle_deg = flow.root_angle_rad().to_degrees();
+    match *flow {
+        Flow::Flapping {
+            frequency_hz,
+            half_amplitude_rad,
+            phase_rad,
+            ..
+        } => FlowSummary::Flapping {
+            frequency_hz,
+            half_amplitude_deg: half_amplitude_rad.to_degrees(),
+            phase_deg: phase_rad.to_degrees(),
+            root_angle_deg,
+            tip_speed_m_s: flow.velocity(planform.tip_m()).norm(),
+            density_kg_m3,
+        },
+        Flow::Steady { speed_m_s, .. } => FlowSummary::Steady {
+            speed_m_s,
+            root_angle_deg,
+            density_kg_m3,
+        },
+    }
+}
+
+fn mesh(mesh: &Mesh, loaded: &Loaded) -> MeshSummary {
+    MeshSummary {
+        nodes: mesh.nodes.len(),
+        triangles: mesh.triangles.len(),
+        beams: mesh.beams.len(),
+        file: loaded.design.mesh.file.clone(),
+    }
+}
+
+fn solve(solution: &Solution) -> SolveSummary {
+    let report = &solution.report;
+    let largest = |twist: &Vec<f64>| twist.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let history = report.twist_history_deg.iter().filter(|twist| !twist.is_empty());
+    SolveSummary {
+        outcome: Outcome::Converged,
+        dof: report.dof,
+        iterations: report.iterations,
+        newton_steps: report.newton_steps,
+        residual: report.residual,
+        twist_change_deg: report.twist_change_deg,
+        negative_pivots: report.negative_pivots,
+        reaction_force_mn: report.reaction_force_n.map(|force| force * 1e3),
+        reaction_moment_mn_mm: report.reaction_moment_n_m.map(|moment| moment * 1e6),
+        largest_twist_deg: history.map(largest).collect(),
+    }
+}
+
+fn row(reading: &TwistReading) -> ProfileRow {
+    ProfileRow {
+        place: place(reading.place),
+        r_mm: reading.r_m * 1e3,
+        chord_mm: reading.chord_m * 1e3,
+        twist_deg: reading.twist_rad.to_degrees(),
+        sigma_deg: reading.sigma_rad.map(f64::to_degrees),
+        bound: reading.bound,
+        alpha_deg: reading.alpha_rad.map(f64::to_degrees),
+        le_deflection_mm: reading.le_deflection_m * 1e3,
+        le_sweep_mm: reading.le_sweep_m * 1e3,
+    }
+}
+
+fn place(place: Place) -> String {
+    match place {
+        Place::Base => "base".to_string(),
+        Place::SparEnd(index) => format!("spar[{index}]"),
+        Place::OnRequest => "station".to_string(),
+        Place::Tip => "tip".to_string(),
+    }
+}
+
+fn skipped(profile: &TwistProfile) -> Vec<String> {
+    let skipped = profile.skipped.iter();
+    let sentence = skipped.map(|skipped| {
+        let (station, reason) = (skipped.station, skipped.reason);
+        format!(
+            "{} at {:.2} mm: {reason}",
+            place(station.place),
+            station.r_m * 1e3
+        )
+    });
+    sentence.collect()
+}
+
+fn stages(fit: &StageFit) -> StagesSummary {
+    use crate::observation::stages::DEG_PER_MM;
+    let breaks = std::iter::once(None).chain(fit.break_error_m.iter().copied());
+    let stage = fit
+        .stages
+        .iter()
+        .zip(breaks)
+        .map(|(stage, from_error_m)| StageRow {
+            from_mm: stage.from_m * 1e3,
+            from_sigma_mm: from_error_m.map(|error| error * 1e3),
+            to_mm: stage.to_m * 1e3,
+            rate_deg_per_mm: stage.rate_rad_per_m * DEG_PER_MM,
+            rate_sigma_deg_per_mm: stage.rate_error_rad_per_m.map(|error| error * DEG_PER_MM),
+        });
+    StagesSummary {
+        stages: stage.collect(),
+        points: fit.points,
+        scatter_deg: fit.scatter_rad.map(f64::to_degrees),
+        meaning_of_sigma: fit.source.meaning_of_errors().to_string(),
+    }
+}
+
+fn tip(solved: &Solved) -> TipSummary {
+    let (solution, observation) = (solved.solution, &solved.loaded.design.observation);
+    let reading = solved.profile.tip();
+    // The last node of the leading edge; a mesh without one has no tip to speak of.
+    let node = solution.mesh.leading_edge.last().copied().unwrap_or_default();
+    let moved = displacement_mm(&solution.rest, &solution.state);
+    TipSummary {
+        r_mm: observation.tip_station * solved.planform.length_m() * 1e3,
+        twist_deg: reading.map(|reading| reading.twist_rad.to_degrees()),
+        alpha_deg: reading.and_then(|reading| reading.alpha_rad).map(f64::to_degrees),
+        node,
+        displacement_mm: moved.get(node).copied().unwrap_or_default(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::export::run::read_summary;
+    use crate::observation::imposed;
+    use crate::observation::{StageSettings, fit_stages, read_profile};
+
+    /// A run of a wing with an imposed linear twist of 0.3 deg/mm, written below `target`.
+    fn write(target: &std::path::Path) -> RunSummary {
+        let design = imposed::design("");
+        let (planform, mut solution) =
+            imposed::wing(&design, |r_m| 300.0 * r_m.to_radians(), |r_m| [0.0, 0.1 * r_m]);
+        let (triangles, beams) = (solution.mesh.triangles.len(), solution.mesh.beams.len());
+        solution.pressure_pa = vec![1.0; triangles];
+        solution.membrane_force_n_per_m = vec![[2.0, 1.0, 0.0]; triangles];
+        solution.beam_force = vec![[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]; beams];
+        let profile = read_profile(&design, &planform, &solution).expect("a profile");
+        let fit = fit_stages(&profile.points(), profile.base(), StageSettings::default());
+        let loaded = Loaded {
+            design,
+            path: "imposed.toml".into(),
+            materials_path: None,
+            mesh_path: None,
+            air_table: None,
+            measurement: None,
+        };
+        let solved = Solved {
+            loaded: &loaded,
+            planform: &planform,
+            solution: &solution,
+            profile: &profile,
+            stages: fit.as_ref(),
+            lift: None,
+            engineering: &Engineering::default(),
+        };
+        let mut summary = summarize(&solved);
+        let mut folder = RunFolder::create(target).expect("a folder");
+        write_files(&mut folder, &solved, &mut summary).expect("files");
+        folder.commit().expect("a run");
+        summary
+    }
+
+    #[test]
+    fn the_summary_in_the_folder_is_the_one_that_was_made() {
+        let parent = tempfile::tempdir().expect("a folder");
+        let summary = write(&parent.path().join("run"));
+        assert_eq!(
+            read_summary(&parent.path().join("run")).expect("a summary"),
+            summary
+        );
+        for name in &summary.files {
+            assert!(parent.path().join("run").join(name).is_file(), "{name}");
+        }
+        assert_eq!(summary.files.last().map(String::as_str), Some("summary.json"));
+    }
+
+    #[test]
+    fn an_imposed_twist_stands_in_profile_stages_and_tip() {
+        let parent = tempfile::tempdir().expect("a folder");
+        let summary = write(&parent.path().join("run"));
+        let last = summary.profile.last().expect("a row");
+        assert_eq!(last.place, "tip");
+        assert!(
+            (last.r_mm - 67.9).abs() < 1e-9 && (last.twist_deg - 0.3 * 67.9).abs() < 0.05,
+            "{last:?}"
+        );
+        let fit = summary.stages.expect("stages");
+        assert_eq!(fit.stages.len(), 1, "{fit:?}");
+        assert!((fit.stages[0].rate_deg_per_mm - 0.3).abs() < 1e-3, "{fit:?}");
+        assert!(
+            (summary.tip.displacement_mm[2] - 6.93).abs() < 1e-9,
+            "{:?}",
+            summary.tip
+        );
+    }
+
+    #[test]
+    fn equal_inputs_give_equal_bytes() {
+        let parent = tempfile::tempdir().expect("a folder");
+        let bytes = |name: &str| {
+            let summary = write(&parent.path().join(name));
+            let read = |file: &String| std::fs::read(parent.path().join(name).join(file)).expect("a file");
+            summary.files.iter().map(read).collect::<Vec<_>>()
+        };
+        assert!(bytes("a") == bytes("b"));
+    }
+}
