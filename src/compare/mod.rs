@@ -1,1 +1,17 @@
-//! Measured minus modelled.
+//! Measured minus modelled: row by row, along the span in degrees and in σ, stages side by side, and in words.
+//!
+//! Errors are measured minus modelled: positive where the wing does more than the model says.
+
+pub mod comparison;
+
+pub mod integrated;
+
+pub mod row;
+
+pub mod span;
+
+pub mod verdict;
+
+pub use comparison::{Comparison, FittedStage, ModelledStages, compare};
+pub use row::{ComparedRow, NotCompared};
+pub use span::{ComparedStation, ProfileOrigin, SpanComparison};
