@@ -1,6 +1,7 @@
 //! From a solved wing to its summary and its files.
 
 use crate::aero::Flow;
+use crate::compare::{Comparison, ModelledStages};
 use crate::coupling::solution::Solution;
 use crate::geometry::Planform;
 use crate::input::Loaded;
@@ -12,7 +13,7 @@ use crate::observation::{Place, StageFit, TwistProfile, TwistReading};
 use super::run::RunFolder;
 use super::summary::{
     AssumedChoice, AssumedInput, CellLegend, Engineering, FORMAT, FlowSummary, MeshSummary, Outcome,
-    ProfileRow, RunSummary, SolveSummary, StageRow, StagesSummary, TipSummary, WingSummary,
+    ProfileRow, RunSummary, SolveSummary, TipSummary, WingSummary,
 };
 use super::wing::{Legend, PARTS, Shape, displacement_mm, solution_grid};
 use super::{ExportError, csv, pvd};
@@ -30,6 +31,8 @@ pub struct Solved<'a> {
     pub profile: &'a TwistProfile,
     /// Stages of the profile.
     pub stages: Option<&'a StageFit>,
+    /// Measured minus modelled.
+    pub measured: Option<&'a Comparison>,
     /// Lift, drag, power.
     pub lift: Option<&'a LiftReport>,
     /// What a builder wants to know besides.
@@ -61,8 +64,8 @@ pub fn summarize(solved: &Solved) -> RunSummary {
         solve: solve(solution),
         profile: profile.readings.iter().map(row).collect(),
         skipped: skipped(profile),
-        stages: solved.stages.map(stages),
-        measured: None,
+        stages: solved.stages.map(ModelledStages::new),
+        measured: solved.measured.cloned(),
         tip: tip(solved),
         lift: solved.lift.cloned(),
         engineering: solved.engineering.clone(),
@@ -225,28 +228,6 @@ fn skipped(profile: &TwistProfile) -> Vec<String> {
     sentence.collect()
 }
 
-fn stages(fit: &StageFit) -> StagesSummary {
-    use crate::observation::stages::DEG_PER_MM;
-    let breaks = std::iter::once(None).chain(fit.break_error_m.iter().copied());
-    let stage = fit
-        .stages
-        .iter()
-        .zip(breaks)
-        .map(|(stage, from_error_m)| StageRow {
-            from_mm: stage.from_m * 1e3,
-            from_sigma_mm: from_error_m.map(|error| error * 1e3),
-            to_mm: stage.to_m * 1e3,
-            rate_deg_per_mm: stage.rate_rad_per_m * DEG_PER_MM,
-            rate_sigma_deg_per_mm: stage.rate_error_rad_per_m.map(|error| error * DEG_PER_MM),
-        });
-    StagesSummary {
-        stages: stage.collect(),
-        points: fit.points,
-        scatter_deg: fit.scatter_rad.map(f64::to_degrees),
-        meaning_of_sigma: fit.source.meaning_of_errors().to_string(),
-    }
-}
-
 fn tip(solved: &Solved) -> TipSummary {
     let (solution, observation) = (solved.solution, &solved.loaded.design.observation);
     let reading = solved.profile.tip();
@@ -294,6 +275,7 @@ mod tests {
             solution: &solution,
             profile: &profile,
             stages: fit.as_ref(),
+            measured: None,
             lift: None,
             engineering: &Engineering::default(),
         };

@@ -16,6 +16,8 @@ pub mod collect;
 
 pub mod run;
 
+pub mod comparison;
+
 pub mod difference;
 
 pub mod report;

@@ -2,12 +2,10 @@
 
 use std::fmt::Write;
 
-use crate::input::measurement::Bound;
+use super::comparison::{rows, sign, stages};
 use crate::lift::LiftReport;
 
-use super::summary::{
-    Engineering, Extreme, FlowSummary, MeasuredSummary, RunSummary, StagesSummary, UncertaintySummary,
-};
+use super::summary::{Engineering, Extreme, FlowSummary, RunSummary, UncertaintySummary};
 use super::text::{Table, number, significant};
 
 /// The page; `folder` is where the files of the run are, if any were written.
@@ -152,16 +150,11 @@ fn twist(summary: &RunSummary) -> String {
         "le_deflection_mm",
     ]);
     for row in &summary.profile {
-        let bound = match row.bound {
-            Bound::None => "",
-            Bound::Upper => "<",
-            Bound::Lower => ">",
-        };
         table.row([
             row.place.clone(),
             number(row.r_mm, 2),
             number(row.chord_mm, 2),
-            format!("{bound}{}", number(row.twist_deg, 2)),
+            format!("{}{}", sign(row.bound), number(row.twist_deg, 2)),
             row.alpha_deg.map_or(String::new(), |alpha| number(alpha, 2)),
             number(row.le_deflection_mm, 3),
         ]);
@@ -184,62 +177,10 @@ fn twist(summary: &RunSummary) -> String {
     for skipped in &summary.skipped {
         let _ = writeln!(text, "  not read: {skipped}");
     }
-    text.extend(summary.stages.as_ref().map(stages));
-    text.extend(summary.measured.as_ref().map(measured));
+    text.extend(summary.stages.as_ref().map(|fit| format!("\n{}", stages(fit))));
+    let measured = summary.measured.as_ref();
+    text.extend(measured.map(|comparison| format!("\n{}", rows(comparison))));
     text
-}
-
-fn stages(fit: &StagesSummary) -> String {
-    let mut table = Table::new(["from_mm", "to_mm", "deg_per_mm", "sigma"]);
-    for stage in &fit.stages {
-        table.row([
-            number(stage.from_mm, 1),
-            number(stage.to_mm, 1),
-            number(stage.rate_deg_per_mm, 3),
-            stage
-                .rate_sigma_deg_per_mm
-                .map_or(String::new(), |sigma| number(sigma, 3)),
-        ]);
-    }
-    let scatter = fit
-        .scatter_deg
-        .map(|scatter| format!(", scatter {}°", number(scatter, 2)));
-    format!(
-        "\nStages of the modelled profile ({} points{})\n{}  {}\n",
-        fit.points,
-        scatter.unwrap_or_default(),
-        table.render(),
-        fit.meaning_of_sigma
-    )
-}
-
-fn measured(measured: &MeasuredSummary) -> String {
-    let mut table = Table::new([
-        "run", "channel", "r_mm", "to_mm", "measured", "sigma", "modelled", "unit",
-    ]);
-    for row in &measured.rows {
-        let bound = match row.bound.as_deref() {
-            Some("upper") => "<",
-            Some("lower") => ">",
-            _ => "",
-        };
-        table.row([
-            row.run.clone(),
-            row.channel.clone(),
-            number(row.r_mm, 1),
-            row.r_to_mm.map_or(String::new(), |to| number(to, 1)),
-            format!("{bound}{}", significant(row.measured, 3)),
-            row.sigma.map_or(String::new(), |sigma| significant(sigma, 2)),
-            row.modelled.map_or(String::new(), |value| significant(value, 3)),
-            row.unit.clone(),
-        ]);
-    }
-    format!(
-        "\nBeside the measurement ({}, case {})\n{}",
-        measured.file,
-        measured.case,
-        table.render()
-    )
 }
 
 fn uncertainty(band: &UncertaintySummary) -> String {

@@ -5,6 +5,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::compare::{Comparison, ModelledStages};
 use crate::input::design::{Design, Section};
 use crate::input::measurement::Bound;
 use crate::lift::LiftReport;
@@ -42,9 +43,9 @@ pub struct RunSummary {
     /// Stations that were not read, and why.
     pub skipped: Vec<String>,
     /// Piecewise-linear stages of the profile; absent where the profile does not carry a fit.
-    pub stages: Option<StagesSummary>,
-    /// What was measured on this wing; absent where the design names no measurement.
-    pub measured: Option<MeasuredSummary>,
+    pub stages: Option<ModelledStages>,
+    /// Measured minus modelled; absent where the design names no measurement.
+    pub measured: Option<Comparison>,
     /// The tip.
     pub tip: TipSummary,
     /// Lift, drag and power; absent without flow.
@@ -201,68 +202,6 @@ pub struct ProfileRow {
     pub le_deflection_mm: f64,
     /// Sweep of the leading edge in the wing plane, toward the trailing edge (+y).
     pub le_sweep_mm: f64,
-}
-
-/// Piecewise-linear stages of a profile.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct StagesSummary {
-    /// Stages from base to tip; as many as the profile justifies.
-    pub stages: Vec<StageRow>,
-    /// Points that were fitted.
-    pub points: usize,
-    /// Scatter of the profile about the fit; absent where it has as many parameters as points.
-    pub scatter_deg: Option<f64>,
-    /// What the standard errors mean.
-    pub meaning_of_sigma: String,
-}
-
-/// One stage: a stretch of constant twist rate.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct StageRow {
-    /// Where it starts.
-    pub from_mm: f64,
-    /// Standard error of the break where it starts; absent for the first stage.
-    pub from_sigma_mm: Option<f64>,
-    /// Where it ends.
-    pub to_mm: f64,
-    /// Twist rate.
-    pub rate_deg_per_mm: f64,
-    /// Standard error of the rate; absent where the fit leaves none.
-    pub rate_sigma_deg_per_mm: Option<f64>,
-}
-
-/// What was measured on this wing, as the measurement file states it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct MeasuredSummary {
-    /// Measurement file as the design names it.
-    pub file: String,
-    /// Case in it.
-    pub case: String,
-    /// Measured twist and twist rates, each beside what the model gives for the same stretch.
-    pub rows: Vec<MeasuredRow>,
-}
-
-/// A measured value beside the modelled one.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct MeasuredRow {
-    /// Which run or statement of the source.
-    pub run: String,
-    /// Channel, for instance `twist_rate`.
-    pub channel: String,
-    /// Where, or where the stretch starts.
-    pub r_mm: f64,
-    /// Where the stretch ends; absent for a value at one place.
-    pub r_to_mm: Option<f64>,
-    /// Measured value.
-    pub measured: f64,
-    /// Its standard error, if one is known or assumed.
-    pub sigma: Option<f64>,
-    /// Unit of both values.
-    pub unit: String,
-    /// What the model gives there; absent where it cannot be read.
-    pub modelled: Option<f64>,
-    /// Whether the measured value is only a bound.
-    pub bound: Option<String>,
 }
 
 /// The tip.

@@ -93,6 +93,27 @@ pub fn significant(value: f64, digits: usize) -> String {
     number(value, (digits as i64 - whole).max(0) as usize)
 }
 
+/// A sentence in lines of at most 100 characters, each indented by so many spaces.
+pub fn wrapped(sentence: &str, indent: usize) -> String {
+    let (mut text, mut width) = (String::new(), 0);
+    for word in sentence.split_whitespace() {
+        let length = word.chars().count();
+        if width > 0 && width + 1 + length <= 100 {
+            text.push(' ');
+            width += 1 + length;
+        } else {
+            if width > 0 {
+                text.push('\n');
+            }
+            text.push_str(&" ".repeat(indent));
+            width = indent + length;
+        }
+        text.push_str(word);
+    }
+    text.push('\n');
+    text
+}
+
 fn is_number(text: &str) -> bool {
     text.starts_with(|first: char| first.is_ascii_digit() || "+-−<>±".contains(first)) || text == "–"
 }
@@ -107,6 +128,20 @@ mod tests {
         table.row(["2.0".into(), "base".into()]);
         table.row(["67.90".into(), "tip".into()]);
         assert_eq!(table.render(), "   r_mm  where\n    2.0  base\n  67.90  tip\n");
+    }
+
+    #[test]
+    fn long_sentences_break_between_words_before_the_hundredth_character() {
+        let text = wrapped(&"twenty characters on ".repeat(7), 2);
+        let lines: Vec<&str> = text.lines().collect();
+        assert_eq!(lines.len(), 2);
+        assert!(
+            lines
+                .iter()
+                .all(|line| line.starts_with("  ") && line.len() <= 100),
+            "{text}"
+        );
+        assert_eq!(text.split_whitespace().count(), 21);
     }
 
     #[test]
