@@ -4,7 +4,6 @@ use clap::{Args, ValueEnum};
 
 use crate::export::difference::Difference;
 use crate::export::summary::RunSummary;
-use crate::input::design::Design;
 
 use super::{Console, Failure};
 
@@ -37,7 +36,7 @@ impl Schema {
     /// Prints the schema.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let schema = match self.output {
-            None => schemars::schema_for!(Design),
+            None => crate::input::schema::design_schema(),
             Some(Output::Solve) => schemars::schema_for!(RunSummary),
             Some(Output::Diff) => schemars::schema_for!(Difference),
             Some(Output::Mesh) => schemars::schema_for!(super::mesh::MeshReport),

@@ -78,7 +78,7 @@ pub enum Problem {
         found: String,
     },
     /// A word that is not among the allowed ones.
-    #[error("must be one of {}", allowed.join(", "))]
+    #[error("must be {}{}", if allowed.len() > 1 { "one of " } else { "" }, allowed.join(", "))]
     UnknownValue {
         /// The allowed words.
         allowed: Vec<String>,
@@ -90,8 +90,10 @@ pub enum Problem {
         allowed: Vec<String>,
     },
     /// A key that exists with another unit.
-    #[error("wrong unit, {expected} is expected")]
+    #[error("{} unit, {expected} is expected", if *.absent { "missing" } else { "wrong" })]
     WrongUnit {
+        /// True where the key has no unit at all.
+        absent: bool,
         /// The key with the unit that is expected.
         expected: String,
     },
@@ -118,6 +120,15 @@ pub enum Problem {
         /// Keys of the other values, for tools.
         with: Vec<String>,
     },
+}
+
+impl Problem {
+    /// Whether its sentence reads on after the key, as in "rod[0].material is missing".
+    fn is_predicate(&self) -> bool {
+        const VERBS: [&str; 7] = ["is", "must", "cannot", "needs", "has", "loads", "stands"];
+        let sentence = self.to_string();
+        VERBS.contains(&sentence.split(' ').next().unwrap_or_default())
+    }
 }
 
 /// A range of numbers with its unit.
@@ -207,10 +218,8 @@ impl fmt::Display for InputError {
             if !self.value.is_empty() {
                 write!(f, " = {}", self.value)?;
             }
-            match self.problem {
-                Problem::Missing => write!(f, " ")?,
-                _ => write!(f, ": ")?,
-            }
+            let reads_on = self.value.is_empty() && self.problem.is_predicate();
+            write!(f, "{}", if reads_on { " " } else { ": " })?;
         }
         write!(f, "{}", self.problem)?;
         if !self.cure.is_empty() {

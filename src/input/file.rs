@@ -10,18 +10,18 @@ use super::error::{InputError, Problem};
 /// Largest text file that is read, in bytes.
 const LARGEST: u64 = 4 * 1024 * 1024;
 
-/// Reads a text file; `what` names it with its article, such as "a design file".
+/// Reads a text file; `what` names it, such as "design file".
 pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, InputError> {
     let name = shown(path);
     let fail = |message: String, cure: String| Err(InputError::about_file(&name, message, cure));
     if path.is_dir() {
-        return fail("is a folder".into(), format!("Name {what} inside it"));
+        return fail("is a folder".into(), format!("Name a {what} inside it"));
     }
     let mut bytes = Vec::new();
     let read = File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
     if let Err(error) = read {
         return match error.kind() {
-            ErrorKind::NotFound => fail("no such file".into(), format!("Check the path of {what}")),
+            ErrorKind::NotFound => fail("no such file".into(), format!("Check the path of the {what}")),
             ErrorKind::PermissionDenied => {
                 fail("may not be read".into(), "Check the file's permissions".into())
             }
@@ -34,19 +34,19 @@ pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, InputError> {
     if bytes.len() as u64 > LARGEST {
         return fail(
             "is larger than 4 MB".into(),
-            format!("{} is a few kB of text; check the path", capital(what)),
+            format!("A {what} is a few kB of text; check the path"),
         );
     }
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return fail(
             "is empty".into(),
-            format!("Name {what} with content; `washout init NAME` writes a design to start from"),
+            format!("Name a {what} with content; `washout init NAME` writes a design to start from"),
         );
     }
     if bytes.contains(&0) {
         return fail(
             "is a binary file".into(),
-            format!("{} is plain text; check the path", capital(what)),
+            format!("A {what} is plain text; check the path"),
         );
     }
     match String::from_utf8(bytes) {
@@ -90,12 +90,6 @@ pub(crate) fn shown(path: &Path) -> String {
 /// The path of a file that is named relative to another.
 pub(crate) fn beside(file: &Path, name: &str) -> PathBuf {
     file.parent().unwrap_or(Path::new("")).join(name)
-}
-
-fn capital(what: &str) -> String {
-    let mut letters = what.chars();
-    let first = letters.next().map(|letter| letter.to_uppercase().to_string());
-    first.unwrap_or_default() + letters.as_str()
 }
 
 #[cfg(test)]

@@ -51,13 +51,13 @@ pub(crate) struct Key {
 /// What may stand in a design file.
 pub(crate) fn design() -> &'static Kind {
     static KIND: OnceLock<Kind> = OnceLock::new();
-    KIND.get_or_init(|| kind_of_root(&schema::design_schema()))
+    KIND.get_or_init(|| kind_of_root(schema::design_schema().as_value()))
 }
 
 /// What may stand in a materials file.
 pub(crate) fn materials() -> &'static Kind {
     static KIND: OnceLock<Kind> = OnceLock::new();
-    KIND.get_or_init(|| kind_of_root(&schema::materials_schema()))
+    KIND.get_or_init(|| kind_of_root(schema::materials_schema().as_value()))
 }
 
 impl Kind {

@@ -60,7 +60,7 @@ impl Design {
             .iter()
             .map(|text| Setting::parse(text))
             .collect::<Result<_, _>>()?;
-        let text = file::read_text(path, "a design file")?;
+        let text = file::read_text(path, "design file")?;
         let mut root = Node::parse_file(&file::shown(path), &text)?;
         for setting in settings.iter().filter(|setting| setting.is_for("materials")) {
             setting.apply(&mut root)?;
@@ -75,7 +75,7 @@ impl Design {
         let air_table = match named_file(&root, path, "air.table")? {
             Some(path) => Some(air_table::parse(
                 &file::shown(&path),
-                &file::read_text(&path, "a table of coefficients")?,
+                &file::read_text(&path, "table of coefficients")?,
             )?),
             None => None,
         };
@@ -156,7 +156,7 @@ fn merge_materials(root: &mut Node, design_path: &Path) -> Result<Option<PathBuf
             "Name another file, or leave the key out",
         );
     }
-    let text = file::read_text(&path, "a materials file")?;
+    let text = file::read_text(&path, "materials file")?;
     let tree = Node::parse_file(&file::shown(&path), &text)?;
     if let Some(node) = tree.get("materials") {
         let message = "a materials file cannot name another one".to_string();

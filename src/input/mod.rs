@@ -18,6 +18,8 @@ mod load;
 
 mod set;
 
+mod syntax;
+
 mod table;
 
 mod check;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -11,22 +11,26 @@ use super::design::{Design, Material};
 /// The JSON schema (draft 2020-12) of a design file; keys, ranges, examples, words and defaults.
 ///
 /// Ranges of [`super::quantity::Quantity`] bind the number itself; of lists, each of their items.
-pub fn design_schema() -> Value {
-    let mut schema = schemars::schema_for!(Design).to_value();
-    push_ranges_into_lists(&mut schema);
+pub fn design_schema() -> Schema {
+    let mut schema = schemars::schema_for!(Design);
+    schema
+        .as_object_mut()
+        .into_iter()
+        .flat_map(|object| object.values_mut())
+        .for_each(push_ranges_into_lists);
     schema
 }
 
 /// The JSON schema of a materials file.
-pub fn materials_schema() -> Value {
-    schemars::schema_for!(MaterialsFile).to_value()
+pub fn materials_schema() -> Schema {
+    schemars::schema_for!(MaterialsFile)
 }
 
 /// A file of materials, shared by designs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct MaterialsFile {
-    /// The version of the file format, which is 1.
+    /// The version of the file format.
     #[schemars(extend("examples" = [1]))]
     format: u32,
     /// The materials by name, one `[material.NAME]` table each.
@@ -53,5 +57,18 @@ fn push_ranges_into_lists(value: &mut Value) {
         }
         Value::Array(items) => items.iter_mut().for_each(push_ranges_into_lists),
         _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_of_lists_bind_their_items() {
+        let schema = design_schema().to_value();
+        let force = &schema["$defs"]["BenchLoad"]["properties"]["force_n"];
+        assert_eq!(force["items"]["maximum"], 1e6);
+        assert_eq!(force.get("maximum"), None);
     }
 }

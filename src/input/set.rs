@@ -164,7 +164,7 @@ fn put(root: &mut Node, path: &KeyPath, node: Node) -> Result<(), InputError> {
         let entries = target.length();
         match target.child_mut(step) {
             Some(child) => target = child,
-            None => return fail(no_entry(step, &before, entries), counted(&before, entries)),
+            None => return fail(no_entry(step, &before, entries), counted(step, &before, entries)),
         }
     }
     let before = done.to_string();
@@ -173,7 +173,7 @@ fn put(root: &mut Node, path: &KeyPath, node: Node) -> Result<(), InputError> {
         Step::Key(key) if target.is_table() => target.put(key, node),
         step => match target.child_mut(step) {
             Some(child) => *child = node,
-            None => return fail(no_entry(step, &before, entries), counted(&before, entries)),
+            None => return fail(no_entry(step, &before, entries), counted(step, &before, entries)),
         },
     }
     Ok(())
@@ -185,15 +185,17 @@ fn no_entry(step: &Step, before: &str, entries: Option<usize>) -> String {
             format!("there is no {before}[{index}], {before} has {entries}")
         }
         (Step::Index(_), None) => format!("{before} is no list"),
-        (Step::Key(key), _) => format!("{before} has no keys, so no {key}"),
+        (Step::Key(_), Some(_)) => format!("{before} is a list, so its entry must be named"),
+        (Step::Key(key), None) => format!("{before} has no keys, so no {key}"),
     }
 }
 
-fn counted(before: &str, entries: Option<usize>) -> String {
-    match entries {
-        Some(0) => format!("The design has no {before}; add it to the file"),
-        Some(1) => format!("Write {before}[0]"),
-        Some(entries) => format!("Write {before}[0] … {before}[{}]", entries - 1),
-        None => "See the design for what stands there".to_string(),
+fn counted(step: &Step, before: &str, entries: Option<usize>) -> String {
+    match (step, entries) {
+        (_, Some(0)) => format!("The design has no {before}; add it to the file"),
+        (_, Some(1)) => format!("Write {before}[0]"),
+        (_, Some(entries)) => format!("Entries count from 0: {before}[0] … {before}[{}]", entries - 1),
+        (Step::Index(_), None) => "Leave the number in brackets out".to_string(),
+        (Step::Key(_), None) => format!("Set {before} itself"),
     }
 }

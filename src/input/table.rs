@@ -32,7 +32,7 @@ impl Table {
             .trim(csv::Trim::All)
             .from_reader(text.as_bytes());
         let headers = reader.headers().map_err(|error| broken(file, &error))?.clone();
-        let line = headers.position().map_or(1, |position| position.line() as usize);
+        let line = line_of_row(text, headers.position());
         check_header(file, line, &headers, columns)?;
         let mut records = Vec::new();
         for record in reader.records() {
@@ -43,7 +43,7 @@ impl Table {
             });
             records.push(Record {
                 file: name.clone(),
-                line: record.position().map_or(0, |position| position.line() as usize),
+                line: line_of_row(text, record.position()),
                 fields: fields.collect(),
             });
         }
@@ -145,6 +145,17 @@ impl Record {
     }
 }
 
+/// The line of the row that starts at or after a position, which may lie before comments and blank lines.
+fn line_of_row(text: &str, position: Option<&csv::Position>) -> usize {
+    let start = position.map_or(0, |position| position.byte() as usize);
+    let before = text.get(..start).unwrap_or_default().matches('\n').count();
+    let lines = text.get(start..).unwrap_or_default().lines();
+    let skipped = lines
+        .take_while(|line| line.is_empty() || line.starts_with('#'))
+        .count();
+    before + skipped + 1
+}
+
 fn check_header(
     file: &str,
     line: usize,
@@ -168,12 +179,17 @@ fn check_header(
     let all = format!("The columns are {}", columns.join(","));
     for (number, header) in headers.iter().enumerate() {
         if !columns.contains(&header) {
-            let allowed = columns.iter().map(|column| column.to_string()).collect();
             let cure = match nearest(header, columns.iter().copied()) {
                 Some(near) => format!("Did you mean {near}? {all}"),
                 None => all,
             };
-            return fail(&format!("\"{header}\""), Problem::UnknownKey { allowed }, cure);
+            let message = "is not known".to_string();
+            let with = columns.iter().map(|column| column.to_string()).collect();
+            return fail(
+                &format!("\"{header}\""),
+                Problem::Conflict { message, with },
+                cure,
+            );
         }
         if headers.iter().take(number).any(|other| other == header) {
             let message = "stands twice".to_string();

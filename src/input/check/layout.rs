@@ -1,7 +1,7 @@
 //! Rod and spars: no gaps, no overlaps, nothing off the wing, nothing too near.
 
 use super::section::check_section;
-use super::{material_is_known, refuse};
+use super::{material_is_known, refuse, round};
 use crate::input::design::{Design, Section};
 use crate::input::document::Node;
 use crate::input::error::{InputError, Number};
@@ -97,7 +97,10 @@ pub(super) fn check_spars(design: &Design, root: &Node) -> Result<(), InputError
 
 fn off_the_wing(root: &Node, key: &str, place: f64, tip: f64) -> Result<(), InputError> {
     if place > tip + 1e-9 {
-        let message = format!("is off the wing, which is cut at {tip:.4} mm (length_mm × tip_cut)");
+        let message = format!(
+            "is off the wing, which is cut at {} mm (length_mm × tip_cut)",
+            Number(round(tip))
+        );
         let cure = "Move the spar inboard";
         return refuse(
             root,
@@ -109,7 +112,10 @@ fn off_the_wing(root: &Node, key: &str, place: f64, tip: f64) -> Result<(), Inpu
     }
     for (edge, distance) in [("the wing base", place), ("the tip cut", tip - place)] {
         if distance > 1e-9 && distance < NEAREST_MM {
-            let message = format!("is only {distance:.4} mm from {edge}, which leaves a sliver");
+            let message = format!(
+                "is only {} mm from {edge}, which leaves a sliver",
+                Number(round(distance))
+            );
             let cure = format!("Keep {NEAREST_MM} mm or more, or lay the spar on the edge itself");
             return refuse(root, key, message, &["planform.tip_cut"], cure);
         }
@@ -146,8 +152,8 @@ fn apart(root: &Node, numbers: [usize; 2], own: [f64; 2], other: [f64; 2]) -> Re
     for (gap, edge) in gaps.iter().zip(["leading", "trailing"]) {
         if gap.abs() < NEAREST_MM {
             let message = format!(
-                "is only {:.4} mm from spar[{earlier}] at the {edge} edge",
-                gap.abs()
+                "is only {} mm from spar[{earlier}] at the {edge} edge",
+                Number(round(gap.abs()))
             );
             let cure = format!("Keep {NEAREST_MM} mm or more between spars, or merge them into a wider one");
             return refuse(root, &key, message, &[&with], cure);

@@ -129,3 +129,8 @@ pub(crate) fn refuse<T>(
     };
     Err(InputError::new(place, key, &shown, problem, cure))
 }
+
+/// Without the last digits that arithmetic leaves behind, for messages.
+fn round(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}

@@ -51,13 +51,7 @@ fn outline(planform: &Planform, points: &[[f64; 2]], root: &Node) -> Result<(), 
     let whole = "planform.outline";
     if points.len() < 2 {
         let cure = "Give two points [r_mm, chord_mm] or more, r rising from 0 to the length";
-        return refuse(
-            root,
-            whole,
-            format!("has {} points, but needs two at least", points.len()),
-            &[],
-            cure,
-        );
+        return refuse(root, whole, "needs at least two points", &[], cure);
     }
     let length = planform.length_mm.value();
     let mut before = f64::NEG_INFINITY;

@@ -1,6 +1,6 @@
 //! Where twist is read, and what is said to be assumed.
 
-use super::refuse;
+use super::{refuse, round};
 use crate::input::assumption::word_at;
 use crate::input::design::{Design, Instrument};
 use crate::input::document::Node;
@@ -36,8 +36,8 @@ pub(super) fn check(design: &Design, root: &Node) -> Result<(), InputError> {
         let key = format!("observation.stations_mm[{number}]");
         if *station > length * cut + 1e-9 {
             let message = format!(
-                "is off the wing, which is cut at {:.4} mm (length_mm × tip_cut)",
-                length * cut
+                "is off the wing, which is cut at {} mm (length_mm × tip_cut)",
+                Number(round(length * cut))
             );
             return refuse(
                 root,

@@ -101,7 +101,7 @@ fn given(root: &Node, section: &Section, coupling: &[CouplingTerm], key: &str) -
         return Ok(());
     }
     let message = format!(
-        "leaves the stiffness matrix not positive definite (smallest eigenvalue {smallest:.3e} of the largest-possible 1, scaled to a unit diagonal)"
+        "makes the stiffness matrix indefinite (scaled to a diagonal of 1, its smallest eigenvalue is {smallest:.3})"
     );
     let cure = "A coupling must be smaller than the square root of the product of its two diagonal terms";
     refuse(root, &format!("{key}.coupling"), message, &[], cure)

@@ -13,7 +13,7 @@ pub struct Flapping {
     /// The flapping frequency.
     #[schemars(extend("minimum" = 0.1, "maximum" = 1000.0, "examples" = [23.0]))]
     pub frequency_hz: Quantity,
-    /// The half-stroke amplitude, half of the peak-to-peak stroke angle.
+    /// The half-stroke amplitude (half of the peak-to-peak stroke angle).
     #[schemars(extend("minimum" = 0.1, "maximum" = 90.0, "examples" = [34.5]))]
     pub half_amplitude_deg: Quantity,
     /// The angle of attack of the root at the pitch stop.
@@ -53,7 +53,7 @@ pub struct Air {
     #[schemars(extend("examples" = ["dickinson"]))]
     pub coefficients: Coefficients,
     /// The lift-curve slope for `thin-airfoil`.
-    #[schemars(extend("minimum" = 0.0, "maximum" = 20.0, "examples" = [6.28]))]
+    #[schemars(extend("minimum" = 0.0, "maximum" = 20.0, "examples" = [5.7]))]
     pub lift_slope_per_rad: Quantity,
     /// The table of coefficients for `table`: a CSV file with the columns alpha_deg, cl, cd.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -10,7 +10,7 @@ use crate::input::quantity::Quantity;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
-    /// The Young's modulus along the length or fibre.
+    /// The modulus of elasticity along the length or fibre.
     #[schemars(extend("minimum" = 1e-6, "maximum" = 2000.0, "examples" = [2.5]))]
     pub e_gpa: Quantity,
     /// The modulus across the fibre; the material is isotropic where absent.
@@ -21,7 +21,7 @@ pub struct Material {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("minimum" = 1e-6, "maximum" = 2000.0, "examples" = [4.0]))]
     pub g_gpa: Option<Quantity>,
-    /// The Poisson's ratio (strain across per strain along the fibre).
+    /// The Poisson ratio (strain across per strain along the fibre).
     #[serde(default = "zero")]
     #[schemars(extend("exclusiveMinimum" = -1.0, "exclusiveMaximum" = 0.5, "examples" = [0.34]))]
     pub poisson: Quantity,

@@ -39,7 +39,7 @@ pub use section::{CouplingTerm, Flat, Ply, Section, SectionStrain};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Design {
-    /// The version of the file format, which is 1.
+    /// The version of the file format.
     #[schemars(extend("examples" = [1]))]
     pub format: u32,
     /// The name of the wing (letters, digits, `-`, `_`); it names the run folder.

@@ -7,6 +7,8 @@ use super::zero;
 use crate::input::quantity::Quantity;
 
 /// Cross-section of a rod or spar.
+// A wing has a dozen of these at most: plain fields are worth more than small variants.
+#[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case", tag = "shape")]
 pub enum Section {

@@ -1,7 +1,9 @@
 //! The form of a file: every key known, every value of its kind and in its range.
 
+mod assumed;
+
 use super::document::{Entry, Node, NodeValue};
-use super::error::{InputError, Number, Problem, Range};
+use super::error::{InputError, Problem, Range};
 use super::keys::{Key, Kind};
 use super::nearest::nearest;
 use super::path::KeyPath;
@@ -11,7 +13,7 @@ use super::unit;
 pub(crate) fn check(root: &Node, kind: &Kind) -> Result<(), InputError> {
     let form = Form { root: kind };
     match kind {
-        Kind::Table(keys) => form.table(root, keys, &KeyPath::default(), ""),
+        Kind::Table(keys) => form.table(root, keys, &KeyPath::default(), None),
         _ => Ok(()),
     }
 }
@@ -20,15 +22,28 @@ struct Form<'k> {
     root: &'k Kind,
 }
 
+/// The shape that a table has, and all that it could have.
+#[derive(Clone, Copy)]
+struct Shape<'k> {
+    word: &'k str,
+    variants: &'k [(String, Vec<Key>)],
+}
+
 impl Form<'_> {
-    fn table(&self, node: &Node, keys: &[Key], path: &KeyPath, variant: &str) -> Result<(), InputError> {
+    fn table(
+        &self,
+        node: &Node,
+        keys: &[Key],
+        path: &KeyPath,
+        shape: Option<Shape>,
+    ) -> Result<(), InputError> {
         let NodeValue::Table(entries) = &node.value else {
             return Ok(());
         };
         for entry in entries {
             match keys.iter().find(|key| key.name == entry.key) {
                 Some(key) => self.value(&entry.node, &key.kind, key, &path.key(&key.name))?,
-                None => return Err(self.unknown_key(entry, keys, path, variant)),
+                None => return Err(self.unknown_key(entry, keys, path, shape)),
             }
         }
         match keys
@@ -43,7 +58,9 @@ impl Form<'_> {
     fn value(&self, node: &Node, kind: &Kind, key: &Key, path: &KeyPath) -> Result<(), InputError> {
         let is = |expected: &str| -> Result<(), InputError> { Err(wrong_type(node, expected, key, path)) };
         match (kind, &node.value) {
-            (Kind::Quantity(range), NodeValue::Table(entries)) => assumed(node, entries, *range, key, path),
+            (Kind::Quantity(range), NodeValue::Table(entries)) => {
+                assumed::check(node, entries, *range, key, path)
+            }
             (Kind::Quantity(range) | Kind::Number(range), _) => match node.number() {
                 Some(number) => in_range(node, number, *range, key, path),
                 None => is("a number"),
@@ -60,19 +77,26 @@ impl Form<'_> {
                 if let Some(length) = length
                     && items.len() != *length
                 {
-                    return is(&format!("a list of {length} values"));
+                    let expected = format!("a list of {length} values");
+                    let found = format!("a list of {}", items.len());
+                    let problem = Problem::WrongType { expected, found };
+                    return Err(InputError::new(
+                        node.place(),
+                        &path.to_string(),
+                        &node.shown(),
+                        problem,
+                        key.cure(),
+                    ));
                 }
-                let items = items.iter().enumerate();
-                items
-                    .map(|(index, item)| self.value(item, kind, key, &path.index(index)))
-                    .collect()
+                let mut items = items.iter().enumerate();
+                items.try_for_each(|(index, item)| self.value(item, kind, key, &path.index(index)))
             }
             (Kind::List(kind, length), _) => match (&**kind, length) {
                 (Kind::Table(_), _) => is(&format!("a list of tables, written [[{}]]", key.name)),
                 (_, Some(length)) => is(&format!("a list of {length} values in brackets")),
                 _ => is("a list in brackets"),
             },
-            (Kind::Table(keys), NodeValue::Table(_)) => self.table(node, keys, path, ""),
+            (Kind::Table(keys), NodeValue::Table(_)) => self.table(node, keys, path, None),
             (Kind::Tagged(tag, variants), NodeValue::Table(_)) => self.tagged(node, tag, variants, path),
             (Kind::Named(kind), NodeValue::Table(entries)) => {
                 let mut entries = entries.iter();
@@ -98,7 +122,7 @@ impl Form<'_> {
             name: tag.to_string(),
             kind: Kind::Choice(words.clone()),
             required: true,
-            words: format!("the {tag}, one of {}", words.join(", ")),
+            words: format!("the {tag}"),
             example: words.first().map(|word| format!("\"{word}\"")),
         };
         let Some(word_node) = node.get(tag) else {
@@ -117,10 +141,10 @@ impl Form<'_> {
                 ..key
             },
         );
-        self.table(node, &keys, path, word)
+        self.table(node, &keys, path, Some(Shape { word, variants }))
     }
 
-    fn unknown_key(&self, entry: &Entry, keys: &[Key], path: &KeyPath, variant: &str) -> InputError {
+    fn unknown_key(&self, entry: &Entry, keys: &[Key], path: &KeyPath, shape: Option<Shape>) -> InputError {
         let full = path.key(&entry.key).to_string();
         let shown = entry.node.shown();
         let stem = unit::without_unit(&entry.key);
@@ -128,23 +152,35 @@ impl Form<'_> {
             |key: &&Key| unit::of_key(&key.name).is_some() && unit::without_unit(&key.name) == stem;
         if let Some(key) = keys.iter().find(same_stem) {
             let problem = Problem::WrongUnit {
+                absent: stem == entry.key,
                 expected: key.name.clone(),
             };
             return InputError::new(entry.place(), &full, &shown, problem, key.cure());
         }
         let allowed: Vec<String> = keys.iter().map(|key| key.name.clone()).collect();
         let mut cure = String::new();
+        let shapes = shape.iter().flat_map(|shape| shape.variants.iter());
+        let shapes: Vec<&str> = shapes
+            .filter(|(_, keys)| keys.iter().any(|key| key.name == entry.key))
+            .map(|(word, _)| word.as_str())
+            .collect();
         let homes = self.root.homes(&entry.key);
-        if let Some(near) = nearest(&entry.key, allowed.iter().map(String::as_str)) {
+        if !shapes.is_empty() {
+            cure.push_str(&format!(
+                "{} belongs to the shape {}. ",
+                entry.key,
+                shapes.join(" or ")
+            ));
+        } else if let Some(near) = nearest(&entry.key, allowed.iter().map(String::as_str)) {
             cure.push_str(&format!("Did you mean {near}? "));
         } else if !homes.is_empty() {
             let homes: Vec<String> = homes.iter().take(3).map(|home| format!("[{home}]")).collect();
             cure.push_str(&format!("{} belongs in {}. ", entry.key, homes.join(" or ")));
         }
-        let here = match (path.0.is_empty(), variant) {
+        let here = match (path.0.is_empty(), shape) {
             (true, _) => "at the top level".to_string(),
-            (false, "") => format!("in {path}"),
-            (false, variant) => format!("in {path} of shape {variant}"),
+            (false, None) => format!("in {path}"),
+            (false, Some(shape)) => format!("in {path} of shape {}", shape.word),
         };
         cure.push_str(&format!("Allowed {here}: {}", allowed.join(", ")));
         InputError::new(
@@ -172,6 +208,7 @@ fn missing(table: &Node, key: &Key, path: &KeyPath) -> InputError {
         needed.collect::<Vec<_>>().join(" and ")
     };
     let cure = match &key.kind {
+        Kind::Choice(words) => format!("{}; allowed are {}", key.cure(), words.join(", ")),
         Kind::Table(keys) => format!("Give {}: a table [{full}] with {}", key.words, needed(keys)),
         Kind::List(kind, _) => match &**kind {
             Kind::Table(keys) => format!("Give {}, with {}", key.words, needed(keys)),
@@ -246,124 +283,6 @@ fn one_of(node: &Node, word: &str, words: &[String], key: &Key, path: &KeyPath) 
     ))
 }
 
-/// `{ assumed = NUMBER, range = [LOW, HIGH], why = "..." }`.
-fn assumed(
-    node: &Node,
-    entries: &[Entry],
-    range: Option<Range>,
-    key: &Key,
-    path: &KeyPath,
-) -> Result<(), InputError> {
-    const KEYS: [&str; 3] = ["assumed", "range", "why"];
-    let example = example_number(key);
-    let pattern = format!(
-        "Write an assumed value as {} = {{ assumed = {example}, range = [LOW, HIGH], why = \"...\" }}",
-        key.name
-    );
-    let fail = |node: &Node, name: &str, problem: Problem, cure: &str| {
-        let full = path.key(name).to_string();
-        Err(InputError::new(node.place(), &full, &node.shown(), problem, cure))
-    };
-    if let Some(entry) = entries.iter().find(|entry| !KEYS.contains(&entry.key.as_str())) {
-        let allowed = KEYS.map(str::to_string).to_vec();
-        let full = path.key(&entry.key).to_string();
-        let cure = format!("{pattern}; or state it as {} = {example}", key.name);
-        let problem = Problem::UnknownKey { allowed };
-        return Err(InputError::new(
-            entry.place(),
-            &full,
-            &entry.node.shown(),
-            problem,
-            cure,
-        ));
-    }
-    for name in ["assumed", "range"] {
-        if node.get(name).is_none() {
-            let full = path.key(name).to_string();
-            return Err(InputError::new(
-                node.place(),
-                &full,
-                "",
-                Problem::Missing,
-                pattern,
-            ));
-        }
-    }
-    let a_number = |node: &Node, name: &str| match node.number() {
-        Some(number) => in_range(node, number, range, key, &path.key(name)).map(|()| number),
-        None => {
-            let expected = "a number".to_string();
-            let found = node.kind().to_string();
-            fail(node, name, Problem::WrongType { expected, found }, &pattern).map(|()| f64::NAN)
-        }
-    };
-    let mut value = f64::NAN;
-    let mut ends: Vec<f64> = Vec::new();
-    for Entry { key: name, node, .. } in entries {
-        match (name.as_str(), &node.value) {
-            ("assumed", _) => value = a_number(node, name)?,
-            ("range", NodeValue::List(items)) if items.len() == 2 => {
-                ends = items
-                    .iter()
-                    .map(|item| a_number(item, name))
-                    .collect::<Result<_, _>>()?;
-            }
-            ("range", _) => {
-                let expected = "a list of two numbers, [LOW, HIGH]".to_string();
-                let found = match &node.value {
-                    NodeValue::List(items) => format!("a list of {}", items.len()),
-                    _ => node.kind().to_string(),
-                };
-                return fail(node, name, Problem::WrongType { expected, found }, &pattern);
-            }
-            (_, NodeValue::Text(_)) => {}
-            _ => {
-                let expected = "text in quotes".to_string();
-                let found = node.kind().to_string();
-                return fail(node, name, Problem::WrongType { expected, found }, &pattern);
-            }
-        }
-    }
-    let [low, high] = ends[..] else {
-        return Ok(());
-    };
-    let conflict = |message: String| Problem::Conflict {
-        message,
-        with: vec![path.key("assumed").to_string(), path.key("range").to_string()],
-    };
-    let (Some(value_node), Some(range_node)) = (node.get("assumed"), node.get("range")) else {
-        return Ok(());
-    };
-    if low >= high {
-        let message = "must rise from its lower to its upper end".to_string();
-        let cure = format!(
-            "Write range = [{}, {}]",
-            Number(high.min(low)),
-            Number(low.max(high))
-        );
-        let cure = if low == high {
-            "A value without a range is stated, not assumed: write the number alone".into()
-        } else {
-            cure
-        };
-        return fail(range_node, "range", conflict(message), &cure);
-    }
-    if value < low || value > high {
-        let message = format!("must lie in its own range {} … {}", Number(low), Number(high));
-        return fail(
-            value_node,
-            "assumed",
-            conflict(message),
-            "Widen the range, or assume a value inside it",
-        );
-    }
-    Ok(())
-}
-
-fn example_number(key: &Key) -> &str {
-    key.example.as_deref().unwrap_or("1.0")
-}
-
 fn check_name(entry: &Entry, path: &KeyPath) -> Result<(), InputError> {
     let allowed = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     if !entry.key.is_empty() && entry.key.chars().all(allowed) {
@@ -380,7 +299,16 @@ fn check_name(entry: &Entry, path: &KeyPath) -> Result<(), InputError> {
 /// Raw tables may hold anything but dates and numbers that are none.
 fn free(node: &Node, key: &Key, path: &KeyPath) -> Result<(), InputError> {
     match &node.value {
-        NodeValue::Float(number) => in_range(node, *number, None, key, path),
+        NodeValue::Float(number) if !number.is_finite() => {
+            let cure = "Give a number that is neither nan nor infinite";
+            Err(InputError::new(
+                node.place(),
+                &path.to_string(),
+                &node.shown(),
+                Problem::NotFinite,
+                cure,
+            ))
+        }
         NodeValue::Date => Err(wrong_type(node, "a number, text, list or table", key, path)),
         NodeValue::List(items) => {
             let mut items = items.iter().enumerate();

@@ -1,12 +1,13 @@
 //! A TOML file as a tree in which every value knows where it stands.
 
+mod parse;
+
 use std::ops;
 use std::rc::Rc;
 
-use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::error::{InputError, Number, Place, Problem};
+use super::error::{InputError, Number, Place};
 use super::path::{KeyPath, Step};
 
 /// Where values come from: a file, or the command line.
@@ -100,10 +101,10 @@ impl Node {
     /// Reads a whole file.
     pub fn parse_file(file: &str, text: &str) -> Result<Node, InputError> {
         let source = Source::file(file, text);
-        let table = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
+        let table = DeTable::parse(text).map_err(|error| parse::syntax_error(&source, &error))?;
         let span = table.span();
         Ok(Node {
-            value: table_value(&source, table.into_inner()),
+            value: parse::table_value(&source, table.into_inner()),
             source,
             span,
         })
@@ -113,7 +114,7 @@ impl Node {
     pub fn parse_value(source: &Rc<Source>, text: &str) -> Node {
         match DeValue::parse(text) {
             Ok(value) => {
-                let mut node = node(source, value);
+                let mut node = parse::node(source, value);
                 node.forget_spans();
                 node
             }
@@ -215,7 +216,7 @@ impl Node {
         match &self.value {
             NodeValue::Text(_) => "text",
             NodeValue::Integer(_) => "a whole number",
-            NodeValue::Float(_) => "a number",
+            NodeValue::Float(_) => "a decimal number",
             NodeValue::Boolean(_) => "true or false",
             NodeValue::Date => "a date",
             NodeValue::List(_) => "a list",
@@ -324,49 +325,6 @@ impl Node {
             _ => {}
         }
     }
-}
-
-fn node(source: &Rc<Source>, value: Spanned<DeValue<'_>>) -> Node {
-    let span = value.span();
-    let value = match value.into_inner() {
-        DeValue::String(text) => NodeValue::Text(text.into_owned()),
-        DeValue::Integer(number) => match i64::from_str_radix(number.as_str(), number.radix()) {
-            Ok(number) => NodeValue::Integer(number),
-            Err(_) => NodeValue::Float(number.as_str().parse().unwrap_or(f64::INFINITY)),
-        },
-        DeValue::Float(number) => NodeValue::Float(number.as_str().parse().unwrap_or(f64::NAN)),
-        DeValue::Boolean(flag) => NodeValue::Boolean(flag),
-        DeValue::Datetime(_) => NodeValue::Date,
-        DeValue::Array(items) => NodeValue::List(items.into_iter().map(|item| node(source, item)).collect()),
-        DeValue::Table(table) => table_value(source, table),
-    };
-    Node {
-        source: source.clone(),
-        span,
-        value,
-    }
-}
-
-fn table_value(source: &Rc<Source>, table: DeTable<'_>) -> NodeValue {
-    let entries = table.into_iter().map(|(key, value)| Entry {
-        key_start: key.span().start,
-        key: key.into_inner().into_owned(),
-        node: node(source, value),
-    });
-    NodeValue::Table(entries.collect())
-}
-
-fn syntax_error(source: &Source, error: &toml::de::Error) -> InputError {
-    let place = source.place(error.span().map_or(0, |span| span.start));
-    let message = format!("is not TOML: {}", error.message().trim());
-    InputError::new(
-        place,
-        "",
-        "",
-        Problem::Syntax { message },
-        "Write keys as `key = value`, words in quotes, numbers without quotes or unit, tables as `[name]`, \
-         lists of tables as `[[name]]`",
-    )
 }
 
 #[cfg(test)]

@@ -1,0 +1,175 @@
+//! One row of a measurement file: every column checked against the channel.
+
+use super::{Bound, CHANNELS, Channel, Row, SigmaKind};
+use crate::input::design::Instrument;
+use crate::input::error::{InputError, Problem, Range};
+use crate::input::table::Record;
+
+pub(super) fn read_row(record: &Record) -> Result<Row, InputError> {
+    let case = record.text("case").to_string();
+    if case.is_empty() {
+        return Err(record.fault(
+            "case",
+            Problem::Missing,
+            "Name the wing and condition, e.g. twist-v2",
+        ));
+    }
+    let channel = record.word("channel", &CHANNELS, "Give what was measured, e.g. twist")?;
+    read_unit(record, channel)?;
+    let instrument = read_instrument(record, channel)?;
+    let washout = read_sign(record, channel)?;
+    let (r_mm, r_to_mm) = read_station(record, channel)?;
+    let cure = format!("Give the value in {}, e.g. 12.5", unit_words(channel));
+    let value = record.number_in("value", channel.range(), &cure)?;
+    let sigma_cure = "Give the standard deviation of the value in its unit; if the source states none, assume one \
+                      and write sigma_kind = assumed";
+    let sigma = record.number("sigma", sigma_cure)?;
+    if sigma <= 0.0 {
+        return Err(record.conflict("sigma", "must be larger than 0", &[], sigma_cure));
+    }
+    let kinds = [
+        ("stated", SigmaKind::Stated),
+        ("repeats", SigmaKind::Repeats),
+        ("assumed", SigmaKind::Assumed),
+    ];
+    let sigma_kind = record.word("sigma_kind", &kinds, "Say where sigma comes from")?;
+    let bounds = [
+        ("none", Bound::None),
+        ("upper", Bound::Upper),
+        ("lower", Bound::Lower),
+    ];
+    let bound = record.word("bound", &bounds, "Write none unless the value is only a bound")?;
+    let bound = match (washout, bound) {
+        (false, Bound::Upper) => Bound::Lower,
+        (false, Bound::Lower) => Bound::Upper,
+        _ => bound,
+    };
+    Ok(Row {
+        line: record.line,
+        case,
+        channel,
+        instrument,
+        run: record.text("run").to_string(),
+        r_mm,
+        r_to_mm,
+        value: if washout { value } else { -value },
+        sigma,
+        sigma_kind,
+        bound,
+    })
+}
+
+fn unit_words(channel: Channel) -> &'static str {
+    match channel.unit() {
+        "1" => "parts of the rigid wing (1.35 for +35 %)",
+        unit => unit,
+    }
+}
+
+fn read_unit(record: &Record, channel: Channel) -> Result<(), InputError> {
+    let unit = channel.unit();
+    if record.text("unit") == unit {
+        return Ok(());
+    }
+    let cure = format!(
+        "Convert value and sigma to {} and write unit {unit}",
+        unit_words(channel)
+    );
+    let problem = match record.text("unit") {
+        "" => Problem::Missing,
+        _ => Problem::Conflict {
+            message: match unit {
+                "1" => format!("the channel {} is a ratio, with the unit 1", channel.name()),
+                _ => format!("the channel {} is given in {unit}", channel.name()),
+            },
+            with: vec!["channel".to_string()],
+        },
+    };
+    Err(record.fault("unit", problem, &cure))
+}
+
+fn read_instrument(record: &Record, channel: Channel) -> Result<Option<Instrument>, InputError> {
+    let words = [
+        ("chord_rotation", Instrument::ChordRotation),
+        ("camera", Instrument::Camera),
+    ];
+    match (channel.is_twist(), record.text("instrument")) {
+        (true, _) => record
+            .word("instrument", &words, "Say how twist was read")
+            .map(Some),
+        (false, "") => Ok(None),
+        (false, _) => {
+            let message = format!("only twist has an instrument, not {}", channel.name());
+            Err(record.conflict("instrument", message, &["channel"], "Leave it empty"))
+        }
+    }
+}
+
+/// Whether twist counts as washout; true for channels without a sign.
+fn read_sign(record: &Record, channel: Channel) -> Result<bool, InputError> {
+    let words = [("washout", true), ("nose_up", false)];
+    match (channel.is_twist(), record.text("sign")) {
+        (true, _) => record.word(
+            "sign",
+            &words,
+            "Write washout where a positive value lowers the angle of attack",
+        ),
+        (false, "") => Ok(true),
+        (false, _) => {
+            let message = format!("only twist has a sign, not {}", channel.name());
+            Err(record.conflict("sign", message, &["channel"], "Leave it empty"))
+        }
+    }
+}
+
+fn read_station(record: &Record, channel: Channel) -> Result<(Option<f64>, Option<f64>), InputError> {
+    let cure = "Give the distance from the wing base in millimetres, e.g. 35.0";
+    let range = Range {
+        low: 0.0,
+        high: 100000.0,
+        open: false,
+        unit: "mm",
+    };
+    let empty = |column: &str, needs: &str| -> Result<Option<f64>, InputError> {
+        match record.text(column) {
+            "" => Ok(None),
+            _ => {
+                let message = format!("the channel {} {needs}", channel.name());
+                Err(record.conflict(column, message, &["channel"], "Leave it empty"))
+            }
+        }
+    };
+    if !channel.has_station() {
+        return Ok((
+            empty("r_mm", "belongs to the whole wing")?,
+            empty("r_to_mm", "belongs to the whole wing")?,
+        ));
+    }
+    let r_mm = record.number_in("r_mm", range, cure)?;
+    if channel != Channel::TwistRate {
+        return Ok((
+            Some(r_mm),
+            empty("r_to_mm", "belongs to one station, not to an interval")?,
+        ));
+    }
+    let r_to_mm = record.number_in(
+        "r_to_mm",
+        range,
+        "Give the outer end of the interval in millimetres, e.g. 48.0",
+    )?;
+    if r_to_mm <= r_mm {
+        let message = format!("must be larger than r_mm = {r_mm}");
+        let cure = "Give the inner end as r_mm and the outer end as r_to_mm";
+        return Err(record.conflict("r_to_mm", message, &["r_mm"], cure));
+    }
+    Ok((Some(r_mm), Some(r_to_mm)))
+}
+
+pub(super) fn same_place(a: &Row, b: &Row) -> bool {
+    a.case == b.case
+        && a.channel == b.channel
+        && a.instrument == b.instrument
+        && a.run == b.run
+        && a.r_mm == b.r_mm
+        && a.r_to_mm == b.r_to_mm
+}

@@ -1,0 +1,13 @@
+//! The input room from outside: every fault of a file with its exact message, and files that must be accepted.
+
+mod bad_designs;
+
+mod bad_files;
+
+mod bad_measurements;
+
+mod properties;
+
+mod settings;
+
+mod shipped;
