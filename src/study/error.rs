@@ -1,0 +1,68 @@
+//! Why a study gives no result.
+
+use thiserror::Error;
+
+use crate::progress::Cancelled;
+
+/// Why a study gives no result.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum StudyError {
+    /// Nothing is assumed.
+    #[error(
+        "the design assumes nothing, so there is no range to propagate: write uncertain inputs as \
+         {{ assumed = VALUE, range = [LOW, HIGH], why = \"...\" }}"
+    )]
+    NothingAssumed,
+    /// Fewer samples than a band needs.
+    #[error("{asked} samples are too few for a band from 5 to 95 %: take at least {fewest}, better 64")]
+    TooFewSamples {
+        /// Samples asked for.
+        asked: usize,
+        /// Fewest that are accepted.
+        fewest: usize,
+    },
+    /// More samples than the sequence has.
+    #[error("{asked} samples are more than the sequence has: take at most {most}")]
+    TooManySamples {
+        /// Samples asked for.
+        asked: usize,
+        /// Most that are accepted.
+        most: usize,
+    },
+    /// A range that is no range.
+    #[error(
+        "{key}: the range [{low}, {high}] of the assumed value {value} is not a range around it: mend it in the design"
+    )]
+    BadRange {
+        /// Dotted key.
+        key: String,
+        /// Assumed value.
+        value: f64,
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+    },
+    /// The design itself cannot be evaluated.
+    #[error("the design itself gives no result, so its ranges give none either: {reason}")]
+    Nominal {
+        /// Why.
+        reason: String,
+    },
+    /// Hardly any sample could be evaluated.
+    #[error(
+        "{failed} of {samples} samples gave no result, which leaves too few for a band; the first: {reason}. \
+         Narrow the assumed ranges, or mend what fails"
+    )]
+    SamplesFailed {
+        /// Samples that gave no result.
+        failed: usize,
+        /// Samples in all.
+        samples: usize,
+        /// Reason of the first.
+        reason: String,
+    },
+    /// The user asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
