@@ -31,12 +31,15 @@ impl Table {
             .comment(Some(b'#'))
             .trim(csv::Trim::All)
             .from_reader(text.as_bytes());
-        let headers = reader.headers().map_err(|error| broken(file, &error))?.clone();
+        let headers = reader
+            .headers()
+            .map_err(|error| broken(file, text, &error))?
+            .clone();
         let line = line_of_row(text, headers.position());
         check_header(file, line, &headers, columns)?;
         let mut records = Vec::new();
         for record in reader.records() {
-            let record = record.map_err(|error| broken(file, &error))?;
+            let record = record.map_err(|error| broken(file, text, &error))?;
             let fields = headers.iter().zip(record.iter()).filter_map(|(header, field)| {
                 let column = columns.iter().find(|column| **column == header)?;
                 Some((*column, field.to_string()))
@@ -148,12 +151,12 @@ impl Record {
 /// The line of the row that starts at or after a position, which may lie before comments and blank lines.
 fn line_of_row(text: &str, position: Option<&csv::Position>) -> usize {
     let start = position.map_or(0, |position| position.byte() as usize);
-    let before = text.get(..start).unwrap_or_default().matches('\n').count();
+    let line = position.map_or(1, |position| position.line() as usize);
     let lines = text.get(start..).unwrap_or_default().lines();
     let skipped = lines
         .take_while(|line| line.is_empty() || line.starts_with('#'))
         .count();
-    before + skipped + 1
+    line + skipped
 }
 
 fn check_header(
@@ -212,10 +215,10 @@ fn check_header(
     }
 }
 
-fn broken(file: &str, error: &csv::Error) -> InputError {
+fn broken(file: &str, text: &str, error: &csv::Error) -> InputError {
     let place = Place {
         file: file.to_string(),
-        line: error.position().map(|position| position.line() as usize),
+        line: error.position().map(|position| line_of_row(text, Some(position))),
         column: None,
     };
     let message = match error.kind() {

@@ -124,10 +124,13 @@ fn off_the_wing(root: &Node, key: &str, place: f64, tip: f64) -> Result<(), Inpu
 }
 
 fn apart(root: &Node, numbers: [usize; 2], own: [f64; 2], other: [f64; 2]) -> Result<(), InputError> {
+    let gaps = [own[0] - other[0], own[1] - other[1]];
+    if gaps.iter().all(|gap| *gap >= NEAREST_MM) || gaps.iter().all(|gap| *gap <= -NEAREST_MM) {
+        return Ok(());
+    }
     let [number, earlier] = numbers;
     let key = format!("spar[{number}].at_mm");
     let with = format!("spar[{earlier}].at_mm");
-    let gaps = [own[0] - other[0], own[1] - other[1]];
     if gaps == [0.0, 0.0] {
         let cure = "Delete one of them, or move it";
         return refuse(

@@ -1,5 +1,7 @@
 //! Where twist is read, and what is said to be assumed.
 
+use std::collections::HashSet;
+
 use super::{refuse, round};
 use crate::input::assumption::word_at;
 use crate::input::design::{Design, Instrument};
@@ -32,6 +34,7 @@ pub(super) fn check(design: &Design, root: &Node) -> Result<(), InputError> {
             cure,
         );
     }
+    let mut seen = HashSet::new();
     for (number, station) in observation.stations_mm.iter().enumerate() {
         let key = format!("observation.stations_mm[{number}]");
         if *station > length * cut + 1e-9 {
@@ -47,12 +50,7 @@ pub(super) fn check(design: &Design, root: &Node) -> Result<(), InputError> {
                 "Give stations on the wing",
             );
         }
-        if observation
-            .stations_mm
-            .iter()
-            .take(number)
-            .any(|other| other == station)
-        {
+        if !seen.insert((station + 0.0).to_bits()) {
             return refuse(root, &key, "stands twice", &[], "Give every station once");
         }
     }

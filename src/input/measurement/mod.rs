@@ -1,5 +1,6 @@
 //! Tidy measurement tables: one row per number, with its error and what reported it.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use schemars::JsonSchema;
@@ -12,7 +13,7 @@ use super::table::Table;
 
 mod row;
 
-use row::{read_row, same_place};
+use row::{identity, read_row};
 
 /// What a measurement file holds, or the rows of one case of it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -227,10 +228,11 @@ impl Measurement {
     pub fn from_csv(text: &str, file_name: &str) -> Result<Measurement, InputError> {
         let table = Table::parse(file_name, text, &COLUMNS)?;
         let mut rows: Vec<Row> = Vec::new();
+        let mut seen = HashMap::new();
         for record in &table.records {
             let row = read_row(record)?;
-            if let Some(first) = rows.iter().find(|other| same_place(other, &row)) {
-                let message = format!("repeats the row on line {}", first.line);
+            if let Some(first) = seen.insert(identity(&row), row.line) {
+                let message = format!("repeats the row on line {first}");
                 let cure = "Delete one of them, or tell repeats apart in the column run";
                 return Err(record.conflict(
                     "case",

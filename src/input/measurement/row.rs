@@ -165,11 +165,9 @@ fn read_station(record: &Record, channel: Channel) -> Result<(Option<f64>, Optio
     Ok((Some(r_mm), Some(r_to_mm)))
 }
 
-pub(super) fn same_place(a: &Row, b: &Row) -> bool {
-    a.case == b.case
-        && a.channel == b.channel
-        && a.instrument == b.instrument
-        && a.run == b.run
-        && a.r_mm == b.r_mm
-        && a.r_to_mm == b.r_to_mm
+/// What two rows must not share: they would be one number stated twice.
+pub(super) fn identity(row: &Row) -> (String, Channel, Option<bool>, String, [Option<u64>; 2]) {
+    let camera = row.instrument.map(|instrument| instrument == Instrument::Camera);
+    let place = [row.r_mm, row.r_to_mm].map(|station| station.map(|mm| (mm + 0.0).to_bits()));
+    (row.case.clone(), row.channel, camera, row.run.clone(), place)
 }
