@@ -9,6 +9,7 @@ use crate::lift::LiftReport;
 use crate::mesh::Mesh;
 use crate::observation::field::twist_at_nodes;
 use crate::observation::{Place, StageFit, TwistProfile, TwistReading};
+use crate::study::Uncertainty;
 
 use super::run::RunFolder;
 use super::summary::{
@@ -35,6 +36,8 @@ pub struct Solved<'a> {
     pub measured: Option<&'a Comparison>,
     /// Lift, drag, power.
     pub lift: Option<&'a LiftReport>,
+    /// Band from the assumed ranges.
+    pub uncertainty: Option<&'a Uncertainty>,
     /// What a builder wants to know besides.
     pub engineering: &'a Engineering,
 }
@@ -69,7 +72,7 @@ pub fn summarize(solved: &Solved) -> RunSummary {
         tip: tip(solved),
         lift: solved.lift.cloned(),
         engineering: solved.engineering.clone(),
-        uncertainty: None,
+        uncertainty: solved.uncertainty.cloned(),
         legend: CellLegend {
             part: PARTS.map(str::to_string).to_vec(),
             material: legend.materials.iter().map(|name| name.to_string()).collect(),
@@ -277,6 +280,7 @@ mod tests {
             stages: fit.as_ref(),
             measured: None,
             lift: None,
+            uncertainty: None,
             engineering: &Engineering::default(),
         };
         let mut summary = summarize(&solved);

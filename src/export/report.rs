@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use super::comparison::{rows, sign, stages};
 use crate::lift::LiftReport;
+use crate::study::{Output, Uncertainty};
 
-use super::summary::{Engineering, Extreme, FlowSummary, RunSummary, UncertaintySummary};
-use super::text::{Table, number, significant};
+use super::summary::{Engineering, Extreme, FlowSummary, RunSummary};
+use super::text::{Table, number, significant, wrapped};
 
 /// The page; `folder` is where the files of the run are, if any were written.
 pub fn page(summary: &RunSummary, folder: Option<&str>) -> String {
@@ -183,45 +184,56 @@ fn twist(summary: &RunSummary) -> String {
     text
 }
 
-fn uncertainty(band: &UncertaintySummary) -> String {
-    let mut table = Table::new(["r_mm", "low_deg", "median_deg", "high_deg"]);
-    for row in &band.twist {
-        table.row([
-            number(row.r_mm, 2),
-            number(row.low_deg, 2),
-            number(row.median_deg, 2),
-            number(row.high_deg, 2),
-        ]);
-    }
+fn uncertainty(band: &Uncertainty) -> String {
+    let solved = band.samples - band.failures.len();
     let mut text = format!(
-        "Band of the twist from the assumed ranges ({} % of {} solves{})\n{}",
-        number(100.0 * band.coverage, 0),
-        band.samples,
-        match band.failed {
-            0 => String::new(),
-            failed => format!(", {failed} did not converge and are left out"),
-        },
-        table.render()
+        "Band from the assumed ranges ({solved} solves; {}): 5 to 95 %\n",
+        band.distribution
     );
-    if !band.rates.is_empty() {
-        let mut table = Table::new(["from_mm", "to_mm", "low_deg_per_mm", "median", "high"]);
-        for rate in &band.rates {
+    let mut table = Table::new(["result", "as_solved", "5_%", "median", "95_%"]);
+    for output in &band.outputs {
+        let [nominal, low, median, high] =
+            [output.nominal, output.q05, output.median, output.q95].map(|value| significant(value, 3));
+        table.row([output.name.clone(), nominal, low, median, high]);
+    }
+    text.push_str(&table.render());
+    if let Some(failure) = band.failures.first() {
+        let left_out = format!(
+            "{} of {} samples gave no result and are left out; the first because: {}",
+            band.failures.len(),
+            band.samples,
+            failure.reason
+        );
+        text.push_str(&wrapped(&left_out, 2));
+    }
+    let outermost = band
+        .outputs
+        .iter()
+        .rfind(|output| matches!(output.output, Output::Twist { .. }));
+    if let Some(output) = outermost {
+        let mut table = Table::new(["input", "alone_%", "with_others_%"]);
+        for share in &output.shares {
             table.row([
-                number(rate.from_mm, 1),
-                number(rate.to_mm, 1),
-                number(rate.low_deg_per_mm, 3),
-                number(rate.median_deg_per_mm, 3),
-                number(rate.high_deg_per_mm, 3),
+                share.key.clone(),
+                number(100.0 * share.first_order, 1),
+                number(100.0 * share.total, 1),
             ]);
         }
-        let _ = write!(text, "\n{}", table.render());
-    }
-    if !band.shares.is_empty() {
-        let mut table = Table::new(["input", "share of the variance of the tip twist"]);
-        for share in &band.shares {
-            table.row([share.key.clone(), format!("{} %", number(100.0 * share.share, 1))]);
+        if !table.is_empty() {
+            let _ = write!(
+                text,
+                "\nInputs by their share in the variance of the {}\n{}",
+                output.name,
+                table.render()
+            );
         }
-        let _ = write!(text, "\n{}", table.render());
+        if let Some(quality) = &output.surrogate {
+            let predicts = number(100.0 * quality.predictive_r_squared, 0);
+            let _ = writeln!(
+                text,
+                "  (from a polynomial that predicts {predicts} % of the variance of samples left out)"
+            );
+        }
     }
     text
 }

@@ -9,6 +9,7 @@ use crate::compare::{Comparison, ModelledStages};
 use crate::input::design::{Design, Section};
 use crate::input::measurement::Bound;
 use crate::lift::LiftReport;
+use crate::study::Uncertainty;
 
 /// Version of this document.
 pub const FORMAT: u32 = 1;
@@ -53,7 +54,7 @@ pub struct RunSummary {
     /// What a builder wants to know besides the twist.
     pub engineering: Engineering,
     /// Band from the assumed ranges; absent unless asked for.
-    pub uncertainty: Option<UncertaintySummary>,
+    pub uncertainty: Option<Uncertainty>,
     /// What the numbers in the cell arrays of the `.vtu` files mean.
     pub legend: CellLegend,
     /// Things that limit how far the numbers hold.
@@ -257,60 +258,6 @@ pub struct Extreme {
     pub strength_mpa: Option<f64>,
     /// Strength over stress.
     pub margin: Option<f64>,
-}
-
-/// The assumed ranges propagated to the results.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct UncertaintySummary {
-    /// Solves that the band rests on.
-    pub samples: usize,
-    /// Solves that did not converge and are left out.
-    pub failed: usize,
-    /// Share of the samples inside the band.
-    pub coverage: f64,
-    /// Band of the twist.
-    pub twist: Vec<BandRow>,
-    /// Band of the twist rate of each measured or fitted stretch.
-    pub rates: Vec<RateBand>,
-    /// Inputs by their share in the variance of the tip twist, largest first.
-    pub shares: Vec<ShareRow>,
-}
-
-/// Band of the twist at one station.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct BandRow {
-    /// Place along the span.
-    pub r_mm: f64,
-    /// Lower end.
-    pub low_deg: f64,
-    /// Median.
-    pub median_deg: f64,
-    /// Upper end.
-    pub high_deg: f64,
-}
-
-/// Band of a twist rate.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct RateBand {
-    /// Where the stretch starts.
-    pub from_mm: f64,
-    /// Where it ends.
-    pub to_mm: f64,
-    /// Lower end.
-    pub low_deg_per_mm: f64,
-    /// Median.
-    pub median_deg_per_mm: f64,
-    /// Upper end.
-    pub high_deg_per_mm: f64,
-}
-
-/// Share of one assumed input in the variance.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct ShareRow {
-    /// Dotted path in the design.
-    pub key: String,
-    /// Share, 0 to 1.
-    pub share: f64,
 }
 
 /// What the numbers in the cell arrays of the `.vtu` files mean.
