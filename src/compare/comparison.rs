@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::input::design::Instrument;
 use crate::input::measurement::{Channel, Measurement, Row};
-use crate::observation::stages::{DEG_PER_MM, StageFit};
-use crate::observation::{Observer, StageSettings, TwistProfile, fit_stages};
+use crate::observation::{Observer, TwistProfile};
 
 use super::row::{ComparedRow, NotCompared, compare_row};
 use super::span::SpanComparison;
+use super::stages::ModelledStages;
 use super::verdict;
 
 /// A measurement against a solved wing.
@@ -37,55 +37,6 @@ pub struct Comparison {
     pub notes: Vec<String>,
     /// Where the model fails, in words made from the numbers.
     pub verdict: String,
-}
-
-/// Stages of a modelled profile by its own fit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct ModelledStages {
-    /// The stages from base to tip.
-    pub stages: Vec<FittedStage>,
-    /// Distance of the profile from the fit, root of RSS/(n − p); absent where nothing is left over.
-    pub scatter_deg: Option<f64>,
-    /// What the errors of the stages mean.
-    pub meaning_of_errors: String,
-}
-
-/// One fitted stage.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct FittedStage {
-    /// Where it starts.
-    pub from_mm: f64,
-    /// Where it ends.
-    pub to_mm: f64,
-    /// Standard error of the break at its end; absent for the last stage and where the points do not fix it.
-    pub to_error_mm: Option<f64>,
-    /// Twist rate.
-    pub rate_deg_per_mm: f64,
-    /// Its standard error; absent where the points do not fix it.
-    pub rate_error_deg_per_mm: Option<f64>,
-}
-
-impl ModelledStages {
-    /// In millimetres and degrees.
-    pub fn new(fit: &StageFit) -> ModelledStages {
-        let stages = fit.stages.iter().enumerate().map(|(k, stage)| FittedStage {
-            from_mm: stage.from_m * 1e3,
-            to_mm: stage.to_m * 1e3,
-            to_error_mm: fit
-                .break_error_m
-                .get(k)
-                .copied()
-                .flatten()
-                .map(|error_m| error_m * 1e3),
-            rate_deg_per_mm: stage.rate_rad_per_m * DEG_PER_MM,
-            rate_error_deg_per_mm: stage.rate_error_rad_per_m.map(|error| error * DEG_PER_MM),
-        });
-        ModelledStages {
-            stages: stages.collect(),
-            scatter_deg: fit.scatter_rad.map(f64::to_degrees),
-            meaning_of_errors: fit.source.meaning_of_errors().to_string(),
-        }
-    }
 }
 
 /// Compares a measurement (the rows of one case) with a solved wing.
@@ -114,7 +65,7 @@ pub fn compare(
         file: measurement.file.clone(),
         instrument: profile.instrument,
         span: spans(measurement, &rows, &profile),
-        modelled_stages: modelled_stages(&profile),
+        modelled_stages: ModelledStages::of(&profile),
         notes: notes(&rows, &profile),
         rows,
         not_compared,
@@ -140,11 +91,6 @@ fn spans(measurement: &Measurement, compared: &[ComparedRow], profile: &TwistPro
         spans.extend(SpanComparison::of_rates(run, &rows, profile));
     }
     spans
-}
-
-fn modelled_stages(profile: &TwistProfile) -> Option<ModelledStages> {
-    let fit = fit_stages(&profile.points(), profile.base(), StageSettings::default())?;
-    Some(ModelledStages::new(&fit))
 }
 
 fn notes(rows: &[ComparedRow], profile: &TwistProfile) -> Vec<String> {

@@ -10,8 +10,11 @@ pub mod row;
 
 pub mod span;
 
+pub mod stages;
+
 pub mod verdict;
 
-pub use comparison::{Comparison, FittedStage, ModelledStages, compare};
+pub use comparison::{Comparison, compare};
 pub use row::{ComparedRow, NotCompared};
 pub use span::{ComparedStation, ProfileOrigin, SpanComparison};
+pub use stages::{FittedStage, ModelledStages};

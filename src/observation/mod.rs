@@ -20,6 +20,8 @@ pub mod profile;
 
 pub mod rate;
 
+mod split_search;
+
 pub mod stages;
 
 pub mod station;

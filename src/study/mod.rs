@@ -1,5 +1,7 @@
 //! Predictions of whole studies; uncertainty of assumed inputs.
 
+pub mod band;
+
 pub mod error;
 
 pub mod output;
@@ -14,7 +16,8 @@ pub mod surrogate;
 
 pub mod uncertainty;
 
+pub use band::{OutputBand, SurrogateQuality};
 pub use error::StudyError;
 pub use output::{Output, ProfileOutputs};
 pub use shares::Share;
-pub use uncertainty::{OutputBand, Uncertainty, UncertaintySettings, propagate};
+pub use uncertainty::{Uncertainty, UncertaintySettings, propagate};

@@ -13,12 +13,10 @@ use crate::input::assumption::Assumption;
 use crate::input::design::Design;
 use crate::progress::Progress;
 
+use super::band::OutputBand;
 use super::error::StudyError;
 use super::output::Output;
-use super::quantile::quantile;
 use super::sample::{MOST_POINTS, unit_points};
-use super::shares::{Share, shares};
-use super::surrogate::Surrogate;
 
 /// How the ranges are sampled, in words for a report.
 pub const DISTRIBUTION: &str = "each assumed input uniform over its range, independent of the others";
@@ -65,38 +63,6 @@ pub struct UncertainInput {
     pub value: f64,
     /// Range over which it is drawn.
     pub range: [f64; 2],
-}
-
-/// Band of one output.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct OutputBand {
-    /// What it is.
-    pub output: Output,
-    /// Name with unit.
-    pub name: String,
-    /// Value of the design as it stands.
-    pub nominal: f64,
-    /// 5 % of the samples lie below.
-    pub q05: f64,
-    /// Half of the samples lie below.
-    pub median: f64,
-    /// 95 % of the samples lie below.
-    pub q95: f64,
-    /// How well a quadratic polynomial explains the samples; absent where they do not vary.
-    pub surrogate: Option<SurrogateQuality>,
-    /// Shares of the inputs in the variance, largest first; inputs that are not seen in it are left out.
-    pub shares: Vec<Share>,
-}
-
-/// How well a surrogate explains the samples.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct SurrogateQuality {
-    /// Terms besides the mean.
-    pub terms: usize,
-    /// Share of the variance that it explains.
-    pub r_squared: f64,
-    /// Share of the variance that it predicts of samples left out.
-    pub predictive_r_squared: f64,
 }
 
 /// A sample that gave no result.
@@ -269,7 +235,7 @@ fn summarise(
     let keys: Vec<String> = inputs.iter().map(|input| input.key.clone()).collect();
     let bands = outputs.iter().enumerate().map(|(k, output)| {
         let values: Vec<f64> = rows.iter().map(|row| row[k]).collect();
-        band(output, nominal[k], &places, &values, &keys)
+        OutputBand::of(output, nominal[k], &places, &values, &keys)
     });
     let outputs = bands.collect();
     Ok(Uncertainty {
@@ -279,27 +245,6 @@ fn summarise(
         outputs,
         failures,
     })
-}
-
-fn band(output: &Output, nominal: f64, places: &[Vec<f64>], values: &[f64], keys: &[String]) -> OutputBand {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let at = |level: f64| quantile(&sorted, level).unwrap_or(nominal);
-    let surrogate = Surrogate::fit(places, values);
-    OutputBand {
-        output: output.clone(),
-        name: output.to_string(),
-        nominal,
-        q05: at(0.05),
-        median: at(0.5),
-        q95: at(0.95),
-        shares: surrogate.as_ref().map_or_else(Vec::new, |fit| shares(fit, keys)),
-        surrogate: surrogate.map(|fit| SurrogateQuality {
-            terms: fit.terms.len(),
-            r_squared: fit.r_squared,
-            predictive_r_squared: fit.predictive_r_squared,
-        }),
-    }
 }
 
 #[cfg(test)]
