@@ -1,5 +1,6 @@
 //! Measured beside modelled, as text.
 
+use crate::compare::verdict::sigma_words;
 use crate::compare::{ComparedRow, Comparison, ModelledStages, ProfileOrigin, SpanComparison};
 use crate::input::measurement::{Bound, SigmaKind};
 
@@ -139,12 +140,13 @@ fn span(span: &SpanComparison) -> String {
     };
     let limits: String = span.limits.iter().map(|limit| wrapped(limit, 2)).collect();
     format!(
-        "Along the span ({origin}{run})\n{}  root mean square {}° over the span, {}° over the stations ({} sigma); \
+        "Along the span ({origin}{run})\n{}  root mean square {}° over the span, {}° over the stations ({} {}); \
          worst at {} mm\n{limits}",
         table.render(),
         number(span.rmse_along_span_deg, 2),
         number(span.rmse_deg, 2),
         number(span.rms_sigma, 1),
+        sigma_words(span.sigma_kind()),
         number(span.worst_r_mm, 1),
     )
 }
