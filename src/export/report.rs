@@ -228,10 +228,13 @@ fn uncertainty(band: &Uncertainty) -> String {
             );
         }
         if let Some(quality) = &output.surrogate {
-            let predicts = number(100.0 * quality.predictive_r_squared, 0);
+            let [explains, predicts] = [quality.r_squared, quality.predictive_r_squared];
             let _ = writeln!(
                 text,
-                "  (from a polynomial that predicts {predicts} % of the variance of samples left out)"
+                "  (from a polynomial of {} terms: R² {}, and {} for samples left out)",
+                quality.terms,
+                number(explains, 3),
+                number(predicts, 3)
             );
         }
     }
