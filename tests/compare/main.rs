@@ -1,0 +1,3 @@
+//! Comparison with the measurements that are shipped.
+
+mod torsion_rod;
