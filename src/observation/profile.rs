@@ -9,6 +9,9 @@ use super::error::ObservationError;
 use super::observer::Observer;
 use super::station::{Place, SkippedStation};
 
+/// Share of the span below which two stations count as one place in a fit.
+pub const CLOSE: f64 = 0.02;
+
 /// Twist along the span, r rising.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TwistProfile {
@@ -48,14 +51,29 @@ pub struct TwistReading {
 }
 
 impl TwistProfile {
-    /// Points `[r_m, twist_rad]` of the readings that are values, without the base.
+    /// Points `[r_m, twist_rad]` for a fit: the readings that are values, without the base.
+    ///
+    /// Of readings closer than [`CLOSE`] of the span that at a spar end stays, so that no stage rests on two places
+    /// that are one.
     pub fn points(&self) -> Vec<[f64; 2]> {
-        let values = self
-            .readings
-            .iter()
-            .filter(|reading| reading.bound == Bound::None);
-        values
-            .filter(|reading| reading.place != Place::Base)
+        let close_m = CLOSE * self.readings.last().map_or(0.0, |last| last.r_m);
+        let is_spar_end = |reading: &TwistReading| matches!(reading.place, Place::SparEnd(_));
+        let mut kept: Vec<&TwistReading> = Vec::new();
+        for reading in &self.readings {
+            if reading.bound != Bound::None || reading.place == Place::Base {
+                continue;
+            }
+            match kept.last() {
+                Some(last) if reading.r_m - last.r_m >= close_m => kept.push(reading),
+                Some(last) if !is_spar_end(last) && is_spar_end(reading) => {
+                    kept.pop();
+                    kept.push(reading);
+                }
+                Some(_) => {}
+                None => kept.push(reading),
+            }
+        }
+        kept.iter()
             .map(|reading| [reading.r_m, reading.twist_rad])
             .collect()
     }
@@ -133,7 +151,9 @@ mod tests {
         }
         assert!((profile.tip().unwrap().r_m - 0.0679).abs() < 1e-12);
         assert_eq!(profile.base(), Some([0.0, 0.0]));
-        assert_eq!(profile.points().len(), 6);
+        // The tip stands 0.7 mm from the last spar, so the spar alone counts in a fit.
+        let fitted_mm: Vec<f64> = profile.points().iter().map(|point| point[0] * 1e3).collect();
+        assert_eq!(fitted_mm, [2.8, 18.9, 35.0, 51.1, 67.2]);
     }
 
     #[test]

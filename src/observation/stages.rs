@@ -1,10 +1,13 @@
 //! Stages of a twist profile: a continuous piecewise-linear fit whose number of stages the data choose.
 //!
-//! Rule: starting from one stage, a fit with more stages is taken if the F-test of its gain,
-//! F = ((RSS_few − RSS_more)/Δp) / s², s² = max(RSS_more/(n − p), resolution²), is significant; p counts start value
-//! (unless anchored), rates and breaks. Measured points are tested at 0.2 %: breaks are searched, so the true rate
-//! of one stage too many is higher, 0.2 to 1.3 % on straight or two-stage profiles of 10 to 60 noisy points. A
-//! model's curve has no noise to be taken for a stage and is tested at 5 %, which weighs gain against parameters.
+//! Stages are told apart by one of two rules, in which p counts start value (unless anchored), rates and breaks:
+//!
+//! - measured points, F-test: a fit with more stages is taken if F = ((RSS_few − RSS_more)/Δp) / (RSS_more/(n − p))
+//!   is significant at 0.2 %. Breaks are searched, so the true rate of one stage too many is higher: 0.2 to 1.3 % on
+//!   straight or two-stage profiles of 10 to 60 noisy points;
+//! - a model's curve has no noise, so there is no level to test at: least BIC = n ln s² + p ln n with
+//!   s² = max(RSS/n, resolution²). Once a fit follows the curve within the resolution (0.5 deg, half of what a camera
+//!   tells apart) a further stage buys nothing.
 //!
 //! Standard errors come from the Jacobian (rates and breaks together), s² = RSS/(n − p). Two of them cover the
 //! truth in 94 % of cases where the break is known to a fraction of the distance between points, in about 91 %
@@ -24,12 +27,25 @@ pub struct StageSettings {
     pub most_stages: usize,
     /// Fewest points on each stage; a point on a break counts once.
     pub min_points: usize,
-    /// Level of the F-test by which another stage is accepted.
-    pub significance: f64,
-    /// Scatter below which nothing is explained any more, rad.
-    pub resolution_rad: f64,
+    /// Rule by which the number of stages is chosen.
+    pub rule: StageRule,
     /// Whether the points are read off a model's smooth curve or were measured.
     pub source: PointSource,
+}
+
+/// How the number of stages is chosen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StageRule {
+    /// Another stage if the F-test of its gain is significant at this level.
+    FTest {
+        /// The level.
+        significance: f64,
+    },
+    /// The least Bayesian information criterion.
+    Bic {
+        /// Root mean square residual below which nothing is gained any more, rad.
+        resolution_rad: f64,
+    },
 }
 
 /// Where the points of a fit come from; decides what its standard errors mean.
@@ -59,15 +75,16 @@ impl StageSettings {
     pub const MODELLED: StageSettings = StageSettings {
         most_stages: 4,
         min_points: 2,
-        significance: 0.05,
-        resolution_rad: 0.01 * std::f64::consts::PI / 180.0,
+        rule: StageRule::Bic {
+            resolution_rad: 0.5 * std::f64::consts::PI / 180.0,
+        },
         source: PointSource::Modelled,
     };
 
     /// For points that were measured.
     pub const MEASURED: StageSettings = StageSettings {
         min_points: 3,
-        significance: 0.002,
+        rule: StageRule::FTest { significance: 0.002 },
         source: PointSource::Measured,
         ..StageSettings::MODELLED
     };
@@ -121,8 +138,8 @@ pub struct StageTrial {
     pub stages: usize,
     /// Root mean square residual, rad.
     pub rms_rad: f64,
-    /// Chance of such a gain over the fit held until then, if that one were true; none for the first.
-    pub p_value: Option<f64>,
+    /// Whether it was taken over the fits with fewer stages.
+    pub is_taken: bool,
 }
 
 impl StageFit {
@@ -144,40 +161,49 @@ pub fn fit_stages(points: &[[f64; 2]], base: Option<[f64; 2]>, settings: StageSe
     let spare = |stages: usize| points.len().checked_sub(BrokenLine::parameters(stages, anchored));
     let mut held = broken_line::fit(points, base, 1, settings.min_points.min(points.len()))?;
     spare(1)?;
-    let rms = |line: &BrokenLine| (line.rss / points.len() as f64).sqrt();
-    let mut trials = vec![StageTrial {
-        stages: 1,
-        rms_rad: rms(&held),
-        p_value: None,
-    }];
+    let trial = |line: &BrokenLine, is_taken: bool| StageTrial {
+        stages: line.rates.len(),
+        rms_rad: (line.rss / points.len() as f64).sqrt(),
+        is_taken,
+    };
+    let mut trials = vec![trial(&held, true)];
     for stages in 2..=settings.most_stages {
-        let Some(free) = spare(stages).filter(|free| *free > 0) else {
+        if spare(stages).is_none_or(|free| free == 0) {
+            break;
+        }
+        let Some(more) = broken_line::fit(points, base, stages, settings.min_points) else {
             break;
         };
-        let Some(trial) = broken_line::fit(points, base, stages, settings.min_points) else {
-            break;
-        };
-        let more = 2 * (stages - held.rates.len());
-        let variance = (trial.rss / free as f64).max(settings.resolution_rad.powi(2));
-        let gain = (held.rss - trial.rss) / more as f64 / variance;
-        let p_value = chance_of_gain(gain, more, free);
-        trials.push(StageTrial {
-            stages,
-            rms_rad: rms(&trial),
-            p_value: Some(p_value),
-        });
-        if p_value < settings.significance {
-            held = trial;
+        let is_taken = settings.rule.prefers(&more, &held, points.len(), anchored);
+        trials.push(trial(&more, is_taken));
+        if is_taken {
+            held = more;
         }
     }
     Some(summarise(held, points, anchored, trials, settings.source))
 }
 
-/// Chance that F(more, free) exceeds `gain`.
-fn chance_of_gain(gain: f64, more: usize, free: usize) -> f64 {
-    match FisherSnedecor::new(more as f64, free as f64) {
-        Ok(law) if gain > 0.0 => law.sf(gain),
-        _ => 1.0,
+impl StageRule {
+    /// Whether `more` pieces are worth their parameters over `few`, both fitted to `points` points.
+    fn prefers(self, more: &BrokenLine, few: &BrokenLine, points: usize, anchored: bool) -> bool {
+        let parameters = |line: &BrokenLine| BrokenLine::parameters(line.rates.len(), anchored);
+        let (many, less) = (parameters(more), parameters(few));
+        match self {
+            StageRule::FTest { significance } => {
+                let (added, free) = ((many - less) as f64, (points - many) as f64);
+                let gain = (few.rss - more.rss) / added / (more.rss / free).max(f64::MIN_POSITIVE);
+                let law = FisherSnedecor::new(added, free);
+                gain > 0.0 && law.is_ok_and(|law| !gain.is_finite() || law.sf(gain) < significance)
+            }
+            StageRule::Bic { resolution_rad } => {
+                let count = points as f64;
+                let bic = |line: &BrokenLine, parameters: usize| {
+                    let variance = (line.rss / count).max(resolution_rad.powi(2));
+                    count * variance.ln() + parameters as f64 * count.ln()
+                };
+                bic(more, many) < bic(few, less)
+            }
+        }
     }
 }
 
