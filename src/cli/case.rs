@@ -1,12 +1,16 @@
 //! A design on the command line, and the wing that it makes.
 
+use std::error::Error;
 use std::path::{Component, Path, PathBuf};
 
 use clap::Args;
 
+use crate::coupling::solution::Solution;
+use crate::coupling::{self, CouplingError};
 use crate::geometry::Planform;
 use crate::input::{Design, Loaded};
-use crate::mesh::{Mesh, MeshFile, for_design};
+use crate::mesh::{Mesh, MeshError, MeshFile, for_design};
+use crate::progress::Progress;
 
 use super::{Console, Failure};
 
@@ -35,27 +39,63 @@ pub struct Case {
     pub planform: Planform,
     /// Its mesh.
     pub mesh: Mesh,
+    mesh_file: Option<(String, Vec<u8>)>,
+}
+
+impl Case {
+    /// A loaded design, meshed.
+    pub fn new(loaded: Loaded) -> Result<Case, Failure> {
+        let mesh_file = loaded.read_mesh_file()?;
+        let (planform, mesh) =
+            wing(&loaded.design, &mesh_file).map_err(|error| Failure::design(&loaded.path, error))?;
+        Ok(Case {
+            loaded,
+            planform,
+            mesh,
+            mesh_file,
+        })
+    }
+
+    /// The same case with another design, such as one with a changed number.
+    pub fn with(&self, design: Design) -> Result<Case, MeshError> {
+        let (planform, mesh) = wing(&design, &self.mesh_file)?;
+        let mut case = self.clone();
+        case.loaded.design = design;
+        (case.planform, case.mesh) = (planform, mesh);
+        Ok(case)
+    }
+
+    /// The loaded shape.
+    pub fn solve(&self, progress: &Progress) -> Result<Solution, CouplingError> {
+        let Loaded {
+            design, air_table, ..
+        } = &self.loaded;
+        coupling::solve(design, &self.planform, &self.mesh, air_table.as_deref(), progress)
+    }
+
+    /// What is wrong with the design, as a failure that names its file.
+    pub fn fault(&self, reason: impl Error + Send + Sync + 'static) -> Failure {
+        Failure::design(&self.loaded.path, reason)
+    }
+}
+
+fn wing(design: &Design, mesh_file: &Option<(String, Vec<u8>)>) -> Result<(Planform, Mesh), MeshError> {
+    let file = mesh_file.as_ref().map(|(name, bytes)| MeshFile { name, bytes });
+    for_design(design, file)
 }
 
 impl DesignArguments {
     /// Reads the design and meshes the wing.
     pub fn case(&self, console: &Console) -> Result<Case, Failure> {
-        let loaded = self.load()?;
+        let loaded = self.load(&[])?;
         console.progress().say(format!("meshing {}", loaded.design.name));
-        let file = loaded.read_mesh_file()?;
-        let file = file.as_ref().map(|(name, bytes)| MeshFile { name, bytes });
-        let (planform, mesh) =
-            for_design(&loaded.design, file).map_err(|error| Failure::design(&self.design, error))?;
-        Ok(Case {
-            loaded,
-            planform,
-            mesh,
-        })
+        Case::new(loaded)
     }
 
-    /// Reads the design with the changes of the command line.
-    pub fn load(&self) -> Result<Loaded, Failure> {
+    /// Reads the design with the changes of the command line, and `more` besides.
+    pub fn load(&self, more: &[String]) -> Result<Loaded, Failure> {
         let mut sets = self.set.clone();
+        sets.extend_from_slice(more);
         sets.extend(self.refine.map(|factor| format!("mesh.refine={factor}")));
         let file = self.mesh.as_ref().map(|file| beside(&self.design, file));
         sets.extend(file.map(|file| format!("mesh.file={}", file.display())));
@@ -64,7 +104,7 @@ impl DesignArguments {
 }
 
 /// A path that means the same seen from the folder of the design as `file` does seen from here.
-fn beside(design: &Path, file: &Path) -> PathBuf {
+pub(super) fn beside(design: &Path, file: &Path) -> PathBuf {
     let folder = design.parent().unwrap_or(Path::new(""));
     let plain = |path: &Path| path.components().all(|part| matches!(part, Component::Normal(_)));
     if plain(folder) && file.is_relative() {

@@ -4,9 +4,11 @@ use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::coupling::CouplingError;
 use crate::export::ExportError;
 use crate::input::InputError;
 use crate::progress::Cancelled;
+use crate::study::StudyError;
 
 /// Why a verb did not do what it should.
 #[derive(Debug, thiserror::Error)]
@@ -21,6 +23,35 @@ pub enum Failure {
         design: PathBuf,
         /// What is wrong.
         reason: Box<dyn Error + Send + Sync>,
+    },
+    /// The wing has no solution that could be found.
+    #[error("{}: {source}", design.display())]
+    Coupling {
+        /// The design file.
+        design: PathBuf,
+        /// Why.
+        source: CouplingError,
+    },
+    /// No solution at a phase of the stroke.
+    #[error("{}: at phase {phase_deg:.1} deg of the stroke: {source}", design.display())]
+    Phase {
+        /// The design file.
+        design: PathBuf,
+        /// Phase; 0 is mid-stroke.
+        phase_deg: f64,
+        /// Why.
+        source: CouplingError,
+    },
+    /// The ranges of the assumed inputs give no band.
+    #[error("--uncertainty: {0}")]
+    Study(StudyError),
+    /// An option that this design does not allow.
+    #[error("{option}: {reason}")]
+    Option {
+        /// The option.
+        option: &'static str,
+        /// Why not, and the cure.
+        reason: String,
     },
     /// Results cannot be written or read.
     #[error(transparent)]
@@ -60,6 +91,17 @@ impl Failure {
     /// The exit code of the process: 1 other, 2 input, 3 not converged, 130 interrupted.
     pub fn exit_code(&self) -> u8 {
         match self {
+            Failure::Coupling { source, .. } | Failure::Phase { source, .. } if source.is_not_converged() => {
+                3
+            }
+            Failure::Coupling {
+                source: CouplingError::Interrupted(_),
+                ..
+            } => 130,
+            Failure::Coupling { .. } | Failure::Phase { .. } | Failure::Option { .. } => 2,
+            Failure::Study(StudyError::Cancelled(_)) => 130,
+            Failure::Study(StudyError::Nominal { .. } | StudyError::SamplesFailed { .. }) => 3,
+            Failure::Study(_) => 2,
             Failure::Input(_) | Failure::Design { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } => 2,
             Failure::Export(ExportError::NoRun { .. } | ExportError::ForeignSummary { .. }) => 2,

@@ -9,6 +9,14 @@ pub mod console;
 
 pub mod case;
 
+pub mod reading;
+
+pub mod solve;
+
+pub mod stroke;
+
+pub mod compare;
+
 pub mod mesh;
 
 pub mod init;
@@ -58,6 +66,10 @@ pub struct Common {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub enum Verb {
+    /// Solve a design: twist profile, forces, stresses, files for ParaView
+    Solve(solve::Solve),
+    /// Compare a design with its measurement, in degrees, in sigma and in words
+    Compare(compare::Compare),
     /// Write the mesh of a design, for VTK and Gmsh
     Mesh(mesh::WriteMesh),
     /// Write a commented design file to start from
@@ -77,6 +89,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             .map_err(|error| Failure::Threads(error.to_string()))?;
     }
     let result = match &arguments.verb {
+        Verb::Solve(verb) => verb.run(&console),
+        Verb::Compare(verb) => verb.run(&console),
         Verb::Mesh(verb) => verb.run(&console),
         Verb::Init(verb) => verb.run(&console),
         Verb::Schema(verb) => verb.run(&console),

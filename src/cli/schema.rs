@@ -24,6 +24,8 @@ pub struct Schema {
 pub enum Output {
     /// `washout solve --json`, and `summary.json`
     Solve,
+    /// `washout compare --json`
+    Compare,
     /// `washout diff --json`
     Diff,
     /// `washout mesh --json`
@@ -38,6 +40,7 @@ impl Schema {
         let schema = match self.output {
             None => crate::input::schema::design_schema(),
             Some(Output::Solve) => schemars::schema_for!(RunSummary),
+            Some(Output::Compare) => schemars::schema_for!(super::compare::CompareReport),
             Some(Output::Diff) => schemars::schema_for!(Difference),
             Some(Output::Mesh) => schemars::schema_for!(super::mesh::MeshReport),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),

@@ -8,7 +8,7 @@ use crate::input::Loaded;
 use crate::lift::LiftReport;
 use crate::mesh::Mesh;
 use crate::observation::field::twist_at_nodes;
-use crate::observation::{Place, StageFit, TwistProfile, TwistReading};
+use crate::observation::{Place, TwistProfile, TwistReading};
 use crate::study::Uncertainty;
 
 use super::run::RunFolder;
@@ -31,7 +31,7 @@ pub struct Solved<'a> {
     /// Twist along the span.
     pub profile: &'a TwistProfile,
     /// Stages of the profile.
-    pub stages: Option<&'a StageFit>,
+    pub stages: Option<&'a ModelledStages>,
     /// Measured minus modelled.
     pub measured: Option<&'a Comparison>,
     /// Lift, drag, power.
@@ -67,10 +67,11 @@ pub fn summarize(solved: &Solved) -> RunSummary {
         solve: solve(solution),
         profile: profile.readings.iter().map(row).collect(),
         skipped: skipped(profile),
-        stages: solved.stages.map(ModelledStages::new),
+        stages: solved.stages.cloned(),
         measured: solved.measured.cloned(),
         tip: tip(solved),
         lift: solved.lift.cloned(),
+        stroke: None,
         engineering: solved.engineering.clone(),
         uncertainty: solved.uncertainty.cloned(),
         legend: CellLegend {
@@ -251,7 +252,7 @@ mod tests {
     use super::*;
     use crate::export::run::read_summary;
     use crate::observation::imposed;
-    use crate::observation::{StageSettings, fit_stages, read_profile};
+    use crate::observation::read_profile;
 
     /// A run of a wing with an imposed linear twist of 0.3 deg/mm, written below `target`.
     fn write(target: &std::path::Path) -> RunSummary {
@@ -263,7 +264,7 @@ mod tests {
         solution.membrane_force_n_per_m = vec![[2.0, 1.0, 0.0]; triangles];
         solution.beam_force = vec![[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]; beams];
         let profile = read_profile(&design, &planform, &solution).expect("a profile");
-        let fit = fit_stages(&profile.points(), profile.base(), StageSettings::default());
+        let fit = ModelledStages::of(&profile);
         let loaded = Loaded {
             design,
             path: "imposed.toml".into(),

@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 use super::comparison::{rows, sign, stages};
-use crate::lift::LiftReport;
+use crate::lift::{Forces, LiftReport};
 use crate::study::{Output, Uncertainty};
 
-use super::summary::{Engineering, Extreme, FlowSummary, RunSummary};
+use super::summary::{Engineering, Extreme, FlowSummary, RunSummary, StrokeSummary};
 use super::text::{Table, number, significant, wrapped};
 
 /// The page; `folder` is where the files of the run are, if any were written.
@@ -14,6 +14,7 @@ pub fn page(summary: &RunSummary, folder: Option<&str>) -> String {
     let mut sections = vec![solved(summary), assumed(summary), twist(summary)];
     sections.extend(summary.uncertainty.as_ref().map(uncertainty));
     sections.extend(summary.lift.as_ref().map(lift));
+    sections.extend(summary.stroke.as_ref().map(stroke));
     sections.push(engineering(&summary.engineering));
     if !summary.warnings.is_empty() {
         sections.push(list("Mind", &summary.warnings));
@@ -255,6 +256,37 @@ fn lift(report: &LiftReport) -> String {
         ]);
     }
     format!("Lift, drag, power\n{}", table.render())
+}
+
+fn stroke(stroke: &StrokeSummary) -> String {
+    let mut table = Table::new(["phase_deg", "tip_twist_deg", "lift_mn", "drag_mn", "power_mw"]);
+    for row in &stroke.phases {
+        let force = |pick: fn(&Forces) -> f64| {
+            row.forces
+                .as_ref()
+                .map_or(String::new(), |forces| number(pick(forces), 2))
+        };
+        table.row([
+            number(row.phase_deg, 1),
+            row.tip_twist_deg.map_or(String::new(), |twist| number(twist, 2)),
+            force(|forces| forces.lift_mn),
+            force(|forces| forces.drag_mn),
+            force(|forces| forces.power_mw),
+        ]);
+    }
+    let mut text = format!(
+        "Over the stroke, each phase as if it stood still\n{}",
+        table.render()
+    );
+    if let Some(mean) = &stroke.mean {
+        let [lift, drag, power] = [mean.lift_mn, mean.drag_mn, mean.power_mw].map(|value| number(value, 2));
+        let _ = writeln!(
+            text,
+            "  {}: lift {lift} mN, drag {drag} mN, power {power} mW",
+            mean.name
+        );
+    }
+    text
 }
 
 fn engineering(engineering: &Engineering) -> String {

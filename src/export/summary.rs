@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::compare::{Comparison, ModelledStages};
 use crate::input::design::{Design, Section};
 use crate::input::measurement::Bound;
-use crate::lift::LiftReport;
+use crate::lift::{Forces, LiftReport};
 use crate::study::Uncertainty;
 
 /// Version of this document.
@@ -51,6 +51,8 @@ pub struct RunSummary {
     pub tip: TipSummary,
     /// Lift, drag and power; absent without flow.
     pub lift: Option<LiftReport>,
+    /// The wing over its stroke; absent unless asked for.
+    pub stroke: Option<StrokeSummary>,
     /// What a builder wants to know besides the twist.
     pub engineering: Engineering,
     /// Band from the assumed ranges; absent unless asked for.
@@ -218,6 +220,28 @@ pub struct TipSummary {
     pub node: usize,
     /// Displacement of that node from the unloaded shape, wing frame.
     pub displacement_mm: [f64; 3],
+}
+
+/// The wing over its stroke, each phase solved as if it stood still.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StrokeSummary {
+    /// From mid-stroke toward the reversal.
+    pub phases: Vec<PhaseRow>,
+    /// Mean over the stroke with the twist of these phases.
+    pub mean: Option<Forces>,
+}
+
+/// One phase of the stroke.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PhaseRow {
+    /// Phase; 0 is mid-stroke, 90 the reversal.
+    pub phase_deg: f64,
+    /// Twist of the tip; absent where it cannot be read.
+    pub tip_twist_deg: Option<f64>,
+    /// Forces at that phase.
+    pub forces: Option<Forces>,
+    /// Shape under load.
+    pub file: String,
 }
 
 /// What a builder wants to know besides the twist; absent values do not apply to the design.

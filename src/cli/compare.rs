@@ -1,0 +1,204 @@
+//! `washout compare`: where the model misses the measurement, in degrees, in sigma and in words.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use clap::Args;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::compare::Comparison;
+use crate::export::comparison;
+use crate::export::text::{Table, number};
+use crate::input::Loaded;
+use crate::input::measurement::Channel;
+use crate::lift::{Ratios, StrokeMeans};
+
+use super::case::{Case, DesignArguments, beside};
+use super::reading::{Reading, means_on_ramp};
+use super::solve::solve;
+use super::{Console, Failure};
+
+/// Arguments of `washout compare`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout compare designs/twist-v1.toml
+  washout compare designs/twist-v2.toml --with measurements/colmenares-as-restated.csv
+  washout compare designs/twist-v2.toml --reference designs/rigid.toml      ratios of lift and efficiency too
+
+Columns of a measurement file: see the files in measurements/. Writes no files.")]
+pub struct Compare {
+    /// The design
+    #[command(flatten)]
+    pub design: DesignArguments,
+    /// Measurement file [default: the one that the design names]
+    #[arg(long, value_name = "CSV")]
+    pub with: Option<PathBuf>,
+    /// Case in that file [default: the one that the design names, or the name of the wing]
+    #[arg(long, value_name = "NAME")]
+    pub case: Option<String>,
+    /// Design of the wing that measured ratios refer to
+    #[arg(long, value_name = "DESIGN")]
+    pub reference: Option<PathBuf>,
+}
+
+/// What `washout compare` prints.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CompareReport {
+    /// Measured minus modelled.
+    pub comparison: Comparison,
+    /// The wing against the reference wing, as modelled; absent unless asked for.
+    pub ratios: Option<ModelledRatios>,
+}
+
+/// Modelled ratios of a wing to a reference wing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ModelledRatios {
+    /// Name of the reference wing.
+    pub reference: String,
+    /// Largest angular speed of the stroke over that of the reference.
+    pub rate_ratio: f64,
+    /// The ratios: as both flap, and with the stroke of the wing set equal to that of the reference.
+    pub ratios: Vec<NamedRatio>,
+}
+
+/// One ratio under two conditions.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct NamedRatio {
+    /// What it is.
+    pub name: String,
+    /// Each wing at its own frequency and amplitude.
+    pub as_solved: f64,
+    /// Both at the same product of frequency and amplitude, with the twist as solved.
+    pub at_equal_rate: f64,
+}
+
+impl Compare {
+    /// Solves and compares.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let progress = console.progress();
+        let loaded = self.load()?;
+        progress.say(format_args!("solving {}", loaded.design.name));
+        let case = Case::new(loaded)?;
+        let solution = solve(&case, progress)?;
+        let mut whole_wing = BTreeMap::new();
+        let mut modelled = None;
+        if let Some(path) = &self.reference {
+            let means = means_on_ramp(&case, &solution)?;
+            let (name, reference) = self.reference_means(path, console)?;
+            let found = ratios(&case, means, reference)?;
+            whole_wing.insert(Channel::LiftRatio, found.lift);
+            whole_wing.insert(Channel::DragRatio, found.drag);
+            whole_wing.insert(Channel::EfficiencyRatio, found.local_lift_to_drag);
+            modelled = Some(named(name, &found, &case)?);
+        }
+        let reading = Reading::of(&case, &solution, &whole_wing)?;
+        let Some(comparison) = reading.measured else {
+            return Err(Failure::Option {
+                option: "compare",
+                reason: format!(
+                    "{} names no measurement; give one --with CSV, or add [measured] to the design",
+                    case.loaded.path.display()
+                ),
+            });
+        };
+        let mut page = comparison::page(&comparison);
+        page.extend(modelled.as_ref().map(|ratios| format!("\n{}", table(ratios))));
+        let report = CompareReport {
+            comparison,
+            ratios: modelled,
+        };
+        console.result(&page, &report)
+    }
+
+    fn load(&self) -> Result<Loaded, Failure> {
+        let mut sets = Vec::new();
+        if let Some(file) = &self.with {
+            let file = beside(&self.design.design, file);
+            sets.push(format!("measured.file={}", file.display()));
+        }
+        match &self.case {
+            Some(case) => sets.push(format!("measured.case={case}")),
+            None if self.with.is_some() => {
+                let plain = self.design.load(&[])?.design;
+                let case = plain.measured.map_or(plain.name, |measured| measured.case);
+                sets.push(format!("measured.case={case}"));
+            }
+            None => {}
+        }
+        self.design.load(&sets)
+    }
+
+    fn reference_means(
+        &self,
+        path: &std::path::Path,
+        console: &Console,
+    ) -> Result<(String, Option<StrokeMeans>), Failure> {
+        let arguments = DesignArguments {
+            design: path.to_path_buf(),
+            set: Vec::new(),
+            refine: self.design.refine,
+            mesh: None,
+        };
+        let case = arguments.case(console)?;
+        let name = case.loaded.design.name.clone();
+        console.progress().say(format_args!("solving {name}"));
+        let solution = solve(&case, console.progress())?;
+        Ok((name, means_on_ramp(&case, &solution)?))
+    }
+}
+
+fn ratios(case: &Case, wing: Option<StrokeMeans>, reference: Option<StrokeMeans>) -> Result<Ratios, Failure> {
+    match (wing, reference) {
+        (Some(wing), Some(reference)) => {
+            Ratios::between(&wing, &reference).map_err(|error| case.fault(error))
+        }
+        _ => Err(Failure::Option {
+            option: "--reference",
+            reason: "ratios need two wings that flap; give both a [flapping] table".to_string(),
+        }),
+    }
+}
+
+fn named(reference: String, found: &Ratios, case: &Case) -> Result<ModelledRatios, Failure> {
+    let equal = found.at_rate_ratio(1.0).map_err(|error| case.fault(error))?;
+    let row = |name: &str, value: fn(&Ratios) -> f64| NamedRatio {
+        name: name.to_string(),
+        as_solved: value(found),
+        at_equal_rate: value(&equal),
+    };
+    Ok(ModelledRatios {
+        reference,
+        rate_ratio: found.rate_ratio,
+        ratios: vec![
+            row("mean lift", |r| r.lift),
+            row("mean drag", |r| r.drag),
+            row("mean power", |r| r.power),
+            row("mean lift over mean drag", |r| r.lift_to_drag),
+            row(
+                "local lift over drag along the span (the paper's efficiency)",
+                |r| r.local_lift_to_drag,
+            ),
+            row("lift per power", |r| r.lift_per_power),
+            row("lift at equal power", |r| r.lift_at_equal_power),
+            row("lift per power at equal lift", |r| r.lift_per_power_at_equal_lift),
+        ],
+    })
+}
+
+fn table(modelled: &ModelledRatios) -> String {
+    let mut table = Table::new(["ratio", "as_both_flap", "at_equal_stroke"]);
+    for ratio in &modelled.ratios {
+        table.row([
+            ratio.name.clone(),
+            number(ratio.as_solved, 3),
+            number(ratio.at_equal_rate, 3),
+        ]);
+    }
+    format!(
+        "Modelled ratios to {} (20/60/20 ramp; 2πfΦ {} times its)\n{}",
+        modelled.reference,
+        number(modelled.rate_ratio, 4),
+        table.render()
+    )
+}

@@ -1,0 +1,132 @@
+//! `washout solve`: a design in; twist, forces, stresses and files out.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::coupling::solution::Solution;
+use crate::export::collect::{Solved, summarize, write_files};
+use crate::export::report::page;
+use crate::export::run::RunFolder;
+use crate::export::summary::Engineering;
+use crate::input::Design;
+use crate::observation::{TwistProfile, read_profile};
+use crate::progress::Progress;
+use crate::study::{ProfileOutputs, Uncertainty, UncertaintySettings, propagate};
+
+use super::case::{Case, DesignArguments};
+use super::reading::Reading;
+use super::stroke::{self, StrokeRun};
+use super::{Console, Failure};
+
+/// Arguments of `washout solve`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout solve designs/twist-v2.toml
+  washout solve designs/twist-v2.toml --set flapping.frequency_hz=25 --output output/v2-25hz
+  washout solve designs/twist-v2.toml --uncertainty        a band instead of a line, and what it comes from
+  washout solve designs/twist-v2.toml --stroke 9           the shapes over the stroke, and their mean lift
+  washout solve designs/twist-v2.toml --json | jq .tip
+
+Writes output/NAME/: wing.vtu, wing-rest.vtu and wing.pvd for ParaView, profile.csv, strips.csv, summary.json.
+An earlier run there is replaced only when all of that is complete.")]
+pub struct Solve {
+    /// The design
+    #[command(flatten)]
+    pub design: DesignArguments,
+    /// Folder to write into [default: output/NAME]
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Propagate the assumed ranges to a band by N solves [default N: 64]
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "64")]
+    pub uncertainty: Option<usize>,
+    /// Solve at N phases of the stroke besides, from mid-stroke to the reversal, each as if it stood still
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=99))]
+    pub stroke: Option<u16>,
+}
+
+impl Solve {
+    /// Solves and writes; nothing is written unless everything converged.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let progress = console.progress();
+        let case = self.design.case(console)?;
+        let output = self.output.clone();
+        let target = output.unwrap_or_else(|| PathBuf::from("output").join(&case.loaded.design.name));
+        let mut folder = RunFolder::create(&target)?;
+        progress.say(format_args!("solving {}", case.loaded.design.name));
+        let solution = solve(&case, progress)?;
+        let reading = Reading::of(&case, &solution, &BTreeMap::new())?;
+        let uncertainty = self
+            .uncertainty
+            .map(|samples| band(&case, &reading, samples, progress));
+        let uncertainty = uncertainty.transpose()?;
+        let stroke = self.stroke.map(|phases| stroke::solve(&case, phases, progress));
+        let stroke: Option<StrokeRun> = stroke.transpose()?;
+        let solved = Solved {
+            loaded: &case.loaded,
+            planform: &case.planform,
+            solution: &solution,
+            profile: &reading.profile,
+            stages: reading.stages.as_ref(),
+            measured: reading.measured.as_ref(),
+            lift: reading.lift.as_ref(),
+            uncertainty: uncertainty.as_ref(),
+            engineering: &Engineering::default(),
+        };
+        let mut summary = summarize(&solved);
+        if let Some(stroke) = stroke {
+            stroke.add_files(&mut folder)?;
+            summary.stroke = Some(stroke.summary);
+        }
+        write_files(&mut folder, &solved, &mut summary)?;
+        progress.check()?;
+        let path = folder.commit()?;
+        console.result(&page(&summary, Some(&path.display().to_string())), &summary)
+    }
+}
+
+/// The loaded shape, or a failure that names the design.
+pub fn solve(case: &Case, progress: &Progress) -> Result<Solution, Failure> {
+    case.solve(progress).map_err(|source| Failure::Coupling {
+        design: case.loaded.path.clone(),
+        source,
+    })
+}
+
+fn band(case: &Case, reading: &Reading, samples: usize, progress: &Progress) -> Result<Uncertainty, Failure> {
+    let outputs = ProfileOutputs::new(&reading.profile, &stretches_mm(reading));
+    let evaluate =
+        |design: &Design| -> Result<Vec<f64>, String> { outputs.read(&profile_of(case, design, progress)?) };
+    let settings = UncertaintySettings {
+        samples,
+        ..UncertaintySettings::default()
+    };
+    propagate(
+        &case.loaded.design,
+        &outputs.outputs,
+        settings,
+        progress,
+        evaluate,
+    )
+    .map_err(Failure::Study)
+}
+
+/// Stretches of the measured rates; those of the fitted stages where none was measured.
+fn stretches_mm(reading: &Reading) -> Vec<[f64; 2]> {
+    let measured = reading.measured.iter().flat_map(|comparison| &comparison.rows);
+    let measured: Vec<[f64; 2]> = measured
+        .filter_map(|row| Some([row.r_mm?, row.r_to_mm?]))
+        .collect();
+    if !measured.is_empty() {
+        return measured;
+    }
+    let fitted = reading.stages.iter().flat_map(|fit| &fit.stages);
+    fitted.map(|stage| [stage.from_mm, stage.to_mm]).collect()
+}
+
+fn profile_of(case: &Case, design: &Design, progress: &Progress) -> Result<TwistProfile, String> {
+    let case = case.with(design.clone()).map_err(|error| error.to_string())?;
+    let solution = case.solve(progress).map_err(|error| error.to_string())?;
+    read_profile(&case.loaded.design, &case.planform, &solution).map_err(|error| error.to_string())
+}

@@ -1,0 +1,105 @@
+//! The wing over its stroke, each phase solved as if it stood still.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::coupling::CouplingError;
+use crate::coupling::solution::Solution;
+use crate::export::run::RunFolder;
+use crate::export::summary::{PhaseRow, StrokeSummary};
+use crate::export::wing::{Shape, solution_grid};
+use crate::export::{ExportError, pvd};
+use crate::lift::{Forces, TwistAlongSpan, TwistHistory};
+use crate::observation::field::twist_at_nodes;
+use crate::observation::read_profile;
+use crate::progress::Progress;
+
+use super::Failure;
+use super::case::Case;
+use super::reading::{lift, means};
+
+/// A wing solved at phases of its stroke.
+#[derive(Debug)]
+pub struct StrokeRun {
+    /// Its rows and its mean.
+    pub summary: StrokeSummary,
+    shapes: Vec<Vec<u8>>,
+}
+
+/// Solves at `count` phases, evenly from mid-stroke to just before the reversal.
+///
+/// Nothing here has inertia or memory, so both sides of mid-stroke are the same.
+pub fn solve(case: &Case, count: u16, progress: &Progress) -> Result<StrokeRun, Failure> {
+    let Some(flapping) = &case.loaded.design.flapping else {
+        return Err(Failure::Option {
+            option: "--stroke",
+            reason: "the design does not flap, so it has no stroke; give it a [flapping] table".to_string(),
+        });
+    };
+    let stop_angle_rad = flapping.stop_angle_deg.value().to_radians();
+    let (mut phases, mut shapes, mut twists) = (Vec::new(), Vec::new(), Vec::new());
+    for index in 0..count {
+        let phase_rad = FRAC_PI_2 * f64::from(index) / f64::from(count);
+        let phase_deg = phase_rad.to_degrees();
+        progress.say(format_args!("solving at phase {phase_deg:.1} deg of the stroke"));
+        let case = at_phase(case, phase_deg)?;
+        let solution = case
+            .solve(progress)
+            .map_err(|source| not_solved(&case, phase_deg, source))?;
+        let twist = TwistAlongSpan::from_strips(&solution.strips, stop_angle_rad);
+        twists.push((phase_rad, twist.map_err(|error| case.fault(error))?));
+        shapes.push(shape(&case, &solution)?);
+        let profile = read_profile(&case.loaded.design, &case.planform, &solution);
+        let profile = profile.map_err(|error| case.fault(error))?;
+        phases.push(PhaseRow {
+            phase_deg,
+            tip_twist_deg: profile.tip().map(|tip| tip.twist_rad.to_degrees()),
+            forces: lift(&case, &solution)?.map(|report| report.solved),
+            file: format!("wing-phase-{index:02}.vtu"),
+        });
+    }
+    let mean = means(case, |_| TwistHistory::solved(twists))?;
+    let mean =
+        mean.map(|means| Forces::of_means("mean over the stroke (twist as solved at each phase)", &means));
+    Ok(StrokeRun {
+        summary: StrokeSummary { phases, mean },
+        shapes,
+    })
+}
+
+impl StrokeRun {
+    /// Adds the shapes, and the collection that plays them.
+    pub fn add_files(&self, folder: &mut RunFolder) -> Result<(), ExportError> {
+        let phases = &self.summary.phases;
+        for (row, bytes) in phases.iter().zip(&self.shapes) {
+            folder.add(&row.file, bytes)?;
+        }
+        let series: Vec<(f64, String)> = phases
+            .iter()
+            .map(|row| (row.phase_deg, row.file.clone()))
+            .collect();
+        folder.add("stroke.pvd", pvd::collection(&series).as_bytes())
+    }
+}
+
+fn at_phase(case: &Case, phase_deg: f64) -> Result<Case, Failure> {
+    let mut design = case.loaded.design.clone();
+    design.set("flapping.phase_deg", phase_deg)?;
+    case.with(design).map_err(|error| case.fault(error))
+}
+
+fn not_solved(case: &Case, phase_deg: f64, source: CouplingError) -> Failure {
+    match source {
+        CouplingError::Interrupted(cancelled) => cancelled.into(),
+        source => Failure::Phase {
+            design: case.loaded.path.clone(),
+            phase_deg,
+            source,
+        },
+    }
+}
+
+fn shape(case: &Case, solution: &Solution) -> Result<Vec<u8>, Failure> {
+    let twist_rad = twist_at_nodes(&case.planform, solution);
+    let twist_deg = twist_rad.into_iter().map(f64::to_degrees).collect();
+    Ok(solution_grid(&case.loaded.design, solution, twist_deg, Shape::Deformed).to_vtu()?)
+}
