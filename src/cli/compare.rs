@@ -94,13 +94,8 @@ impl Compare {
         }
         let reading = Reading::of(&case, &solution, &whole_wing)?;
         let Some(comparison) = reading.measured else {
-            return Err(Failure::Option {
-                option: "compare",
-                reason: format!(
-                    "{} names no measurement; give one --with CSV, or add [measured] to the design",
-                    case.loaded.path.display()
-                ),
-            });
+            let design = case.loaded.path;
+            return Err(Failure::NoMeasurement { design });
         };
         let mut page = comparison::page(&comparison);
         page.extend(modelled.as_ref().map(|ratios| format!("\n{}", table(ratios))));

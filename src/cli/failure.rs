@@ -53,6 +53,12 @@ pub enum Failure {
         /// Why not, and the cure.
         reason: String,
     },
+    /// Nothing to compare with.
+    #[error("{} names no measurement; give one --with CSV, or add [measured] to the design", design.display())]
+    NoMeasurement {
+        /// The design file.
+        design: PathBuf,
+    },
     /// Results cannot be written or read.
     #[error(transparent)]
     Export(#[from] ExportError),
@@ -103,7 +109,7 @@ impl Failure {
             Failure::Study(StudyError::Nominal { .. } | StudyError::SamplesFailed { .. }) => 3,
             Failure::Study(_) => 2,
             Failure::Input(_) | Failure::Design { .. } => 2,
-            Failure::Name { .. } | Failure::Exists { .. } => 2,
+            Failure::Name { .. } | Failure::Exists { .. } | Failure::NoMeasurement { .. } => 2,
             Failure::Export(ExportError::NoRun { .. } | ExportError::ForeignSummary { .. }) => 2,
             Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) => 1,
             Failure::Interrupted(_) => 130,

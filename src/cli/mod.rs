@@ -17,6 +17,8 @@ pub mod stroke;
 
 pub mod compare;
 
+pub mod divergence;
+
 pub mod mesh;
 
 pub mod init;
@@ -70,6 +72,8 @@ pub enum Verb {
     Solve(solve::Solve),
     /// Compare a design with its measurement, in degrees, in sigma and in words
     Compare(compare::Compare),
+    /// Raise the speed or the amplitude until the wing has no equilibrium any more
+    Divergence(divergence::Divergence),
     /// Write the mesh of a design, for VTK and Gmsh
     Mesh(mesh::WriteMesh),
     /// Write a commented design file to start from
@@ -91,6 +95,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let result = match &arguments.verb {
         Verb::Solve(verb) => verb.run(&console),
         Verb::Compare(verb) => verb.run(&console),
+        Verb::Divergence(verb) => verb.run(&console),
         Verb::Mesh(verb) => verb.run(&console),
         Verb::Init(verb) => verb.run(&console),
         Verb::Schema(verb) => verb.run(&console),

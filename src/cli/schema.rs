@@ -26,6 +26,8 @@ pub enum Output {
     Solve,
     /// `washout compare --json`
     Compare,
+    /// `washout divergence --json`
+    Divergence,
     /// `washout diff --json`
     Diff,
     /// `washout mesh --json`
@@ -41,6 +43,7 @@ impl Schema {
             None => crate::input::schema::design_schema(),
             Some(Output::Solve) => schemars::schema_for!(RunSummary),
             Some(Output::Compare) => schemars::schema_for!(super::compare::CompareReport),
+            Some(Output::Divergence) => schemars::schema_for!(super::divergence::DivergenceReport),
             Some(Output::Diff) => schemars::schema_for!(Difference),
             Some(Output::Mesh) => schemars::schema_for!(super::mesh::MeshReport),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),

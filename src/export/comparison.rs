@@ -8,11 +8,7 @@ use super::text::{Table, number, significant, wrapped};
 
 /// The page of `washout compare`.
 pub fn page(comparison: &Comparison) -> String {
-    let head = format!(
-        "{} beside {} (case {}); errors are measured minus modelled\n",
-        comparison.wing, comparison.file, comparison.case
-    );
-    let mut sections = vec![head, rows(comparison)];
+    let mut sections = vec![format!("{}\n", comparison.wing), rows(comparison)];
     sections.extend(comparison.span.iter().map(span));
     sections.extend(comparison.modelled_stages.as_ref().map(stages));
     if !comparison.not_compared.is_empty() {
@@ -64,7 +60,7 @@ pub fn rows(comparison: &Comparison) -> String {
         return format!("No number of {} could be compared\n", comparison.file);
     }
     format!(
-        "Measured ({}, case {}) beside modelled\n{}",
+        "Measured ({}, case {}) beside modelled; error: measured minus modelled\n{}",
         comparison.file,
         comparison.case,
         table.render()

@@ -133,6 +133,10 @@ fn shown(value: &Option<Value>) -> String {
     match value {
         None => "absent".to_string(),
         Some(Value::String(text)) => text.clone(),
+        Some(Value::Object(assumed)) => match (assumed.get("assumed"), assumed.get("range")) {
+            (Some(value), Some(range)) => format!("{value} assumed in {range}"),
+            _ => Value::Object(assumed.clone()).to_string(),
+        },
         Some(value) => value.to_string(),
     }
 }
@@ -209,6 +213,11 @@ fn inputs(first: &RunSummary, second: &RunSummary) -> Result<Vec<InputDifference
 /// The leaves of a document with their dotted paths, such as `rod[0].section.diameter_mm`.
 fn flatten(path: &str, value: Value, leaves: &mut Vec<(String, Value)>) {
     match value {
+        // An assumed number is one value; why it is assumed changes no result.
+        Value::Object(mut entries) if entries.contains_key("assumed") => {
+            entries.remove("why");
+            leaves.push((path.to_string(), Value::Object(entries)));
+        }
         Value::Object(entries) if !entries.is_empty() => {
             for (key, value) in entries {
                 let path = if path.is_empty() {
@@ -258,10 +267,14 @@ mod tests {
 
     #[test]
     fn leaves_carry_the_dotted_path_of_the_design() {
-        let value = serde_json::json!({"rod": [{"section": {"diameter_mm": 1.0}}], "force_n": [0.0, 1.0]});
+        let value = serde_json::json!({
+            "rod": [{"section": {"diameter_mm": {"assumed": 1.0, "range": [0.9, 1.1], "why": "so"}}}],
+            "force_n": [0.0, 1.0],
+        });
         let mut leaves = Vec::new();
         flatten("", value, &mut leaves);
         let paths: Vec<_> = leaves.iter().map(|(path, _)| path.as_str()).collect();
         assert_eq!(paths, ["rod[0].section.diameter_mm", "force_n"]);
+        assert_eq!(shown(&Some(leaves[0].1.clone())), "1.0 assumed in [0.9,1.1]");
     }
 }

@@ -118,17 +118,12 @@ fn assumed(summary: &RunSummary) -> String {
     let mut table = Table::new(["input", "value", "from", "to", "why"]);
     let mut said = "";
     for input in &summary.assumed {
-        let [low, high] = input.range.map(|end| significant(end, 4));
+        let [value, low, high] =
+            [input.value, input.range[0], input.range[1]].map(|number| number.to_string());
         // A reason that holds for many inputs in a row is said once.
         let why = if input.why == said { "" } else { &input.why };
         said = &input.why;
-        table.row([
-            input.key.clone(),
-            significant(input.value, 4),
-            low,
-            high,
-            why.to_string(),
-        ]);
+        table.row([input.key.clone(), value, low, high, why.to_string()]);
     }
     let mut text = "Assumed, not known (--uncertainty says how far these move the result)\n".to_string();
     text.push_str(&table.render());

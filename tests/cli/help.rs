@@ -3,7 +3,16 @@
 use crate::{folder, washout};
 
 /// Every verb of the program.
-pub const VERBS: [&str; 5] = ["mesh", "init", "schema", "diff", "help"];
+pub const VERBS: [&str; 8] = [
+    "solve",
+    "compare",
+    "divergence",
+    "mesh",
+    "init",
+    "schema",
+    "diff",
+    "help",
+];
 
 #[test]
 fn help_names_every_verb_and_the_exit_codes() {

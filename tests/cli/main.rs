@@ -1,12 +1,20 @@
 //! The program as its user meets it: words, exit codes, documents, files.
 
+mod compare;
+
+mod divergence;
+
 mod help;
 
 mod init;
 
+mod interrupt;
+
 mod mesh;
 
 mod schema;
+
+mod solve;
 
 mod writing;
 

@@ -1,0 +1,61 @@
+//! `washout compare`.
+
+use crate::{below, conforms, design, entries, folder, schema, washout};
+
+#[test]
+fn the_document_conforms_and_the_page_ends_in_words() {
+    let here = folder();
+    let design = design("twist-v1.toml");
+    let said = washout(here.path(), &["compare", &design, "--json"]);
+    assert_eq!((said.code, said.err.as_str()), (Some(0), ""));
+    conforms(&said.document(), &schema(&["--output", "compare"]));
+    let said = washout(here.path(), &["compare", &design]);
+    for words in ["twist_rate", "in_sigma", "root mean square", "In words"] {
+        assert!(said.out.contains(words), "{words:?} is not in\n{}", said.out);
+    }
+    assert!(entries(here.path()).is_empty());
+}
+
+#[test]
+fn the_other_statement_of_the_same_data_is_read_with_the_case_of_the_design() {
+    let here = folder();
+    let other = below(
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")),
+        "measurements/colmenares-as-restated.csv",
+    );
+    let said = washout(
+        here.path(),
+        &["compare", &design("twist-v2.toml"), "--with", &other, "--json"],
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let comparison = said.document()["comparison"].clone();
+    assert_eq!(comparison["case"], "twist-v2");
+    assert_eq!(comparison["rows"][1]["measured"], 0.51);
+}
+
+#[test]
+fn a_wing_is_its_own_reference() {
+    let here = folder();
+    let wing = design("twist-v2.toml");
+    let said = washout(here.path(), &["compare", &wing, "--reference", &wing, "--json"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    for ratio in said.document()["ratios"]["ratios"].as_array().expect("ratios") {
+        assert_eq!(
+            (ratio["as_solved"].as_f64(), ratio["at_equal_rate"].as_f64()),
+            (Some(1.0), Some(1.0)),
+            "{ratio}"
+        );
+    }
+}
+
+#[test]
+fn a_design_without_measurement_ends_with_2_and_says_what_to_give() {
+    let here = folder();
+    washout(here.path(), &["init", "mine"]);
+    let said = washout(here.path(), &["compare", "mine.toml"]);
+    assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
+    assert_eq!(
+        said.err,
+        "washout: mine.toml names no measurement; give one --with CSV, or add [measured] to the design\n"
+    );
+}

@@ -1,0 +1,221 @@
+//! `washout solve`.
+
+use std::fs;
+
+use crate::{below, conforms, contents, design, entries, folder, schema, washout};
+
+const FILES: [&str; 6] = [
+    "profile.csv",
+    "strips.csv",
+    "summary.json",
+    "wing-rest.vtu",
+    "wing.pvd",
+    "wing.vtu",
+];
+
+#[test]
+fn a_solve_prints_what_a_builder_needs_and_writes_what_it_lists() {
+    let here = folder();
+    let said = washout(here.path(), &["solve", &design("twist-v2.toml")]);
+    assert_eq!((said.code, said.err.as_str()), (Some(0), ""));
+    for words in [
+        "degrees of freedom",
+        "residual",
+        "stable (no negative pivot)",
+        "flapping.half_amplitude_deg",
+        "root.chord",
+        "twist_deg",
+        "tip twist",
+        "Stages of the modelled profile",
+        "beside modelled",
+        "mid-stroke",
+        "mean over the stroke",
+        "Files in output/twist-v2: ",
+    ] {
+        assert!(said.out.contains(words), "{words:?} is not in\n{}", said.out);
+    }
+    assert_eq!(entries(&here.path().join("output/twist-v2")), FILES);
+    assert_eq!(entries(here.path()), ["output"]);
+    assert_eq!(entries(&here.path().join("output")), ["twist-v2"]);
+}
+
+#[test]
+fn every_assumed_input_is_listed() {
+    let here = folder();
+    let said = washout(here.path(), &["solve", &design("twist-v2.toml"), "--json"]);
+    let text = fs::read_to_string(design("twist-v2.toml")).expect("a design");
+    let materials = fs::read_to_string(design("materials.toml")).expect("materials");
+    let count = |text: &str| {
+        text.lines()
+            .filter(|line| !line.starts_with('#') && line.contains("{ assumed = "))
+            .count()
+    };
+    let listed = said.document()["assumed"].as_array().expect("a list").len();
+    assert_eq!(listed, count(&text) + count(&materials));
+}
+
+#[test]
+fn standard_output_is_one_document_that_conforms_and_equals_the_file() {
+    let here = folder();
+    let said = washout(here.path(), &["solve", &design("twist-v1.toml"), "--json"]);
+    assert_eq!((said.code, said.err.as_str()), (Some(0), ""));
+    conforms(&said.document(), &schema(&["--output", "solve"]));
+    assert_eq!(schema(&["--output"]), schema(&["--output", "solve"]));
+    let file = fs::read_to_string(here.path().join("output/twist-v1/summary.json")).expect("a summary");
+    assert_eq!(file, said.out);
+}
+
+#[test]
+fn quiet_prints_nothing() {
+    let here = folder();
+    let said = washout(here.path(), &["solve", &design("rigid.toml"), "--quiet"]);
+    assert_eq!(
+        (said.code, said.out.as_str(), said.err.as_str()),
+        (Some(0), "", "")
+    );
+    assert_eq!(entries(&here.path().join("output/rigid")), FILES);
+}
+
+#[test]
+fn one_thread_and_two_give_the_same_bytes() {
+    let here = folder();
+    for threads in ["1", "2"] {
+        let arguments = [
+            "solve",
+            &design("twist-v2.toml"),
+            "--threads",
+            threads,
+            "--output",
+            threads,
+        ];
+        assert_eq!(washout(here.path(), &arguments).code, Some(0));
+    }
+    assert!(contents(&here.path().join("1")) == contents(&here.path().join("2")));
+}
+
+#[test]
+fn a_setting_stands_in_the_resolved_design_and_in_the_difference() {
+    let here = folder();
+    let design = design("twist-v2.toml");
+    washout(here.path(), &["solve", &design, "--output", "a"]);
+    let set = "flapping.frequency_hz=25";
+    let said = washout(
+        here.path(),
+        &["solve", &design, "--set", set, "--output", "b", "--json"],
+    );
+    assert_eq!(said.document()["design"]["flapping"]["frequency_hz"], 25.0);
+    let said = washout(here.path(), &["diff", "a", "b", "--json"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    conforms(&said.document(), &schema(&["--output", "diff"]));
+    let inputs = said.document()["inputs"].clone();
+    let expected = serde_json::json!([{"key": "flapping.frequency_hz", "first": 23.0, "second": 25.0}]);
+    assert_eq!(inputs, expected);
+}
+
+#[test]
+fn a_mesh_given_back_gives_the_same_solution() {
+    let here = folder();
+    let design = design("twist-v2.toml");
+    washout(here.path(), &["mesh", &design, "--output", "mesh"]);
+    let mesh = below(here.path(), "mesh/mesh.msh");
+    washout(here.path(), &["solve", &design, "--output", "a"]);
+    let said = washout(here.path(), &["solve", &design, "--mesh", &mesh, "--output", "b"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let profile =
+        |run: &str| fs::read_to_string(here.path().join(run).join("profile.csv")).expect("a profile");
+    assert_eq!(profile("a"), profile("b"));
+}
+
+#[test]
+fn the_band_of_the_assumed_ranges_holds_the_solved_twist() {
+    let here = folder();
+    let said = washout(
+        here.path(),
+        &["solve", &design("twist-v2.toml"), "--uncertainty", "16", "--json"],
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let document = said.document();
+    conforms(&document, &schema(&["--output", "solve"]));
+    let outputs = document["uncertainty"]["outputs"]
+        .as_array()
+        .expect("outputs")
+        .clone();
+    assert!(outputs.len() > 6, "{outputs:?}");
+    for output in outputs {
+        let value = |name: &str| output[name].as_f64().expect("a number");
+        assert!(value("q05") < value("q95"), "{output}");
+    }
+}
+
+#[test]
+fn too_few_samples_end_with_2_before_anything_is_written() {
+    let here = folder();
+    let said = washout(
+        here.path(),
+        &["solve", &design("twist-v2.toml"), "--uncertainty", "3"],
+    );
+    assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
+    assert!(
+        said.err.contains("--uncertainty: 3 samples are too few"),
+        "{}",
+        said.err
+    );
+    assert!(entries(&here.path().join("output")).is_empty());
+}
+
+#[test]
+fn the_stroke_begins_with_the_mid_stroke_shape_and_unloads_toward_the_reversal() {
+    let here = folder();
+    let said = washout(
+        here.path(),
+        &["solve", &design("twist-v2.toml"), "--stroke", "3", "--json"],
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let document = said.document();
+    let phases = document["stroke"]["phases"].as_array().expect("phases").clone();
+    assert_eq!(phases.len(), 3);
+    let twist = |row: &serde_json::Value| row["tip_twist_deg"].as_f64().expect("a twist");
+    assert_eq!(
+        twist(&phases[0]),
+        document["tip"]["twist_deg"].as_f64().expect("a twist")
+    );
+    assert!(
+        twist(&phases[2]) < twist(&phases[1]) && twist(&phases[1]) < twist(&phases[0]),
+        "{phases:?}"
+    );
+    let run = here.path().join("output/twist-v2");
+    for file in document["files"].as_array().expect("files") {
+        assert!(run.join(file.as_str().expect("a name")).is_file(), "{file}");
+    }
+}
+
+#[test]
+fn a_run_is_kept_when_the_next_one_is_refused() {
+    let here = folder();
+    let design = design("twist-v2.toml");
+    washout(here.path(), &["solve", &design]);
+    let before = contents(&here.path().join("output/twist-v2"));
+    let said = washout(
+        here.path(),
+        &["solve", &design, "--set", "flapping.frequency_hz=-1"],
+    );
+    assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
+    assert!(said.err.contains("flapping.frequency_hz = -1"), "{}", said.err);
+    assert!(before == contents(&here.path().join("output/twist-v2")));
+}
+
+#[test]
+fn a_solve_that_does_not_converge_ends_with_3_and_keeps_the_earlier_run() {
+    let here = folder();
+    let design = design("twist-v2.toml");
+    washout(here.path(), &["solve", &design]);
+    let before = contents(&here.path().join("output/twist-v2"));
+    let said = washout(
+        here.path(),
+        &["solve", &design, "--set", "coupling.max_iterations=1", "--json"],
+    );
+    assert_eq!((said.code, said.out.len()), (Some(3), 0), "{}", said.err);
+    assert!(said.err.contains("max_iterations"), "{}", said.err);
+    assert!(before == contents(&here.path().join("output/twist-v2")));
+    assert_eq!(entries(&here.path().join("output")), ["twist-v2"]);
+}
