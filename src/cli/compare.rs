@@ -78,6 +78,9 @@ impl Compare {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
         let loaded = self.load()?;
+        if loaded.measurement.is_none() {
+            return Err(Failure::NoMeasurement { design: loaded.path });
+        }
         progress.say(format_args!("solving {}", loaded.design.name));
         let case = Case::new(loaded)?;
         let solution = solve(&case, progress)?;
@@ -94,8 +97,9 @@ impl Compare {
         }
         let reading = Reading::of(&case, &solution, &whole_wing)?;
         let Some(comparison) = reading.measured else {
-            let design = case.loaded.path;
-            return Err(Failure::NoMeasurement { design });
+            return Err(Failure::NoMeasurement {
+                design: case.loaded.path,
+            });
         };
         let mut page = comparison::page(&comparison);
         page.extend(modelled.as_ref().map(|ratios| format!("\n{}", table(ratios))));

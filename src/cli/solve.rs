@@ -13,7 +13,8 @@ use crate::export::summary::Engineering;
 use crate::input::Design;
 use crate::observation::{TwistProfile, read_profile};
 use crate::progress::Progress;
-use crate::study::{ProfileOutputs, Uncertainty, UncertaintySettings, propagate};
+use crate::study::uncertainty::FEWEST_SAMPLES;
+use crate::study::{ProfileOutputs, StudyError, Uncertainty, UncertaintySettings, propagate};
 
 use super::case::{Case, DesignArguments};
 use super::reading::Reading;
@@ -50,6 +51,7 @@ impl Solve {
     /// Solves and writes; nothing is written unless everything converged.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
+        self.check_samples()?;
         let case = self.design.case(console)?;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(&case.loaded.design.name));
@@ -83,6 +85,19 @@ impl Solve {
         progress.check()?;
         let path = folder.commit()?;
         console.result(&page(&summary, Some(&path.display().to_string())), &summary)
+    }
+}
+
+impl Solve {
+    /// Refuses before any solving what would be refused after it.
+    fn check_samples(&self) -> Result<(), Failure> {
+        match self.uncertainty {
+            Some(asked) if asked < FEWEST_SAMPLES => Err(Failure::Study(StudyError::TooFewSamples {
+                asked,
+                fewest: FEWEST_SAMPLES,
+            })),
+            _ => Ok(()),
+        }
     }
 }
 

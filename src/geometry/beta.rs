@@ -16,7 +16,7 @@ impl BetaChord {
     /// From the non-dimensional radii of the first and second moment of area; `None` if no beta
     /// distribution has them (it needs r̂₁² < r̂₂² < r̂₁ < 1).
     ///
-    /// p = r̂₁ [r̂₁(1−r̂₁)/(r̂₂²−r̂₁²) − 1], q = (1−r̂₁)[same]; Ellington 1984.
+    /// p = r̂₁ [r̂₁(1−r̂₁)/(r̂₂²−r̂₁²) − 1], q = (1−r̂₁) times the same bracket; Ellington 1984.
     pub fn from_radii(r1_hat: f64, r2_hat: f64) -> Option<BetaChord> {
         let variance = r2_hat * r2_hat - r1_hat * r1_hat;
         if !(r1_hat > 0.0 && r1_hat < 1.0 && variance > 0.0) {

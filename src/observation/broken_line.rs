@@ -19,7 +19,7 @@ pub struct BrokenLine {
     pub breaks: Vec<f64>,
     /// Sum of squared residuals.
     pub rss: f64,
-    /// Variances of the parameters per unit variance of a point, in the order of [`BrokenLine::jacobian`];
+    /// Variances of the parameters per unit variance of a point, in the order of the columns of the Jacobian;
     /// none where the points cannot tell the parameters apart.
     pub unit_variance: Option<Vec<f64>>,
 }

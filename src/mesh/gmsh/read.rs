@@ -18,7 +18,7 @@ const LARGEST: usize = 512 << 20;
 ///
 /// Coordinates in metres, wing frame. Nodes and triangles are ordered by their tags, beam elements by rod piece
 /// and spar and end to end, sets outward; clockwise triangles are turned. Points and lines without a physical
-/// group are passed over. Errors name file and line: see [`FileDefect`] and [`crate::mesh::check::Defect`].
+/// group are passed over. Errors name file and line: see [`FileDefect`] and [`crate::mesh::Defect`].
 pub fn read(bytes: &[u8], file: &str) -> Result<Mesh, GmshError> {
     let error = |defect| GmshError {
         file: file.to_string(),

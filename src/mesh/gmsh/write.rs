@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::mesh::names::SetName;
 use crate::mesh::{BeamPart, Mesh};
 
-/// The file of a mesh; [`super::read`] gives back the same mesh, bit for bit.
+/// The file of a mesh; [`super::read()`] gives back the same mesh, bit for bit.
 ///
 /// Node tags are the indices plus 1. Each rod piece and spar is a curve; rod pieces on the leading edge belong
 /// to the set `leading-edge` too. Edges without elements (a wing without film) are written as points.
