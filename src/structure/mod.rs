@@ -1,3 +1,36 @@
 //! Beams, plate and membrane, supports, assembly, nonlinear solve, modes. Knows no air.
 
+pub mod beam;
+
+pub mod corotational;
+
+pub mod error;
+
+pub mod factor;
+
+pub mod loads;
+
+pub mod membrane;
+
+pub mod model;
+
+pub mod newton;
+
+pub mod pattern;
+
+pub mod plate;
+
+pub mod rotation;
+
+pub mod section;
+
+pub mod shell;
+
 pub mod state;
+
+pub use error::StructureError;
+pub use loads::{ArmForce, Loads};
+pub use model::{Model, PointMass, Spring};
+pub use newton::{Equilibrium, NewtonReport, NewtonSettings};
+pub use section::Section;
+pub use shell::{Compression, Sheet};

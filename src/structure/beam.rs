@@ -1,0 +1,204 @@
+//! Two-node beam element: exact linear stiffness from the section's flexibility, in a corotational frame.
+//!
+//! The frame follows the chord of the element and the mean of its nodal triads (Battini & Pacoste, Comput. Methods
+//! Appl. Mech. Eng. 191 (2002) 1755-1789). The local 12×12 stiffness is the inverse of the exact flexibility of a
+//! straight prismatic beam, so it holds for any coupled 6×6 section, does not lock in shear, and is exact for
+//! loads at the nodes.
+
+use nalgebra::{Matrix3, Matrix6, SMatrix, SVector, UnitQuaternion, Vector3};
+
+use super::StructureError;
+use super::corotational::{Frame, Response, Rest};
+use super::rotation::skew;
+use super::section::Section;
+
+/// A beam element.
+#[derive(Debug, Clone)]
+pub struct Beam {
+    /// Its two nodes.
+    pub nodes: [usize; 2],
+    /// Index of its section in the model.
+    pub section: usize,
+    rest: Rest<2>,
+    length_m: f64,
+    stiffness: SMatrix<f64, 12, 12>,
+}
+
+impl Beam {
+    /// Between two nodes (m), with e₃ as near as possible to `normal`.
+    ///
+    /// # Errors
+    /// If the nodes coincide or the normal runs along the beam.
+    pub fn new(
+        nodes: [usize; 2],
+        ends: [Vector3<f64>; 2],
+        normal: &Vector3<f64>,
+        section_index: usize,
+        section: &Section,
+    ) -> Result<Self, StructureError> {
+        let along = ends[1] - ends[0];
+        let length_m = along.norm();
+        let e2 = normal.cross(&along);
+        if !(length_m > 0.0 && e2.norm() > 1e-9 * length_m * normal.norm()) {
+            return Err(StructureError::DegenerateBeam { nodes });
+        }
+        let (e1, e2) = (along / length_m, e2.normalize());
+        let axes = Matrix3::from_columns(&[e1, e2, e1.cross(&e2)]);
+        let stiffness = local_stiffness(&section.compliance, length_m)
+            .ok_or(StructureError::SectionNotPositive { lowest: 0.0 })?;
+        Ok(Beam {
+            nodes,
+            section: section_index,
+            rest: Rest::new(ends, axes),
+            length_m,
+            stiffness,
+        })
+    }
+
+    /// Length at rest, m.
+    pub fn length_m(&self) -> f64 {
+        self.length_m
+    }
+
+    /// Axes at rest as columns, wing frame.
+    pub fn axes(&self) -> &Matrix3<f64> {
+        &self.rest.axes
+    }
+
+    /// Stiffness at rest in the wing frame, for linear kinematics and scaling.
+    pub fn linear_stiffness(&self) -> SMatrix<f64, 12, 12> {
+        let mut k = self.stiffness;
+        for i in 0..4 {
+            for j in 0..4 {
+                let block = self.rest.axes * k.fixed_view::<3, 3>(3 * i, 3 * j) * self.rest.axes.transpose();
+                k.fixed_view_mut::<3, 3>(3 * i, 3 * j).copy_from(&block);
+            }
+        }
+        k
+    }
+
+    /// Energy, force and tangent in the deformed shape.
+    pub fn response(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> Response<12> {
+        let frame = self.frame(u, q);
+        let p = frame.local_freedoms(&self.rest, u, q);
+        frame.to_global(&p, &self.local(&p))
+    }
+
+    /// Energy and force only.
+    pub fn force(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> (f64, SVector<f64, 12>) {
+        let frame = self.frame(u, q);
+        let p = frame.local_freedoms(&self.rest, u, q);
+        let f = self.stiffness * p;
+        (0.5 * p.dot(&f), frame.global_force(&p, &f))
+    }
+
+    /// Section forces at the middle: N, V_edge, V_flap (N), T, M_flap, M_edge (N·m), deformed axes.
+    pub fn section_forces(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> [f64; 6] {
+        let frame = self.frame(u, q);
+        let p = frame.local_freedoms(&self.rest, u, q);
+        let f = self.stiffness * p;
+        let mean = |i: usize| 0.5 * (f[6 + i] - f[i]);
+        std::array::from_fn(mean)
+    }
+
+    fn local(&self, p: &SVector<f64, 12>) -> Response<12> {
+        let force = self.stiffness * p;
+        Response {
+            energy: 0.5 * p.dot(&force),
+            force,
+            stiffness: self.stiffness,
+        }
+    }
+
+    fn frame(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> Frame<2, 12> {
+        let x = self.rest.deformed(u);
+        let chord = x[1] - x[0];
+        let length = chord.norm();
+        let e1 = chord / length;
+        let e2_rest: Vector3<f64> = self.rest.axes.column(1).into();
+        let arms = q.map(|q| q * e2_rest);
+        let mean = 0.5 * (arms[0] + arms[1]);
+        let e3 = e1.cross(&mean).normalize();
+        let axes = Matrix3::from_columns(&[e1, e3.cross(&e1), e3]);
+        let to_frame = axes.transpose();
+        let mean = to_frame * mean;
+        let eta = mean.x / mean.y;
+        let mut spin = SMatrix::<f64, 3, 12>::zeros();
+        for (node, sign) in [(0, 1.0), (1, -1.0)] {
+            let arm = to_frame * arms[node];
+            let at = 6 * node;
+            spin[(0, at + 2)] = sign * eta / length;
+            spin[(0, at + 3)] = 0.5 * arm.y / mean.y;
+            spin[(0, at + 4)] = -0.5 * arm.x / mean.y;
+            spin[(1, at + 2)] = sign / length;
+            spin[(2, at + 1)] = -sign / length;
+        }
+        Frame {
+            axes,
+            position: x.map(|x| to_frame * x),
+            spin,
+        }
+    }
+}
+
+/// Stiffness of a straight prismatic beam along e₁ for (u₁, θ₁, u₂, θ₂), from the section's compliance.
+fn local_stiffness(compliance: &Matrix6<f64>, length: f64) -> Option<SMatrix<f64, 12, 12>> {
+    // section forces at distance x from node 1 due to force n and moment m at node 2
+    let section_forces = |x: f64| {
+        let mut b = Matrix6::identity();
+        b.fixed_view_mut::<3, 3>(3, 0)
+            .copy_from(&skew(&Vector3::new(length - x, 0.0, 0.0)));
+        b
+    };
+    let mut flexibility = Matrix6::zeros();
+    for sign in [-1.0, 1.0] {
+        let b = section_forces(0.5 * length * (1.0 + sign / 3.0_f64.sqrt()));
+        flexibility += 0.5 * length * b.transpose() * compliance * b;
+    }
+    let inverse = flexibility.try_inverse()?;
+    let mut relative = SMatrix::<f64, 6, 12>::zeros();
+    relative
+        .fixed_view_mut::<6, 6>(0, 6)
+        .copy_from(&Matrix6::identity());
+    relative
+        .fixed_view_mut::<6, 6>(0, 0)
+        .copy_from(&-Matrix6::identity());
+    relative
+        .fixed_view_mut::<3, 3>(0, 3)
+        .copy_from(&skew(&Vector3::new(length, 0.0, 0.0)));
+    let k = relative.transpose() * inverse * relative;
+    Some(0.5 * (k + k.transpose()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stiffness_of_a_slender_beam_is_euler_bernoulli() {
+        let section = Section::uncoupled(2.0, 3.0, 5.0, 7.0);
+        let l = 0.5;
+        let k = local_stiffness(&section.compliance, l).unwrap();
+        assert!((k[(0, 0)] - 2.0 / l).abs() < 1e-9);
+        assert!((k[(3, 3)] - 3.0 / l).abs() < 1e-9);
+        assert!((k[(8, 8)] - 12.0 * 5.0 / l.powi(3)).abs() < 1e-9, "flap");
+        assert!((k[(7, 7)] - 12.0 * 7.0 / l.powi(3)).abs() < 1e-9, "edge");
+        assert!((k[(10, 10)] - 4.0 * 5.0 / l).abs() < 1e-9);
+        assert!((k[(4, 10)] - 2.0 * 5.0 / l).abs() < 1e-9);
+    }
+
+    #[test]
+    fn coupled_section_has_a_coupled_element() {
+        let mut c = Section::uncoupled(2.0, 3.0, 5.0, 7.0).compliance;
+        c[(3, 4)] = 0.05;
+        c[(4, 3)] = 0.05;
+        // tip moment M about e2 turns the tip about e1 by c34 M L
+        let l = 0.8;
+        let k = local_stiffness(&c, l).unwrap();
+        let k22 = k.fixed_view::<6, 6>(6, 6).into_owned();
+        let tip = k22.try_inverse().unwrap()
+            * SVector::<f64, 6>::from_column_slice(&[0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+        assert!((tip[3] - 0.05 * l).abs() < 1e-12);
+        assert!((tip[4] - l / 5.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,277 @@
+//! A structure: nodes, elements, supports, springs and masses; its energy, forces and tangent.
+
+use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
+
+use super::StructureError;
+use super::beam::Beam;
+use super::loads::Loads;
+use super::pattern::Pattern;
+use super::rotation::{moment_correction, spin_to_vector};
+use super::section::Section;
+use super::shell::{Sheet, Shell};
+use super::state::State;
+
+/// A structure at rest.
+#[derive(Debug, Clone, Default)]
+pub struct Model {
+    /// Positions of the nodes, m.
+    pub nodes: Vec<Vector3<f64>>,
+    /// Sections that the beams name.
+    pub sections: Vec<Section>,
+    /// Sheets that the shells name.
+    pub sheets: Vec<Sheet>,
+    /// Beam elements.
+    pub beams: Vec<Beam>,
+    /// Films and plates.
+    pub shells: Vec<Shell>,
+    /// Which freedoms of each node are held where the start of a solve has them: x, y, z, rotations about x, y, z.
+    pub held: Vec<[bool; 6]>,
+    /// Springs to the ground.
+    pub springs: Vec<Spring>,
+    /// Masses besides those of the elements.
+    pub masses: Vec<PointMass>,
+}
+
+/// Spring between a node and the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spring {
+    /// The node.
+    pub node: usize,
+    /// Stiffness against displacement along x, y, z, N/m.
+    pub displacement_n_m: [f64; 3],
+    /// Stiffness against the rotation vector's x, y, z, N·m/rad.
+    pub rotation_n_m_rad: [f64; 3],
+}
+
+/// Mass on a rigid arm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointMass {
+    /// Node that carries it.
+    pub node: usize,
+    /// Place against the node at rest, m.
+    pub arm_m: Vector3<f64>,
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Moments of inertia about axes through it, parallel to the frame, kg·m².
+    pub inertia_kg_m2: Vector3<f64>,
+}
+
+impl Model {
+    /// Nodes alone, all free.
+    pub fn new(nodes: Vec<Vector3<f64>>) -> Self {
+        let held = vec![[false; 6]; nodes.len()];
+        Model {
+            nodes,
+            held,
+            ..Model::default()
+        }
+    }
+
+    /// Adds a section and gives its index.
+    pub fn add_section(&mut self, section: Section) -> usize {
+        self.sections.push(section);
+        self.sections.len() - 1
+    }
+
+    /// Adds a sheet and gives its index.
+    pub fn add_sheet(&mut self, sheet: Sheet) -> usize {
+        self.sheets.push(sheet);
+        self.sheets.len() - 1
+    }
+
+    /// Adds a beam element with e₃ toward `normal`.
+    ///
+    /// # Errors
+    /// If it has no length or no side.
+    pub fn add_beam(
+        &mut self,
+        nodes: [usize; 2],
+        normal: &Vector3<f64>,
+        section: usize,
+    ) -> Result<(), StructureError> {
+        let ends = nodes.map(|node| self.nodes[node]);
+        self.beams
+            .push(Beam::new(nodes, ends, normal, section, &self.sections[section])?);
+        Ok(())
+    }
+
+    /// Adds a triangle.
+    ///
+    /// # Errors
+    /// If it has no area.
+    pub fn add_shell(&mut self, nodes: [usize; 3], sheet: usize) -> Result<(), StructureError> {
+        let corners = nodes.map(|node| self.nodes[node]);
+        self.shells
+            .push(Shell::new(nodes, corners, sheet, &self.sheets[sheet])?);
+        Ok(())
+    }
+
+    /// Holds the freedoms of a node that are marked, besides those held already.
+    pub fn hold(&mut self, node: usize, freedoms: [bool; 6]) {
+        for (held, freedom) in self.held[node].iter_mut().zip(freedoms) {
+            *held |= freedom;
+        }
+    }
+
+    /// Clamps a node.
+    pub fn clamp(&mut self, node: usize) {
+        self.hold(node, [true; 6]);
+    }
+
+    /// Number of freedoms that are not held.
+    pub fn free_freedoms(&self) -> usize {
+        self.held.iter().flatten().filter(|held| !**held).count()
+    }
+
+    /// Largest extent of the nodes, m.
+    pub fn extent_m(&self) -> f64 {
+        let mut low = Vector3::repeat(f64::INFINITY);
+        let mut high = -low;
+        for x in &self.nodes {
+            low = low.inf(x);
+            high = high.sup(x);
+        }
+        if self.nodes.is_empty() {
+            0.0
+        } else {
+            (high - low).amax()
+        }
+    }
+
+    /// Displacements and rotations of a shell's nodes.
+    pub fn shell_state(&self, shell: &Shell, state: &State) -> ([Vector3<f64>; 3], [UnitQuaternion<f64>; 3]) {
+        (
+            shell.nodes.map(|n| state.displacement[n]),
+            shell.nodes.map(|n| state.rotation[n]),
+        )
+    }
+
+    /// Displacements and rotations of a beam's nodes.
+    pub fn beam_state(&self, beam: &Beam, state: &State) -> ([Vector3<f64>; 2], [UnitQuaternion<f64>; 2]) {
+        (
+            beam.nodes.map(|n| state.displacement[n]),
+            beam.nodes.map(|n| state.rotation[n]),
+        )
+    }
+
+    /// Internal forces less loads by freedom of `pattern` (N, N·m), held freedoms included.
+    pub fn residual(&self, pattern: &Pattern, state: &State, loads: &Loads) -> Vec<f64> {
+        let mut residual = vec![0.0; pattern.len()];
+        for shell in &self.shells {
+            let (u, q) = self.shell_state(shell, state);
+            let (_, force) = shell.force(&self.sheets[shell.sheet], &u, &q);
+            scatter(pattern, &mut residual, &shell.nodes, force.as_slice());
+        }
+        for beam in &self.beams {
+            let (u, q) = self.beam_state(beam, state);
+            let (_, force) = beam.force(&u, &q);
+            scatter(pattern, &mut residual, &beam.nodes, force.as_slice());
+        }
+        for spring in &self.springs {
+            let (force, _) = spring.response(state);
+            scatter(pattern, &mut residual, &[spring.node], force.as_slice());
+        }
+        loads.subtract(pattern, state, &mut residual);
+        residual
+    }
+
+    /// Strain energy, J.
+    pub fn energy(&self, state: &State) -> f64 {
+        let shells = self.shells.iter().map(|shell| {
+            let (u, q) = self.shell_state(shell, state);
+            shell.force(&self.sheets[shell.sheet], &u, &q).0
+        });
+        let beams = self.beams.iter().map(|beam| {
+            let (u, q) = self.beam_state(beam, state);
+            beam.force(&u, &q).0
+        });
+        let springs = self
+            .springs
+            .iter()
+            .map(|spring| 0.5 * spring.response(state).0.dot(&spring.stretch(state)));
+        shells.sum::<f64>() + beams.sum::<f64>() + springs.sum::<f64>()
+    }
+
+    /// Residual as in [`Model::residual`], and its tangent added to `values`.
+    pub fn tangent(&self, pattern: &Pattern, state: &State, loads: &Loads, values: &mut [f64]) -> Vec<f64> {
+        let mut residual = vec![0.0; pattern.len()];
+        for (index, shell) in self.shells.iter().enumerate() {
+            let (u, q) = self.shell_state(shell, state);
+            let response = shell.response(&self.sheets[shell.sheet], &u, &q);
+            scatter(pattern, &mut residual, &shell.nodes, response.force.as_slice());
+            pattern.add_shell(values, index, shell.nodes, |i, j| response.stiffness[(i, j)]);
+        }
+        for (index, beam) in self.beams.iter().enumerate() {
+            let (u, q) = self.beam_state(beam, state);
+            let response = beam.response(&u, &q);
+            scatter(pattern, &mut residual, &beam.nodes, response.force.as_slice());
+            pattern.add_beam(values, index, beam.nodes, |i, j| response.stiffness[(i, j)]);
+        }
+        for spring in &self.springs {
+            let (force, stiffness) = spring.response(state);
+            scatter(pattern, &mut residual, &[spring.node], force.as_slice());
+            let [along, about] = stiffness;
+            pattern.add_node(values, spring.node, |i, j| match (i, j) {
+                (0..3, 0..3) => along[(i, j)],
+                (3..6, 3..6) => about[(i - 3, j - 3)],
+                _ => 0.0,
+            });
+        }
+        loads.add_tangent(pattern, state, values);
+        loads.subtract(pattern, state, &mut residual);
+        residual
+    }
+
+    /// Adds the stiffness that an isotropic tension (N/m) would give the deformed films against motion across them.
+    pub fn add_tension(&self, pattern: &Pattern, state: &State, tension_n_per_m: f64, values: &mut [f64]) {
+        for (index, shell) in self.shells.iter().enumerate() {
+            let (u, _) = self.shell_state(shell, state);
+            let normal = shell.normal(&u);
+            let factor = shell.unit_tension() * tension_n_per_m;
+            pattern.add_shell(values, index, shell.nodes, |i, j| {
+                let (a, b, i, j) = (i / 6, j / 6, i % 6, j % 6);
+                if i < 3 && j < 3 {
+                    factor[(a, b)] * normal[i] * normal[j]
+                } else {
+                    0.0
+                }
+            });
+        }
+    }
+}
+
+impl Spring {
+    fn stretch(&self, state: &State) -> SVector<f64, 6> {
+        let (u, turn) = (
+            &state.displacement[self.node],
+            state.rotation[self.node].scaled_axis(),
+        );
+        SVector::from([u.x, u.y, u.z, turn.x, turn.y, turn.z])
+    }
+
+    fn response(&self, state: &State) -> (SVector<f64, 6>, [Matrix3<f64>; 2]) {
+        let stretch = self.stretch(state);
+        let theta = Vector3::new(stretch[3], stretch[4], stretch[5]);
+        let along = Matrix3::from_diagonal(&Vector3::from(self.displacement_n_m));
+        let about = Matrix3::from_diagonal(&Vector3::from(self.rotation_n_m_rad));
+        let h = spin_to_vector(&theta);
+        let moment = about * theta;
+        let correction = moment_correction(&theta, &moment);
+        let turned = h.transpose() * moment;
+        let force = along * Vector3::new(stretch[0], stretch[1], stretch[2]);
+        let stiffness = h.transpose() * about * h + 0.5 * (correction + correction.transpose());
+        (
+            SVector::from([force.x, force.y, force.z, turned.x, turned.y, turned.z]),
+            [along, stiffness],
+        )
+    }
+}
+
+fn scatter(pattern: &Pattern, target: &mut [f64], nodes: &[usize], force: &[f64]) {
+    for (k, &node) in nodes.iter().enumerate() {
+        let at = pattern.freedom(node, 0);
+        for i in 0..6 {
+            target[at + i] += force[6 * k + i];
+        }
+    }
+}

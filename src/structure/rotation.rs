@@ -1,0 +1,116 @@
+//! Finite rotations: the tangent maps that corotational elements need.
+//!
+//! Sources: Nour-Omid & Rankin, Comput. Methods Appl. Mech. Eng. 93 (1991) 353-384; Felippa & Haugen,
+//! Comput. Methods Appl. Mech. Eng. 194 (2005) 2285-2335.
+
+use nalgebra::{Matrix3, Vector3};
+
+/// The matrix S(a) with S(a) b = a × b.
+pub fn skew(a: &Vector3<f64>) -> Matrix3<f64> {
+    Matrix3::new(0.0, -a.z, a.y, a.z, 0.0, -a.x, -a.y, a.x, 0.0)
+}
+
+/// Rotation vector (rad) of a rotation matrix; its length is at most π.
+pub fn rotation_vector(r: &Matrix3<f64>) -> Vector3<f64> {
+    let axial = Vector3::new(r.m32 - r.m23, r.m13 - r.m31, r.m21 - r.m12) * 0.5;
+    let sine = axial.norm();
+    let cosine = 0.5 * (r.trace() - 1.0);
+    if cosine > 0.0 && sine < 1e-4 {
+        // asin(s)/s to the sixth order
+        let s2 = sine * sine;
+        return axial * (1.0 + s2 / 6.0 + 3.0 * s2 * s2 / 40.0);
+    }
+    if cosine > -0.99 {
+        return axial * (sine.atan2(cosine) / sine);
+    }
+    nalgebra::UnitQuaternion::from_matrix(r).scaled_axis()
+}
+
+/// The map H from a spin of the rotation exp(θ) (acting from the left) to the change of its rotation vector θ.
+pub fn spin_to_vector(theta: &Vector3<f64>) -> Matrix3<f64> {
+    let s = skew(theta);
+    Matrix3::identity() - 0.5 * s + curvature_factors(theta.norm_squared()).0 * s * s
+}
+
+/// Derivative of H(θ)ᵀ m with respect to a spin: ∂(Hᵀ m)/∂θ · H.
+pub fn moment_correction(theta: &Vector3<f64>, m: &Vector3<f64>) -> Matrix3<f64> {
+    let (eta, mu) = curvature_factors(theta.norm_squared());
+    let s = skew(theta);
+    let by_vector = eta
+        * (Matrix3::identity() * theta.dot(m) + theta * m.transpose() - 2.0 * m * theta.transpose())
+        + mu * (s * (s * m)) * theta.transpose()
+        - 0.5 * skew(m);
+    by_vector * spin_to_vector(theta)
+}
+
+/// η = (1 − (θ/2) cot(θ/2))/θ² and μ = (dη/dθ)/θ as functions of θ².
+fn curvature_factors(theta2: f64) -> (f64, f64) {
+    if theta2 < 0.01 {
+        let eta = 1.0 / 12.0 + theta2 * (1.0 / 720.0 + theta2 * (1.0 / 30240.0 + theta2 / 1_209_600.0));
+        let mu = 1.0 / 360.0 + theta2 * (1.0 / 7560.0 + theta2 * (1.0 / 201_600.0 + theta2 / 5_987_520.0));
+        return (eta, mu);
+    }
+    let theta = theta2.sqrt();
+    let (half_sine, half_cosine) = (0.5 * theta).sin_cos();
+    let eta = (1.0 - 0.5 * theta * half_cosine / half_sine) / theta2;
+    let mu = (theta2 + 4.0 * theta.cos() + theta * theta.sin() - 4.0)
+        / (4.0 * theta2 * theta2 * half_sine * half_sine);
+    (eta, mu)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Rotation3, UnitQuaternion};
+
+    fn vectors() -> Vec<Vector3<f64>> {
+        vec![
+            Vector3::new(1e-9, 2e-9, -1e-9),
+            Vector3::new(0.01, -0.05, 0.02),
+            Vector3::new(0.0999, 0.0, 0.001),
+            Vector3::new(0.4, 1.1, -0.7),
+            Vector3::new(1.9, 1.5, -1.6),
+        ]
+    }
+
+    #[test]
+    fn rotation_vector_inverts_the_exponential() {
+        for v in vectors() {
+            let back = rotation_vector(Rotation3::new(v).matrix());
+            assert!((back - v).norm() <= 1e-14 + 1e-12 * v.norm(), "{v} {back}");
+        }
+    }
+
+    #[test]
+    fn spin_map_agrees_with_differences() {
+        let h = 1e-6;
+        for v in vectors() {
+            let map = spin_to_vector(&v);
+            for axis in 0..3 {
+                let spin = Vector3::ith(axis, h);
+                let plus = (UnitQuaternion::new(spin) * UnitQuaternion::new(v)).scaled_axis();
+                let minus = (UnitQuaternion::new(-spin) * UnitQuaternion::new(v)).scaled_axis();
+                let difference = (plus - minus) / (2.0 * h);
+                assert!((difference - map.column(axis)).norm() < 1e-8, "{v}");
+            }
+        }
+    }
+
+    #[test]
+    fn moment_correction_agrees_with_differences() {
+        let h = 1e-6;
+        let m = Vector3::new(0.3, -2.0, 1.1);
+        for v in vectors() {
+            let map = moment_correction(&v, &m);
+            for axis in 0..3 {
+                let spin = Vector3::ith(axis, h);
+                let at = |spin: Vector3<f64>| {
+                    let theta = rotation_vector((Rotation3::new(spin) * Rotation3::new(v)).matrix());
+                    spin_to_vector(&theta).transpose() * m
+                };
+                let difference = (at(spin) - at(-spin)) / (2.0 * h);
+                assert!((difference - map.column(axis)).norm() < 1e-8, "{v} {axis}");
+            }
+        }
+    }
+}

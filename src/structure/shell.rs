@@ -1,0 +1,426 @@
+//! Three-node film and plate element: membrane and bending action, six freedoms a node, large rotation.
+//!
+//! Its frame follows the plane of the deformed nodes; within it the axes turn by the polar rotation of the
+//! constant-strain gradient, so the frame does not depend on the numbering of the nodes. Membrane: a relaxed tension
+//! field or the optimal triangle (`membrane`); bending: the discrete Kirchhoff triangle (`plate`).
+
+use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector2, Vector3};
+
+use super::StructureError;
+use super::corotational::{Frame, Response, Rest};
+use super::{membrane, plate};
+
+/// What a sheet is made of: isotropic, thin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sheet {
+    /// Young's modulus, Pa.
+    pub e_pa: f64,
+    /// Poisson's ratio.
+    pub poisson: f64,
+    /// Thickness, m.
+    pub thickness_m: f64,
+    /// Density, kg/m³.
+    pub density_kg_m3: f64,
+    /// Isotropic membrane force at zero strain, N/m.
+    pub pretension_n_per_m: f64,
+    /// How it answers to compression.
+    pub compression: Compression,
+}
+
+/// How a sheet answers to compression in its plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Compression {
+    /// It carries compression as tension: a plate.
+    Carries,
+    /// It wrinkles: relaxed tension field.
+    TensionField {
+        /// Share of the stiffness kept in compression.
+        residual: f64,
+        /// Scale of the weak spring that holds rotations about the normal; 1 is usual.
+        drilling_factor: f64,
+    },
+}
+
+/// Share of the shear stiffness that holds the rotations about the normal of a film, at `drilling_factor` = 1.
+const DRILLING_SHARE: f64 = 1e-3;
+
+/// A triangle of a sheet.
+#[derive(Debug, Clone)]
+pub struct Shell {
+    /// Its three nodes, counter-clockwise seen from its normal.
+    pub nodes: [usize; 3],
+    /// Index of its sheet in the model.
+    pub sheet: usize,
+    rest: Rest<3>,
+    area_m2: f64,
+    /// Gradients of the linear shape functions at rest, element axes, 1/m.
+    gradient: [Vector2<f64>; 3],
+    /// Stiffness of all that is linear in the local freedoms.
+    stiffness: SMatrix<f64, 18, 18>,
+    /// Local force at zero strain.
+    initial_force: SVector<f64, 18>,
+}
+
+impl Shell {
+    /// From its corners (m).
+    ///
+    /// # Errors
+    /// If it has no area.
+    pub fn new(
+        nodes: [usize; 3],
+        corners: [Vector3<f64>; 3],
+        sheet_index: usize,
+        sheet: &Sheet,
+    ) -> Result<Self, StructureError> {
+        let (side, other) = (corners[1] - corners[0], corners[2] - corners[0]);
+        let normal = side.cross(&other);
+        if normal.norm().partial_cmp(&(1e-12 * side.norm() * other.norm()))
+            != Some(std::cmp::Ordering::Greater)
+        {
+            return Err(StructureError::DegenerateTriangle { nodes });
+        }
+        let (e1, e3) = (side.normalize(), normal.normalize());
+        let rest = Rest::new(corners, Matrix3::from_columns(&[e1, e3.cross(&e1), e3]));
+        let plane = rest.local.map(|x| x.xy());
+        let area_m2 = 0.5 * normal.norm();
+        let strain = membrane::constant_strain(&plane);
+        let gradient = std::array::from_fn(|i| Vector2::new(strain[(0, 2 * i)], strain[(1, 2 * i + 1)]));
+        let mut shell = Shell {
+            nodes,
+            sheet: sheet_index,
+            rest,
+            area_m2,
+            gradient,
+            stiffness: SMatrix::zeros(),
+            initial_force: SVector::zeros(),
+        };
+        shell.set_sheet(&plane, sheet);
+        Ok(shell)
+    }
+
+    fn set_sheet(&mut self, plane: &[Vector2<f64>; 3], sheet: &Sheet) {
+        let stretching = sheet.e_pa * sheet.thickness_m;
+        let bending = membrane::isotropic(stretching * sheet.thickness_m.powi(2) / 12.0, sheet.poisson);
+        let k = plate::stiffness(plane, &bending);
+        for i in 0..9 {
+            for j in 0..9 {
+                self.stiffness[(6 * (i / 3) + 2 + i % 3, 6 * (j / 3) + 2 + j % 3)] += k[(i, j)];
+            }
+        }
+        match sheet.compression {
+            Compression::Carries => {
+                let optimal = membrane::optimal(plane, &membrane::isotropic(stretching, sheet.poisson));
+                let place = |i: usize| 6 * (i / 3) + [0, 1, 5][i % 3];
+                let pretension = SVector::<f64, 3>::new(1.0, 1.0, 0.0) * sheet.pretension_n_per_m;
+                let force = optimal.mean_strain.transpose() * pretension * self.area_m2;
+                for i in 0..9 {
+                    self.initial_force[place(i)] += force[i];
+                    for j in 0..9 {
+                        self.stiffness[(place(i), place(j))] += optimal.stiffness[(i, j)];
+                    }
+                }
+            }
+            Compression::TensionField { drilling_factor, .. } => {
+                let shear = 0.5 * stretching / (1.0 + sheet.poisson);
+                for node in 0..3 {
+                    self.stiffness[(6 * node + 5, 6 * node + 5)] +=
+                        DRILLING_SHARE * drilling_factor * shear * self.area_m2 / 3.0;
+                }
+            }
+        }
+    }
+
+    /// Area at rest, m².
+    pub fn area_m2(&self) -> f64 {
+        self.area_m2
+    }
+
+    /// Axes at rest as columns, wing frame.
+    pub fn axes(&self) -> &Matrix3<f64> {
+        &self.rest.axes
+    }
+
+    /// Unit normal of the deformed triangle.
+    pub fn normal(&self, u: &[Vector3<f64>; 3]) -> Vector3<f64> {
+        let x = self.rest.deformed(u);
+        (x[1] - x[0]).cross(&(x[2] - x[0])).normalize()
+    }
+
+    /// Energy, force and tangent in the deformed shape.
+    pub fn response(
+        &self,
+        sheet: &Sheet,
+        u: &[Vector3<f64>; 3],
+        q: &[UnitQuaternion<f64>; 3],
+    ) -> Response<18> {
+        let frame = self.frame(u);
+        let p = frame.local_freedoms(&self.rest, u, q);
+        let mut local = Response {
+            energy: 0.0,
+            force: self.initial_force + self.stiffness * p,
+            stiffness: self.stiffness,
+        };
+        local.energy = p.dot(&(0.5 * (local.force + self.initial_force)));
+        if let Some(film) = self.film(sheet, &p) {
+            let b = self.strain_matrix();
+            local.energy += film.energy * self.area_m2;
+            let force = b.transpose() * film.force * self.area_m2;
+            let stiffness = b.transpose() * (film.tangent * self.area_m2) * b;
+            for i in 0..6 {
+                local.force[6 * (i / 2) + i % 2] += force[i];
+                for j in 0..6 {
+                    local.stiffness[(6 * (i / 2) + i % 2, 6 * (j / 2) + j % 2)] += stiffness[(i, j)];
+                }
+            }
+        }
+        frame.to_global(&p, &local)
+    }
+
+    /// Energy and force only.
+    pub fn force(
+        &self,
+        sheet: &Sheet,
+        u: &[Vector3<f64>; 3],
+        q: &[UnitQuaternion<f64>; 3],
+    ) -> (f64, SVector<f64, 18>) {
+        let frame = self.frame(u);
+        let p = frame.local_freedoms(&self.rest, u, q);
+        let mut force = self.initial_force + self.stiffness * p;
+        let mut energy = p.dot(&(0.5 * (force + self.initial_force)));
+        if let Some(film) = self.film(sheet, &p) {
+            energy += film.energy * self.area_m2;
+            let film_force = self.strain_matrix().transpose() * film.force * self.area_m2;
+            for i in 0..6 {
+                force[6 * (i / 2) + i % 2] += film_force[i];
+            }
+        }
+        (energy, frame.global_force(&p, &force))
+    }
+
+    /// Membrane forces N_x, N_y, N_xy (N/m) in the axes that `along` gives at rest: its projection is x.
+    pub fn membrane_force(
+        &self,
+        sheet: &Sheet,
+        u: &[Vector3<f64>; 3],
+        q: &[UnitQuaternion<f64>; 3],
+        along: &Vector3<f64>,
+    ) -> [f64; 3] {
+        let frame = self.frame(u);
+        let p = frame.local_freedoms(&self.rest, u, q);
+        let n = match self.film(sheet, &p) {
+            Some(film) => film.force,
+            None => {
+                let mut plane = SVector::<f64, 6>::zeros();
+                for i in 0..6 {
+                    plane[i] = p[6 * (i / 2) + i % 2];
+                }
+                let stiffness = membrane::isotropic(sheet.e_pa * sheet.thickness_m, sheet.poisson);
+                stiffness * (self.strain_matrix() * plane)
+                    + SVector::<f64, 3>::new(1.0, 1.0, 0.0) * sheet.pretension_n_per_m
+            }
+        };
+        let along = self.rest.axes.transpose() * along;
+        let (sine, cosine) = along.y.atan2(along.x).sin_cos();
+        let (c2, s2, cs) = (cosine * cosine, sine * sine, cosine * sine);
+        [
+            c2 * n[0] + s2 * n[1] + 2.0 * cs * n[2],
+            s2 * n[0] + c2 * n[1] - 2.0 * cs * n[2],
+            cs * (n[1] - n[0]) + (c2 - s2) * n[2],
+        ]
+    }
+
+    /// Out-of-plane stiffness of the deformed triangle under a unit isotropic tension (1 N/m), per pair of nodes.
+    ///
+    /// The block of nodes i and j is the returned factor times n nᵀ, n the normal.
+    pub fn unit_tension(&self) -> SMatrix<f64, 3, 3> {
+        SMatrix::from_fn(|i, j| self.area_m2 * self.gradient[i].dot(&self.gradient[j]))
+    }
+
+    fn film(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> Option<membrane::FilmResponse> {
+        let Compression::TensionField { residual, .. } = sheet.compression else {
+            return None;
+        };
+        let stretching = sheet.e_pa * sheet.thickness_m;
+        let shrinkage = sheet.pretension_n_per_m * (1.0 - sheet.poisson) / stretching;
+        let mut strain = SVector::<f64, 3>::new(shrinkage, shrinkage, 0.0);
+        for i in 0..3 {
+            let (u, v) = (p[6 * i], p[6 * i + 1]);
+            let b = &self.gradient[i];
+            strain[0] += b.x * u;
+            strain[1] += b.y * v;
+            strain[2] += b.y * u + b.x * v;
+        }
+        Some(membrane::tension_field(
+            &strain,
+            stretching,
+            sheet.poisson,
+            residual,
+        ))
+    }
+
+    fn strain_matrix(&self) -> SMatrix<f64, 3, 6> {
+        let mut b = SMatrix::zeros();
+        for (i, slope) in self.gradient.iter().enumerate() {
+            b[(0, 2 * i)] = slope.x;
+            b[(1, 2 * i + 1)] = slope.y;
+            b[(2, 2 * i)] = slope.y;
+            b[(2, 2 * i + 1)] = slope.x;
+        }
+        b
+    }
+
+    fn frame(&self, u: &[Vector3<f64>; 3]) -> Frame<3, 18> {
+        let x = self.rest.deformed(u);
+        let (side, other) = (x[1] - x[0], x[2] - x[0]);
+        let e3 = side.cross(&other).normalize();
+        let g1 = side.normalize();
+        let g2 = e3.cross(&g1);
+        // deformation gradient in the plane, in axes (g1, g2)
+        let mut f = nalgebra::Matrix2::<f64>::zeros();
+        for i in 0..3 {
+            f += Vector2::new(x[i].dot(&g1), x[i].dot(&g2)) * self.gradient[i].transpose();
+        }
+        let (sine, cosine) = (f.m21 - f.m12).atan2(f.m11 + f.m22).sin_cos();
+        let e1 = cosine * g1 + sine * g2;
+        let axes = Matrix3::from_columns(&[e1, e3.cross(&e1), e3]);
+        let to_frame = axes.transpose();
+        let position = x.map(|x| to_frame * x);
+        let plane = position.map(|x| x.xy());
+        let area2 = (plane[1] - plane[0]).perp(&(plane[2] - plane[0]));
+        let trace = (f.m11 + f.m22).hypot(f.m21 - f.m12);
+        let mut spin = SMatrix::<f64, 3, 18>::zeros();
+        for i in 0..3 {
+            let opposite = plane[(i + 2) % 3] - plane[(i + 1) % 3];
+            spin[(0, 6 * i + 2)] = opposite.x / area2;
+            spin[(1, 6 * i + 2)] = opposite.y / area2;
+            spin[(2, 6 * i)] = -self.gradient[i].y / trace;
+            spin[(2, 6 * i + 1)] = self.gradient[i].x / trace;
+        }
+        Frame { axes, position, spin }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sheets() -> [Sheet; 2] {
+        let sheet = Sheet {
+            e_pa: 2.5e9,
+            poisson: 0.34,
+            thickness_m: 6e-6,
+            density_kg_m3: 1420.0,
+            pretension_n_per_m: 3.0,
+            compression: Compression::Carries,
+        };
+        let wrinkles = Compression::TensionField {
+            residual: 1e-4,
+            drilling_factor: 1.0,
+        };
+        [
+            sheet,
+            Sheet {
+                compression: wrinkles,
+                ..sheet
+            },
+        ]
+    }
+
+    fn corners() -> [Vector3<f64>; 3] {
+        [
+            Vector3::new(0.001, 0.0, 0.0002),
+            Vector3::new(0.0031, 0.0004, 0.0),
+            Vector3::new(0.0014, 0.0022, -0.0003),
+        ]
+    }
+
+    fn shape(size: f64) -> ([Vector3<f64>; 3], [UnitQuaternion<f64>; 3]) {
+        let turn = UnitQuaternion::new(Vector3::new(0.5, -0.9, 0.4));
+        let x = corners();
+        let wobble = |k: usize| {
+            Vector3::new(
+                (k as f64 * 1.7).sin(),
+                (k as f64 * 2.3).cos(),
+                (k as f64 * 0.9).sin(),
+            )
+        };
+        let u = std::array::from_fn(|i| turn * (x[i] + 2e-6 * size * wobble(i)) - x[i]);
+        let q = std::array::from_fn(|i| turn * UnitQuaternion::new(0.02 * size * wobble(i + 5)));
+        (u, q)
+    }
+
+    #[test]
+    fn force_is_the_gradient_of_the_energy_and_tangent_that_of_the_force_near_equilibrium() {
+        for sheet in sheets() {
+            let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
+            let (u, q) = shape(1.0);
+            let here = shell.response(&sheet, &u, &q);
+            let scale = here.force.norm();
+            for k in 0..18 {
+                let h = if k % 6 < 3 { 2e-9 } else { 1e-5 };
+                let moved = |h: f64| {
+                    let (mut u, mut q) = (u, q);
+                    if k % 6 < 3 {
+                        u[k / 6][k % 6] += h;
+                    } else {
+                        q[k / 6] = UnitQuaternion::new(Vector3::ith(k % 6 - 3, h)) * q[k / 6];
+                    }
+                    shell.force(&sheet, &u, &q)
+                };
+                let (plus, minus) = (moved(h), moved(-h));
+                let slope = (plus.0 - minus.0) / (2.0 * h);
+                let unit = if k % 6 < 3 { scale } else { scale * 1e-3 };
+                assert!(
+                    (slope - here.force[k]).abs() < 1e-4 * unit,
+                    "{k} {slope} {}",
+                    here.force[k]
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn rigid_motion_of_a_triangle_without_tension_costs_nothing() {
+        for mut sheet in sheets() {
+            sheet.pretension_n_per_m = 0.0;
+            let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
+            let (u, q) = shape(0.0);
+            let here = shell.response(&sheet, &u, &q);
+            let size = u.iter().map(|u| u.norm()).sum::<f64>();
+            assert!(here.force.norm() < 1e-10 * here.stiffness.norm() * size);
+        }
+    }
+
+    #[test]
+    fn tension_gives_the_frame_the_stiffness_of_a_membrane() {
+        let [sheet, _] = sheets();
+        let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
+        let (u, q) = ([Vector3::zeros(); 3], [UnitQuaternion::identity(); 3]);
+        let with = shell.response(&sheet, &u, &q).stiffness;
+        let without = shell.linear_part();
+        let normal = shell.axes().column(2).into_owned();
+        let tension = shell.unit_tension();
+        for i in 0..3 {
+            for j in 0..3 {
+                let block = (with - without).fixed_view::<3, 3>(6 * i, 6 * j).into_owned();
+                let out = normal.dot(&(block * normal));
+                assert!(
+                    (out - 3.0 * tension[(i, j)]).abs() < 1e-6 * 3.0,
+                    "{out} {}",
+                    3.0 * tension[(i, j)]
+                );
+            }
+        }
+    }
+
+    impl Shell {
+        fn linear_part(&self) -> SMatrix<f64, 18, 18> {
+            let mut turn = SMatrix::<f64, 18, 18>::zeros();
+            for i in 0..6 {
+                turn.fixed_view_mut::<3, 3>(3 * i, 3 * i)
+                    .copy_from(&self.rest.axes);
+            }
+            turn * self.stiffness * turn.transpose()
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! The structure against published cases and closed forms.
+
+mod roll_up;
