@@ -65,6 +65,11 @@ impl Beam {
         &self.rest.axes
     }
 
+    /// Axes of the deformed element as columns, wing frame.
+    pub fn deformed_axes(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> Matrix3<f64> {
+        self.frame(u, q).axes
+    }
+
     /// Stiffness at rest in the wing frame, for linear kinematics and scaling.
     pub fn linear_stiffness(&self) -> SMatrix<f64, 12, 12> {
         let mut k = self.stiffness;

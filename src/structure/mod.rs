@@ -10,6 +10,8 @@ pub mod factor;
 
 pub mod loads;
 
+pub mod mass;
+
 pub mod membrane;
 
 pub mod model;
@@ -30,6 +32,7 @@ pub mod state;
 
 pub use error::StructureError;
 pub use loads::{ArmForce, Loads};
+pub use mass::{MassProperties, mass_matrix};
 pub use model::{Model, PointMass, Spring};
 pub use newton::{Equilibrium, NewtonReport, NewtonSettings};
 pub use section::Section;
