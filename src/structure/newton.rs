@@ -70,6 +70,8 @@ pub struct Equilibrium<'m> {
     /// Norm of the internal forces at rest, N; not zero with pre-tension.
     rest_force_n: f64,
     extent_m: f64,
+    /// Longest side of the elements at each node, m.
+    side_m: Vec<f64>,
 }
 
 impl<'m> Equilibrium<'m> {
@@ -100,6 +102,7 @@ impl<'m> Equilibrium<'m> {
             values,
             rest_force_n,
             extent_m,
+            side_m: longest_sides(model),
         })
     }
 
@@ -335,14 +338,14 @@ impl<'m> Equilibrium<'m> {
         (f / force).max(m / moment)
     }
 
-    /// Relative residual that rounding of the displacements alone makes.
+    /// Relative residual that rounding of displacements and of lengths of elements alone makes.
     fn rounding(&self, state: &State, (force, moment): (f64, f64)) -> f64 {
         let (mut force_floor, mut moment_floor) = (0.0, 0.0);
         for (node, u) in state.displacement.iter().enumerate() {
             for component in 0..6 {
                 let stiffness = self.values[self.pattern.diagonal(node, component)];
                 if component < 3 {
-                    force_floor += (stiffness * u[component]).powi(2);
+                    force_floor += (stiffness * (u[component].abs() + 0.25 * self.side_m[node])).powi(2);
                 } else {
                     moment_floor += stiffness.powi(2);
                 }
@@ -399,6 +402,22 @@ impl<'m> Equilibrium<'m> {
         }
         self.factor.solve(right, count);
     }
+}
+
+/// Longest side of the elements at each node, m.
+fn longest_sides(model: &Model) -> Vec<f64> {
+    let mut longest = vec![0.0_f64; model.nodes.len()];
+    let shells = model.shells.iter().map(|shell| {
+        let [a, b, c] = shell.nodes;
+        [[a, b], [b, c], [c, a]]
+    });
+    let beams = model.beams.iter().map(|beam| beam.nodes);
+    for [a, b] in shells.flatten().chain(beams) {
+        let side = (model.nodes[a] - model.nodes[b]).norm();
+        longest[a] = longest[a].max(side);
+        longest[b] = longest[b].max(side);
+    }
+    longest
 }
 
 /// Norms of the force and moment parts of a residual over the freedoms that `counts`.
