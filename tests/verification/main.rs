@@ -1,3 +1,17 @@
 //! The structure against published cases and closed forms.
 
+mod bend_45_degrees;
+
+mod cook_membrane;
+
+mod elastica;
+
+mod patch_tests;
+
+mod princeton_beam;
+
+mod rigid_motion;
+
 mod roll_up;
+
+mod support;
