@@ -8,6 +8,8 @@ pub mod error;
 
 pub mod factor;
 
+pub mod lanczos;
+
 pub mod loads;
 
 pub mod mass;
@@ -15,6 +17,8 @@ pub mod mass;
 pub mod membrane;
 
 pub mod model;
+
+pub mod modes;
 
 pub mod newton;
 
@@ -34,6 +38,7 @@ pub use error::StructureError;
 pub use loads::{ArmForce, Loads};
 pub use mass::{MassProperties, mass_matrix};
 pub use model::{Model, PointMass, Spring};
+pub use modes::{Mode, Vibration, lowest_modes};
 pub use newton::{Equilibrium, NewtonReport, NewtonSettings};
 pub use section::Section;
 pub use shell::{Compression, Sheet};
