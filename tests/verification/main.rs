@@ -6,6 +6,8 @@ mod cook_membrane;
 
 mod elastica;
 
+mod natural_frequencies;
+
 mod patch_tests;
 
 mod princeton_beam;
