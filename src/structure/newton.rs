@@ -177,7 +177,8 @@ impl<'m> Equilibrium<'m> {
     ) -> Result<Result<State, f64>, StructureError> {
         let mut state = start.clone();
         let scale = self.scale(&state, loads);
-        let tension = self.fictitious_tension(scale.0);
+        let (force, moment) = loads.size(&state);
+        let tension = self.fictitious_tension(force.max(moment / self.extent_m));
         let mut raise = 0.0;
         let mut best = f64::INFINITY;
         let most = if way == Way::Whole {
