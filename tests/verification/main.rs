@@ -4,11 +4,19 @@ mod bend_45_degrees;
 
 mod cook_membrane;
 
+mod drilling;
+
 mod elastica;
+
+mod hencky_membrane;
+
+mod linear_shells;
 
 mod natural_frequencies;
 
 mod patch_tests;
+
+mod plates;
 
 mod princeton_beam;
 
@@ -17,3 +25,5 @@ mod rigid_motion;
 mod roll_up;
 
 mod support;
+
+mod tension_field;

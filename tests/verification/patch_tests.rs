@@ -310,6 +310,9 @@ fn a_finite_homogeneous_stretch_leaves_no_force_on_inner_nodes() {
     }
 }
 
+/// Displacement and rotation along a beam.
+type LineField = Box<dyn Fn(f64) -> [Vector3<f64>; 2]>;
+
 #[test]
 fn beams_pass_in_stretching_torsion_and_both_bendings() {
     let stiffness = [1e5, 2e4, 3e4, 4.0, 5.0, 7.0];
@@ -324,7 +327,7 @@ fn beams_pass_in_stretching_torsion_and_both_bendings() {
     }
     let outer = [true, false, false, false, false, true];
     let (o, x) = (Vector3::<f64>::zeros(), Vector3::<f64>::x());
-    let fields: [(usize, Box<dyn Fn(f64) -> [Vector3<f64>; 2]>); 4] = [
+    let fields: [(usize, LineField); 4] = [
         (0, Box::new(move |s| [s * x, o])),
         (3, Box::new(move |s| [o, s * x])),
         (4, Box::new(|s| [Vector3::z() * (-0.5 * s * s), Vector3::y() * s])),
