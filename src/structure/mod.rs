@@ -34,6 +34,8 @@ pub mod shell;
 
 pub mod state;
 
+pub mod strength;
+
 pub use error::StructureError;
 pub use loads::{ArmForce, Loads};
 pub use mass::{MassProperties, mass_matrix};
@@ -42,3 +44,4 @@ pub use modes::{Mode, Vibration, lowest_modes};
 pub use newton::{Equilibrium, NewtonReport, NewtonSettings};
 pub use section::Section;
 pub use shell::{Compression, Sheet};
+pub use strength::{FilmStress, Peak, bending_peak, film_stress, torsion_peak};

@@ -107,9 +107,10 @@ impl Section {
         let area = pi * (outer_m.powi(2) - inner_m.powi(2));
         let i = pi / 4.0 * fourth;
         let shear_factor = if inner_m > 0.0 { 0.5 } else { 0.9 };
-        let corners = [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)];
+        // close enough that the largest bending stress in any direction is met within 0.5 %
+        let rim: [(f64, f64); 32] = std::array::from_fn(|k| (pi / 16.0 * k as f64).sin_cos());
         homogeneous(material, area, [i, i], 2.0 * i, shear_factor, outer_m)
-            .with_fibres(material, corners.map(|(y, z)| (y * outer_m, z * outer_m)))
+            .with_fibres(material, rim.map(|(y, z)| (y * outer_m, z * outer_m)))
     }
 
     /// Half of a circle of radius a (m), reference axis through the centroid; shear centre 8a/(5π) from the flat (ν = 0).
@@ -123,11 +124,11 @@ impl Section {
         let parallel = (pi / 8.0 - 8.0 / (9.0 * pi)) * a4;
         let across = pi / 8.0 * a4;
         let centroid = 4.0 / (3.0 * pi) * radius_m;
-        let places = [
-            (radius_m, -centroid),
-            (-radius_m, -centroid),
-            (0.0, radius_m - centroid),
-        ];
+        // from corner to corner along the round side
+        let places: [(f64, f64); 17] = std::array::from_fn(|k| {
+            let (sine, cosine) = (pi / 16.0 * k as f64).sin_cos();
+            (radius_m * cosine, radius_m * sine - centroid)
+        });
         let (bending, fibres) = if flat_in_plane {
             ([parallel, across], places)
         } else {
