@@ -5,11 +5,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::coupling::Engineering;
 use crate::coupling::solution::Solution;
 use crate::export::collect::{Solved, summarize, write_files};
 use crate::export::report::page;
 use crate::export::run::RunFolder;
-use crate::export::summary::Engineering;
 use crate::input::Design;
 use crate::observation::{TwistProfile, read_profile};
 use crate::progress::Progress;

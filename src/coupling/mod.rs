@@ -1,9 +1,12 @@
 //! Air and structure together: load and shape transfer, residual, fixed point, sensitivity.
 
+pub mod engineering;
+
 pub mod error;
 
 pub mod solution;
 
+pub use engineering::{Engineering, Extreme};
 pub use error::CouplingError;
 
 use crate::geometry::Planform;

@@ -2,6 +2,7 @@
 
 use crate::aero::Flow;
 use crate::compare::{Comparison, ModelledStages};
+use crate::coupling::Engineering;
 use crate::coupling::solution::Solution;
 use crate::geometry::Planform;
 use crate::input::Loaded;
@@ -13,8 +14,8 @@ use crate::study::Uncertainty;
 
 use super::run::RunFolder;
 use super::summary::{
-    AssumedChoice, AssumedInput, CellLegend, Engineering, FORMAT, FlowSummary, MeshSummary, Outcome,
-    ProfileRow, RunSummary, SolveSummary, TipSummary, WingSummary,
+    AssumedChoice, AssumedInput, CellLegend, FORMAT, FlowSummary, MeshSummary, Outcome, ProfileRow,
+    RunSummary, SolveSummary, TipSummary, WingSummary,
 };
 use super::wing::{Legend, PARTS, Shape, displacement_mm, solution_grid};
 use super::{ExportError, csv, pvd};

@@ -12,6 +12,8 @@ pub mod csv;
 
 pub mod summary;
 
+pub mod builder;
+
 pub mod collect;
 
 pub mod run;

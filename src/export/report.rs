@@ -2,11 +2,12 @@
 
 use std::fmt::Write;
 
+use super::builder::engineering;
 use super::comparison::{rows, sign, stages};
 use crate::lift::{Forces, LiftReport};
 use crate::study::{Output, Uncertainty};
 
-use super::summary::{Engineering, Extreme, FlowSummary, RunSummary, StrokeSummary};
+use super::summary::{FlowSummary, RunSummary, StrokeSummary};
 use super::text::{Table, number, significant, wrapped};
 
 /// The page; `folder` is where the files of the run are, if any were written.
@@ -284,85 +285,6 @@ fn stroke(stroke: &StrokeSummary) -> String {
     text
 }
 
-fn engineering(engineering: &Engineering) -> String {
-    let mut text = String::from("For the builder\n");
-    let empty = text.len();
-    if let Some(mass) = engineering.mass_mg {
-        line(&mut text, "mass", &format!("{} mg", significant(mass, 4)));
-    }
-    if let Some(inertia) = engineering.inertia_flapping_g_mm2 {
-        line(
-            &mut text,
-            "inertia",
-            &format!("{} g mm² about the flapping axis", significant(inertia, 4)),
-        );
-    }
-    if let Some(inertia) = engineering.inertia_pitch_g_mm2 {
-        line(
-            &mut text,
-            "",
-            &format!("{} g mm² about the leading edge", significant(inertia, 4)),
-        );
-    }
-    if let Some(lowest) = engineering.natural_frequencies_hz.first() {
-        let ratio = engineering
-            .frequency_ratio
-            .map(|ratio| format!(", {} times the flapping", number(ratio, 2)));
-        line(
-            &mut text,
-            "frequency",
-            &format!(
-                "lowest natural {} Hz{}",
-                number(*lowest, 1),
-                ratio.unwrap_or_default()
-            ),
-        );
-    }
-    for (name, extreme) in [
-        ("rod shear", &engineering.rod_shear_stress),
-        ("rod bending", &engineering.rod_bending_stress),
-        ("spars", &engineering.spar_stress),
-        ("film", &engineering.film_stress),
-    ] {
-        if let Some(extreme) = extreme {
-            line(&mut text, name, &stress(extreme));
-        }
-    }
-    if let Some(tension) = engineering.film_tension_max_n_per_m {
-        line(
-            &mut text,
-            "film",
-            &format!("largest tension {} N/m", significant(tension, 3)),
-        );
-    }
-    if let Some(share) = engineering.film_wrinkled_share {
-        line(
-            &mut text,
-            "film",
-            &format!("{} % of its area is wrinkled or slack", number(100.0 * share, 0)),
-        );
-    }
-    if text.len() == empty { String::new() } else { text }
-}
-
-fn stress(extreme: &Extreme) -> String {
-    let margin = match (extreme.strength_mpa, extreme.margin) {
-        (Some(strength), Some(margin)) => {
-            format!(
-                "; strength {} MPa, margin {}",
-                significant(strength, 3),
-                significant(margin, 3)
-            )
-        }
-        _ => "; strength not stated".to_string(),
-    };
-    format!(
-        "{} MPa at {} mm{margin}",
-        significant(extreme.stress_mpa, 3),
-        number(extreme.r_mm, 1)
-    )
-}
-
 fn files(summary: &RunSummary, folder: &str) -> String {
     format!("Files in {folder}: {}\n", summary.files.join(" "))
 }
@@ -373,7 +295,8 @@ fn list(head: &str, lines: &[String]) -> String {
         .fold(format!("{head}\n"), |text, line| text + "  " + line + "\n")
 }
 
-fn line(text: &mut String, name: &str, value: &str) {
+/// Adds a line to a page: a name and what it is.
+pub(super) fn line(text: &mut String, name: &str, value: &str) {
     // Writing to a String cannot fail.
     let _ = writeln!(text, "  {name:<12}{value}");
 }

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::compare::{Comparison, ModelledStages};
+use crate::coupling::Engineering;
 use crate::input::design::{Design, Section};
 use crate::input::measurement::Bound;
 use crate::lift::{Forces, LiftReport};
@@ -242,46 +243,6 @@ pub struct PhaseRow {
     pub forces: Option<Forces>,
     /// Shape under load.
     pub file: String,
-}
-
-/// What a builder wants to know besides the twist; absent values do not apply to the design.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Engineering {
-    /// Mass of the wing.
-    pub mass_mg: Option<f64>,
-    /// Moment of inertia about the flapping axis.
-    pub inertia_flapping_g_mm2: Option<f64>,
-    /// Moment of inertia about the leading edge at the base.
-    pub inertia_pitch_g_mm2: Option<f64>,
-    /// Lowest natural frequencies about the loaded shape, without air.
-    pub natural_frequencies_hz: Vec<f64>,
-    /// Lowest natural frequency over the flapping frequency.
-    pub frequency_ratio: Option<f64>,
-    /// Largest shear stress in the rod.
-    pub rod_shear_stress: Option<Extreme>,
-    /// Largest bending and axial stress in the rod.
-    pub rod_bending_stress: Option<Extreme>,
-    /// Largest bending and axial stress in a spar.
-    pub spar_stress: Option<Extreme>,
-    /// Largest stress in the film.
-    pub film_stress: Option<Extreme>,
-    /// Largest principal tension of the film.
-    pub film_tension_max_n_per_m: Option<f64>,
-    /// Share of the film's area that is slack in at least one direction.
-    pub film_wrinkled_share: Option<f64>,
-}
-
-/// A largest value and where it stands.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Extreme {
-    /// The value.
-    pub stress_mpa: f64,
-    /// Where along the span.
-    pub r_mm: f64,
-    /// Strength of the material; absent where the design does not state it.
-    pub strength_mpa: Option<f64>,
-    /// Strength over stress.
-    pub margin: Option<f64>,
 }
 
 /// What the numbers in the cell arrays of the `.vtu` files mean.
