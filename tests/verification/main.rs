@@ -14,6 +14,8 @@ mod linear_shells;
 
 mod natural_frequencies;
 
+mod nonlinear_shells;
+
 mod patch_tests;
 
 mod plates;
