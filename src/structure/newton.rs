@@ -136,6 +136,7 @@ impl<'m> Equilibrium<'m> {
             let loads = to.between(from, next);
             // whole steps pass through states of high energy and so along inextensible bending; searched steps go surely
             let mut found = Err(f64::INFINITY);
+            let before = report.steps;
             for &way in self.ways(next - share) {
                 found = self.attempt(&current, &loads, settings, way, &mut report, progress)?;
                 if found.is_ok() {
@@ -147,7 +148,10 @@ impl<'m> Equilibrium<'m> {
                     current = found;
                     share = next;
                     report.increments += 1;
-                    step *= 1.5;
+                    // an increment that took many steps is as long as it should be
+                    if report.steps - before <= 12 {
+                        step *= 1.5;
+                    }
                 }
                 Err(residual) => {
                     step = 0.4 * (next - share);
@@ -180,13 +184,13 @@ impl<'m> Equilibrium<'m> {
         let (force, moment) = loads.size(&state);
         let tension = self.fictitious_tension(force.max(moment / self.extent_m));
         let mut raise = 0.0;
-        let mut best = f64::INFINITY;
+        let (mut best, mut last) = (f64::INFINITY, f64::INFINITY);
         let most = if way == Way::Whole {
             settings.max_steps.min(20)
         } else {
             settings.max_steps
         };
-        for _ in 0..=most {
+        for count in 0..=most {
             progress.check()?;
             self.values.fill(0.0);
             let residual = self.model.tangent(&self.pattern, &state, loads, &mut self.values);
@@ -195,10 +199,13 @@ impl<'m> Equilibrium<'m> {
                 return Ok(Err(best));
             }
             best = best.min(size);
-            if size <= settings.tolerance.max(self.rounding(&state, scale)) {
+            // below the estimate of rounding it goes on as long as steps still help
+            let at_floor = size <= self.rounding(&state, scale);
+            if size <= settings.tolerance || (at_floor && (size > 0.3 * last || count == most)) {
                 report.residual = size;
                 return Ok(Ok(state));
             }
+            last = size;
             let share = if size < 1e-5 { 0.0 } else { (10.0 * size).min(1.0) };
             let step = self.step(&state, &residual, tension * share, way, &mut raise)?;
             report.steps += 1;
@@ -210,6 +217,10 @@ impl<'m> Equilibrium<'m> {
             };
             match next {
                 Some(next) => state = next,
+                None if at_floor => {
+                    report.residual = size;
+                    return Ok(Ok(state));
+                }
                 None => return Ok(Err(best)),
             }
         }
