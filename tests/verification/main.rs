@@ -10,7 +10,11 @@ mod elastica;
 
 mod hencky_membrane;
 
+mod lateral_buckling;
+
 mod linear_shells;
+
+mod macneal_straight_beam;
 
 mod natural_frequencies;
 
@@ -28,4 +32,8 @@ mod roll_up;
 
 mod support;
 
+mod taut_rectangle;
+
 mod tension_field;
+
+mod thick_cantilever;

@@ -54,7 +54,7 @@ pub fn film(sheet: Sheet, residual: f64) -> Sheet {
     }
 }
 
-/// A mapped grid of `count[0]` × `count[1]` cells, each cut into two triangles, the cuts alternating.
+/// A mapped grid of `count[0]` × `count[1]` cells, each cut into two triangles.
 pub struct Grid {
     /// The structure.
     pub model: Model,
@@ -62,8 +62,18 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// `place` maps (ξ, η) of the unit square to a point, m.
+    /// Cuts alternate; `place` maps (ξ, η) of the unit square to a point, m.
     pub fn new(count: [usize; 2], sheet: Sheet, place: impl Fn(f64, f64) -> Vector3<f64>) -> Self {
+        Grid::cut(count, sheet, place, |i, j| (i + j) % 2 == 0)
+    }
+
+    /// `forward` says which cells are cut from their corner (0, 0) to (1, 1), the others the other way.
+    pub fn cut(
+        count: [usize; 2],
+        sheet: Sheet,
+        place: impl Fn(f64, f64) -> Vector3<f64>,
+        forward: impl Fn(usize, usize) -> bool,
+    ) -> Self {
         let [m, n] = count;
         let nodes = (0..=m)
             .flat_map(|i| (0..=n).map(move |j| (i as f64 / m as f64, j as f64 / n as f64)))
@@ -77,7 +87,7 @@ impl Grid {
         for i in 0..m {
             for j in 0..n {
                 let [a, b, c, d] = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]].map(|p| grid.node(p));
-                let cut = if (i + j) % 2 == 0 {
+                let cut = if forward(i, j) {
                     [[a, b, c], [a, c, d]]
                 } else {
                     [[a, b, d], [b, c, d]]
