@@ -1,10 +1,20 @@
 //! Air and structure together: load and shape transfer, residual, fixed point, sensitivity.
 
+pub mod accelerate;
+
 pub mod engineering;
 
 pub mod error;
 
+pub mod feedback;
+
+pub mod fixed_point;
+
 pub mod solution;
+
+pub mod strips;
+
+pub mod wing;
 
 pub use engineering::{Engineering, Extreme};
 pub use error::CouplingError;
@@ -13,19 +23,70 @@ use crate::geometry::Planform;
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::progress::Progress;
+use crate::structure::Equilibrium;
 
-use solution::Solution;
+use fixed_point::Coupled;
+use solution::{Solution, SolveReport};
+use wing::Wing;
 
 /// The loaded shape of a wing in its air.
 ///
 /// `air_table`: rows alpha_deg, cl, cd for `air.coefficients = "table"`.
+///
+/// # Errors
+/// If design and mesh do not belong together, or the wing has no equilibrium that is found.
 pub fn solve(
-    _design: &Design,
+    design: &Design,
     _planform: &Planform,
-    _mesh: &Mesh,
-    _air_table: Option<&[[f64; 3]]>,
+    mesh: &Mesh,
+    air_table: Option<&[[f64; 3]]>,
     progress: &Progress,
 ) -> Result<Solution, CouplingError> {
     progress.check()?;
-    Err(CouplingError::NotAvailable)
+    let wing = Wing::new(design, mesh, air_table)?;
+    let mut equilibrium = Equilibrium::new(&wing.model)?;
+    let (rest, steps) = fixed_point::cured(&wing, &mut equilibrium, progress)?;
+    let mut coupled = fixed_point::iterate(
+        &wing,
+        &mut equilibrium,
+        &rest,
+        &design.coupling,
+        &design.structure,
+        progress,
+    )?;
+    coupled.newton_steps += steps;
+    let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false);
+    if let Some((law, _)) = &wing.air {
+        for strip in &air {
+            law.check(strip.force.alpha)?;
+        }
+    }
+    let air_force = wing.air_force(&air);
+    Ok(Solution {
+        mesh: mesh.clone(),
+        strips: wing.strip_loads(&air),
+        pressure_pa: wing.pressure(mesh, &air),
+        beam_force: wing.beam_forces(&coupled.state),
+        membrane_force_n_per_m: wing.membrane_forces(&coupled.state),
+        report: report(&wing, &equilibrium, &coupled),
+        air_force_n: air_force.into_iter().map(Into::into).collect(),
+        rest,
+        state: coupled.state,
+    })
+}
+
+fn report(wing: &Wing, equilibrium: &Equilibrium, coupled: &Coupled) -> SolveReport {
+    let (force, moment) = wing.reaction(equilibrium, coupled);
+    SolveReport {
+        residual: coupled.residual,
+        twist_change_deg: coupled.twist_change_deg,
+        iterations: coupled.iterations,
+        newton_steps: coupled.newton_steps,
+        negative_pivots: coupled.negative_pivots,
+        critical_pressure_ratio: coupled.critical_ratio,
+        dof: wing.model.free_freedoms(),
+        reaction_force_n: force.into(),
+        reaction_moment_n_m: moment.into(),
+        twist_history_deg: coupled.twist_history_deg.clone(),
+    }
 }

@@ -64,6 +64,8 @@ pub struct SolveReport {
     pub newton_steps: usize,
     /// Negative pivots of the tangent at the solution; 0: stable branch.
     pub negative_pivots: usize,
+    /// Critical dynamic pressure over that of the design; `None`: the air does not drive the wing toward divergence.
+    pub critical_pressure_ratio: Option<f64>,
     /// Degrees of freedom that were solved for.
     pub dof: usize,
     /// Force and moment (about the wing base) by which the support holds the wing, N and N·m.

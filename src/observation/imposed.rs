@@ -55,6 +55,7 @@ pub fn wing(
             iterations: 0,
             newton_steps: 0,
             negative_pivots: 0,
+            critical_pressure_ratio: None,
             dof: 0,
             reaction_force_n: [0.0; 3],
             reaction_moment_n_m: [0.0; 3],

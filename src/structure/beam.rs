@@ -82,11 +82,37 @@ impl Beam {
         k
     }
 
-    /// Energy, force and tangent in the deformed shape.
-    pub fn response(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> Response<12> {
+    /// Energy, force and tangent in the deformed shape; the tangent at the local freedoms `guess` if there are any.
+    pub fn response(
+        &self,
+        u: &[Vector3<f64>; 2],
+        q: &[UnitQuaternion<f64>; 2],
+        guess: Option<&SVector<f64, 12>>,
+    ) -> Response<12> {
         let frame = self.frame(u, q);
         let p = frame.local_freedoms(&self.rest, u, q);
-        frame.to_global(&p, &self.local(&p))
+        let local = self.local(&p);
+        let Some(guess) = guess else {
+            return frame.to_global(&p, &local);
+        };
+        let tangent = frame.to_global(guess, &self.local(guess));
+        Response {
+            energy: local.energy,
+            force: frame.global_force(&p, &local.force),
+            stiffness: tangent.stiffness,
+        }
+    }
+
+    /// Local freedoms after a step from a shape, to first order.
+    pub fn guess(
+        &self,
+        u: &[Vector3<f64>; 2],
+        q: &[UnitQuaternion<f64>; 2],
+        step: &SVector<f64, 12>,
+    ) -> SVector<f64, 12> {
+        let frame = self.frame(u, q);
+        let p = frame.local_freedoms(&self.rest, u, q);
+        p + frame.local_change(&p, step)
     }
 
     /// Energy and force only.
@@ -104,6 +130,19 @@ impl Beam {
         let f = self.stiffness * p;
         let mean = |i: usize| 0.5 * (f[6 + i] - f[i]);
         std::array::from_fn(mean)
+    }
+
+    /// The same to first order about the rest, for linear kinematics.
+    pub fn section_forces_linear(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> [f64; 6] {
+        let mut p = SVector::<f64, 12>::zeros();
+        for i in 0..2 {
+            p.fixed_rows_mut::<3>(6 * i)
+                .copy_from(&(self.rest.axes.transpose() * u[i]));
+            p.fixed_rows_mut::<3>(6 * i + 3)
+                .copy_from(&(self.rest.axes.transpose() * q[i].scaled_axis()));
+        }
+        let f = self.stiffness * p;
+        std::array::from_fn(|i| 0.5 * (f[6 + i] - f[i]))
     }
 
     fn local(&self, p: &SVector<f64, 12>) -> Response<12> {
@@ -262,7 +301,7 @@ mod tests {
         // equilibrium, which is of second order; spins do not commute: moments leave S(m)/2, which the loads cancel
         let error = |size: f64| {
             let (beam, u, q) = bent(size);
-            let here = beam.response(&u, &q);
+            let here = beam.response(&u, &q, None);
             let mut difference = SMatrix::<f64, 12, 12>::zeros();
             let h = 1e-6;
             for k in 0..12 {

@@ -84,6 +84,30 @@ impl<const N: usize, const D: usize> Frame<N, D> {
         p
     }
 
+    /// Change of the local freedoms p to first order with a change of displacements and spins (wing frame).
+    pub fn local_change(&self, p: &SVector<f64, D>, change: &SVector<f64, D>) -> SVector<f64, D> {
+        let to_frame = self.axes.transpose();
+        let mut turned = SVector::<f64, D>::zeros();
+        for i in 0..2 * N {
+            turned
+                .fixed_rows_mut::<3>(3 * i)
+                .copy_from(&(to_frame * change.fixed_rows::<3>(3 * i)));
+        }
+        let spin = self.spin * turned;
+        let mut mean = Vector3::<f64>::zeros();
+        for i in 0..N {
+            mean += turned.fixed_rows::<3>(6 * i) / N as f64;
+        }
+        for i in 0..N {
+            let moved: Vector3<f64> = turned.fixed_rows::<3>(6 * i) - mean - spin.cross(&self.position[i]);
+            let theta: Vector3<f64> = p.fixed_rows::<3>(6 * i + 3).into();
+            let bent: Vector3<f64> = spin_to_vector(&theta) * (turned.fixed_rows::<3>(6 * i + 3) - spin);
+            turned.fixed_rows_mut::<3>(6 * i).copy_from(&moved);
+            turned.fixed_rows_mut::<3>(6 * i + 3).copy_from(&bent);
+        }
+        turned
+    }
+
     /// Carries the local force to the wing frame.
     pub fn global_force(&self, p: &SVector<f64, D>, local_force: &SVector<f64, D>) -> SVector<f64, D> {
         let (force, _) = self.projected(p, local_force);

@@ -14,6 +14,8 @@ pub mod loads;
 
 pub mod mass;
 
+pub mod material;
+
 pub mod membrane;
 
 pub mod model;
@@ -36,6 +38,9 @@ pub mod state;
 
 pub mod strength;
 
+pub mod wing;
+
+pub use beam::Beam;
 pub use error::StructureError;
 pub use loads::{ArmForce, Loads};
 pub use mass::{MassProperties, mass_matrix};
@@ -43,5 +48,6 @@ pub use model::{Model, PointMass, Spring};
 pub use modes::{Mode, Vibration, lowest_modes};
 pub use newton::{Equilibrium, NewtonReport, NewtonSettings};
 pub use section::Section;
-pub use shell::{Compression, Sheet};
+pub use shell::{Compression, Sheet, Shell};
 pub use strength::{FilmStress, Peak, bending_peak, film_stress, torsion_peak};
+pub use wing::{bench_loads, wing_model};

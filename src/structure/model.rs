@@ -192,18 +192,28 @@ impl Model {
         shells.sum::<f64>() + beams.sum::<f64>() + springs.sum::<f64>()
     }
 
-    /// Residual as in [`Model::residual`], and its tangent added to `values`.
-    pub fn tangent(&self, pattern: &Pattern, state: &State, loads: &Loads, values: &mut [f64]) -> Vec<f64> {
+    /// Residual as in [`Model::residual`], and its tangent added to `values`; the tangent with the local freedoms of
+    /// `guess` if there is one.
+    pub fn tangent(
+        &self,
+        pattern: &Pattern,
+        state: &State,
+        loads: &Loads,
+        guess: Option<&Guess>,
+        values: &mut [f64],
+    ) -> Vec<f64> {
         let mut residual = vec![0.0; pattern.len()];
         for (index, shell) in self.shells.iter().enumerate() {
             let (u, q) = self.shell_state(shell, state);
-            let response = shell.response(&self.sheets[shell.sheet], &u, &q);
+            let guess = guess.and_then(|guess| guess.shells.get(index));
+            let response = shell.response(&self.sheets[shell.sheet], &u, &q, guess);
             scatter(pattern, &mut residual, &shell.nodes, response.force.as_slice());
             pattern.add_shell(values, index, shell.nodes, |i, j| response.stiffness[(i, j)]);
         }
         for (index, beam) in self.beams.iter().enumerate() {
             let (u, q) = self.beam_state(beam, state);
-            let response = beam.response(&u, &q);
+            let guess = guess.map(|guess| &guess.beams[index]);
+            let response = beam.response(&u, &q, guess);
             scatter(pattern, &mut residual, &beam.nodes, response.force.as_slice());
             pattern.add_beam(values, index, beam.nodes, |i, j| response.stiffness[(i, j)]);
         }
@@ -222,6 +232,27 @@ impl Model {
         residual
     }
 
+    /// Local freedoms of the elements after a step (by freedom of `pattern`) from `state`, to first order; `shells`:
+    /// those of the shells too. A film carries by the stretch of second order, which a guess lacks.
+    pub fn guess(&self, pattern: &Pattern, state: &State, step: &[f64], shells: bool) -> Guess {
+        let shell = |shell: &Shell| {
+            let (u, q) = self.shell_state(shell, state);
+            shell.guess(&u, &q, &gather(pattern, step, &shell.nodes))
+        };
+        let beam = |beam: &Beam| {
+            let (u, q) = self.beam_state(beam, state);
+            beam.guess(&u, &q, &gather(pattern, step, &beam.nodes))
+        };
+        Guess {
+            shells: if shells {
+                self.shells.iter().map(shell).collect()
+            } else {
+                Vec::new()
+            },
+            beams: self.beams.iter().map(beam).collect(),
+        }
+    }
+
     /// Adds the stiffness that an isotropic tension (N/m) would give the deformed films against motion across them.
     pub fn add_tension(&self, pattern: &Pattern, state: &State, tension_n_per_m: f64, values: &mut [f64]) {
         for (index, shell) in self.shells.iter().enumerate() {
@@ -238,6 +269,13 @@ impl Model {
             });
         }
     }
+}
+
+/// Local freedoms of the elements that a step is expected to lead to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Guess {
+    shells: Vec<SVector<f64, 18>>,
+    beams: Vec<SVector<f64, 12>>,
 }
 
 impl Spring {
@@ -274,4 +312,8 @@ fn scatter(pattern: &Pattern, target: &mut [f64], nodes: &[usize], force: &[f64]
             target[at + i] += force[6 * k + i];
         }
     }
+}
+
+fn gather<const D: usize>(pattern: &Pattern, source: &[f64], nodes: &[usize]) -> SVector<f64, D> {
+    SVector::from_fn(|i, _| source[pattern.freedom(nodes[i / 6], i % 6)])
 }

@@ -31,7 +31,7 @@ impl Default for NewtonSettings {
         NewtonSettings {
             tolerance: 1e-9,
             increments: 1,
-            max_steps: 60,
+            max_steps: 150,
         }
     }
 }
@@ -56,6 +56,12 @@ enum Way {
     Searched,
 }
 
+/// Relative residual below which the fictitious tension is taken back step by step.
+const NEAR: f64 = 3.0;
+
+/// Fictitious tension over the tension that the load would cause in a film.
+const TENSION_SHARE: f64 = 0.1;
+
 /// A structure with all that is made once for its mesh.
 #[derive(Debug)]
 pub struct Equilibrium<'m> {
@@ -72,6 +78,8 @@ pub struct Equilibrium<'m> {
     extent_m: f64,
     /// Longest side of the elements at each node, m.
     side_m: Vec<f64>,
+    /// Whether the last factorization is that at rest.
+    at_rest: bool,
 }
 
 impl<'m> Equilibrium<'m> {
@@ -103,6 +111,7 @@ impl<'m> Equilibrium<'m> {
             rest_force_n,
             extent_m,
             side_m: longest_sides(model),
+            at_rest: false,
         })
     }
 
@@ -184,36 +193,51 @@ impl<'m> Equilibrium<'m> {
         let (force, moment) = loads.size(&state);
         let tension = self.fictitious_tension(force.max(moment / self.extent_m));
         let mut raise = 0.0;
-        let (mut best, mut last) = (f64::INFINITY, f64::INFINITY);
-        let most = if way == Way::Whole {
-            settings.max_steps.min(20)
+        let mut best = f64::INFINITY;
+        let mut guess = None;
+        let (mut share, mut last) = (1.0_f64, f64::INFINITY);
+        // plates and rods find equilibrium in a dozen whole steps or not at all; films wrinkle for longer
+        let most = if way == Way::Whole && tension == 0.0 {
+            20
         } else {
             settings.max_steps
         };
         for count in 0..=most {
             progress.check()?;
             self.values.fill(0.0);
-            let residual = self.model.tangent(&self.pattern, &state, loads, &mut self.values);
+            let residual = self
+                .model
+                .tangent(&self.pattern, &state, loads, guess.as_ref(), &mut self.values);
             let size = self.relative(&residual, scale);
             if !size.is_finite() {
                 return Ok(Err(best));
             }
             best = best.min(size);
             // below the estimate of rounding it goes on as long as steps still help
-            let at_floor = size <= self.rounding(&state, scale);
+            let at_floor = size <= self.rounding_at(&state, scale);
             if size <= settings.tolerance || (at_floor && (size > 0.3 * last || count == most)) {
                 report.residual = size;
                 return Ok(Ok(state));
             }
+            if size < NEAR && size < 0.9 * last {
+                share *= 0.2;
+            } else if size < NEAR && size > 3.0 * last {
+                share = (4.0 * share).min(1.0);
+            }
             last = size;
-            let share = if size < 1e-5 { 0.0 } else { (10.0 * size).min(1.0) };
-            let step = self.step(&state, &residual, tension * share, way, &mut raise)?;
+            let mut step = self.step(&state, &residual, tension * share, way, &mut raise)?;
             report.steps += 1;
             let next = match way {
                 Way::Whole => {
-                    (report.steps < 20 || size < 1e6).then(|| self.moved(&state, &step, self.longest(&step)))
+                    let length = self.longest(&step);
+                    step.iter_mut().for_each(|s| *s *= length);
+                    guess = Some(self.model.guess(&self.pattern, &state, &step, tension == 0.0));
+                    Some(self.moved(&state, &step, 1.0))
                 }
-                Way::Searched => self.search(&state, &step, &residual, loads),
+                Way::Searched => {
+                    guess = None;
+                    self.search(&state, &step, &residual, loads)
+                }
             };
             match next {
                 Some(next) => state = next,
@@ -236,6 +260,7 @@ impl<'m> Equilibrium<'m> {
         way: Way,
         raise: &mut f64,
     ) -> Result<Vec<f64>, StructureError> {
+        self.at_rest = false;
         if tension > 0.0 {
             self.model
                 .add_tension(&self.pattern, state, tension, &mut self.values);
@@ -254,7 +279,7 @@ impl<'m> Equilibrium<'m> {
             if self.factor.positive(&self.pattern, &self.work) {
                 break;
             }
-            if way == Way::Whole {
+            if way == Way::Whole && tension == 0.0 {
                 self.factor.indefinite(&self.pattern, &self.work)?;
                 break;
             }
@@ -310,7 +335,7 @@ impl<'m> Equilibrium<'m> {
     fn ways(&self, increment: f64) -> &'static [Way] {
         let film = |sheet: &Sheet| matches!(sheet.compression, Compression::TensionField { .. });
         match (self.model.sheets.iter().any(film), increment < 0.05) {
-            (true, _) => &[Way::Searched, Way::Whole],
+            (true, _) => &[Way::Whole, Way::Searched],
             (false, true) => &[Way::Whole, Way::Searched],
             (false, false) => &[Way::Whole],
         }
@@ -351,7 +376,11 @@ impl<'m> Equilibrium<'m> {
     }
 
     /// Relative residual that rounding of displacements and of lengths of elements alone makes.
-    fn rounding(&self, state: &State, (force, moment): (f64, f64)) -> f64 {
+    pub fn rounding(&self, state: &State, loads: &Loads) -> f64 {
+        self.rounding_at(state, self.scale(state, loads))
+    }
+
+    fn rounding_at(&self, state: &State, (force, moment): (f64, f64)) -> f64 {
         let (mut force_floor, mut moment_floor) = (0.0, 0.0);
         for (node, u) in state.displacement.iter().enumerate() {
             for component in 0..6 {
@@ -363,7 +392,7 @@ impl<'m> Equilibrium<'m> {
                 }
             }
         }
-        2.0 * f64::EPSILON * (force_floor.sqrt() / force).max(moment_floor.sqrt() / moment)
+        4.0 * f64::EPSILON * (force_floor.sqrt() / force).max(moment_floor.sqrt() / moment)
     }
 
     /// Tension that a film under this much load would take up; zero for plates whose bending carries it.
@@ -378,7 +407,7 @@ impl<'m> Equilibrium<'m> {
             .map(|sheet| sheet.e_pa * sheet.thickness_m)
             .fold(0.0, f64::max);
         if area > 0.0 {
-            (force_n * force_n / area * stretching / 24.0).cbrt()
+            TENSION_SHARE * (force_n * force_n / area * stretching / 24.0).cbrt()
         } else {
             0.0
         }
@@ -389,13 +418,52 @@ impl<'m> Equilibrium<'m> {
     /// # Errors
     /// If it is singular.
     pub fn factorize(&mut self, state: &State, loads: &Loads) -> Result<usize, StructureError> {
+        self.at_rest = false;
         self.values.fill(0.0);
-        self.model.tangent(&self.pattern, state, loads, &mut self.values);
+        self.model
+            .tangent(&self.pattern, state, loads, None, &mut self.values);
         self.pattern.hold(&mut self.values, &self.held);
         if self.factor.positive(&self.pattern, &self.values) {
             return Ok(0);
         }
         self.factor.indefinite(&self.pattern, &self.values)
+    }
+
+    /// The same at rest without loads, as linear kinematics has it.
+    ///
+    /// # Errors
+    /// If it is singular.
+    pub fn factorize_at_rest(&mut self) -> Result<usize, StructureError> {
+        let nodes = self.model.nodes.len();
+        self.factorize(&State::at_rest(nodes), &Loads::none(nodes))
+    }
+
+    /// Linear answer to `loads`, small rotations about the rest; the tangent at rest is factorized once.
+    ///
+    /// # Errors
+    /// If it is singular.
+    pub fn solve_linear(&mut self, loads: &Loads) -> Result<State, StructureError> {
+        let rest = State::at_rest(self.model.nodes.len());
+        if !self.at_rest {
+            self.factorize_at_rest()?;
+            self.at_rest = true;
+        }
+        let mut step = self.model.residual(&self.pattern, &rest, loads);
+        step.iter_mut().for_each(|r| *r = -*r);
+        self.solve_tangent(&mut step, 1);
+        Ok(self.moved(&rest, &step, 1.0))
+    }
+
+    /// The internal forces of a state as loads that would hold it.
+    pub fn internal_loads(&self, state: &State) -> Loads {
+        let mut loads = Loads::none(self.model.nodes.len());
+        let force = self.model.residual(&self.pattern, state, &loads);
+        for node in 0..self.model.nodes.len() {
+            let at = self.pattern.freedom(node, 0);
+            loads.force_n[node] = Vector3::new(force[at], force[at + 1], force[at + 2]);
+            loads.moment_n_m[node] = Vector3::new(force[at + 3], force[at + 4], force[at + 5]);
+        }
+        loads
     }
 
     /// The tangent of the last factorization, lower triangle, held freedoms taken out.
@@ -416,6 +484,17 @@ impl<'m> Equilibrium<'m> {
     }
 }
 
+/// Norms of the force and moment parts of a residual over the freedoms that `counts`.
+fn split_norm(residual: &[f64], counts: impl Fn(usize) -> bool) -> (f64, f64) {
+    let (mut force, mut moment) = (0.0, 0.0);
+    for (at, value) in residual.iter().enumerate() {
+        if counts(at) {
+            *(if at % 6 < 3 { &mut force } else { &mut moment }) += value * value;
+        }
+    }
+    (force.sqrt(), moment.sqrt())
+}
+
 /// Longest side of the elements at each node, m.
 fn longest_sides(model: &Model) -> Vec<f64> {
     let mut longest = vec![0.0_f64; model.nodes.len()];
@@ -430,15 +509,4 @@ fn longest_sides(model: &Model) -> Vec<f64> {
         longest[b] = longest[b].max(side);
     }
     longest
-}
-
-/// Norms of the force and moment parts of a residual over the freedoms that `counts`.
-fn split_norm(residual: &[f64], counts: impl Fn(usize) -> bool) -> (f64, f64) {
-    let (mut force, mut moment) = (0.0, 0.0);
-    for (at, value) in residual.iter().enumerate() {
-        if counts(at) {
-            *(if at % 6 < 3 { &mut force } else { &mut moment }) += value * value;
-        }
-    }
-    (force.sqrt(), moment.sqrt())
 }

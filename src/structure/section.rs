@@ -335,7 +335,7 @@ mod tests {
         assert!((half / thin - 23.385).abs() < 0.01);
         let half = Section::half_round(1.0, true, &UNIT);
         assert!((half.ei_flap_n_m2() / 2.5 - 0.109757).abs() < 1e-6);
-        assert!((half.ei_edge_n_m2() / 2.5 - 0.392699).abs() < 1e-6);
+        assert!((half.ei_edge_n_m2() / 2.5 - std::f64::consts::FRAC_PI_8).abs() < 1e-6);
     }
 
     #[test]

@@ -153,34 +153,57 @@ impl Shell {
         (x[1] - x[0]).cross(&(x[2] - x[0])).normalize()
     }
 
-    /// Energy, force and tangent in the deformed shape.
+    /// Energy, force and tangent in the deformed shape; the tangent at the local freedoms `guess` if there are any.
     pub fn response(
         &self,
         sheet: &Sheet,
         u: &[Vector3<f64>; 3],
         q: &[UnitQuaternion<f64>; 3],
+        guess: Option<&SVector<f64, 18>>,
     ) -> Response<18> {
         let frame = self.frame(u);
         let p = frame.local_freedoms(&self.rest, u, q);
+        let Some(guess) = guess else {
+            return frame.to_global(&p, &self.local(sheet, &p));
+        };
+        let (energy, force) = self.local_force(sheet, &p);
+        let tangent = frame.to_global(guess, &self.local(sheet, guess));
+        Response {
+            energy,
+            force: frame.global_force(&p, &force),
+            stiffness: tangent.stiffness,
+        }
+    }
+
+    /// Local freedoms after a step from a shape, to first order.
+    pub fn guess(
+        &self,
+        u: &[Vector3<f64>; 3],
+        q: &[UnitQuaternion<f64>; 3],
+        step: &SVector<f64, 18>,
+    ) -> SVector<f64, 18> {
+        let frame = self.frame(u);
+        let p = frame.local_freedoms(&self.rest, u, q);
+        p + frame.local_change(&p, step)
+    }
+
+    fn local(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> Response<18> {
+        let (energy, force) = self.local_force(sheet, p);
         let mut local = Response {
-            energy: 0.0,
-            force: self.initial_force + self.stiffness * p,
+            energy,
+            force,
             stiffness: self.stiffness,
         };
-        local.energy = p.dot(&(0.5 * (local.force + self.initial_force)));
-        if let Some(film) = self.film(sheet, &p) {
+        if let Some(film) = self.film(sheet, p) {
             let b = self.strain_matrix();
-            local.energy += film.energy * self.area_m2;
-            let force = b.transpose() * film.force * self.area_m2;
             let stiffness = b.transpose() * (film.tangent * self.area_m2) * b;
             for i in 0..6 {
-                local.force[6 * (i / 2) + i % 2] += force[i];
                 for j in 0..6 {
                     local.stiffness[(6 * (i / 2) + i % 2, 6 * (j / 2) + j % 2)] += stiffness[(i, j)];
                 }
             }
         }
-        frame.to_global(&p, &local)
+        local
     }
 
     /// Energy and force only.
@@ -192,16 +215,21 @@ impl Shell {
     ) -> (f64, SVector<f64, 18>) {
         let frame = self.frame(u);
         let p = frame.local_freedoms(&self.rest, u, q);
+        let (energy, force) = self.local_force(sheet, &p);
+        (energy, frame.global_force(&p, &force))
+    }
+
+    fn local_force(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> (f64, SVector<f64, 18>) {
         let mut force = self.initial_force + self.stiffness * p;
         let mut energy = p.dot(&(0.5 * (force + self.initial_force)));
-        if let Some(film) = self.film(sheet, &p) {
+        if let Some(film) = self.film(sheet, p) {
             energy += film.energy * self.area_m2;
             let film_force = self.strain_matrix().transpose() * film.force * self.area_m2;
             for i in 0..6 {
                 force[6 * (i / 2) + i % 2] += film_force[i];
             }
         }
-        (energy, frame.global_force(&p, &force))
+        (energy, force)
     }
 
     /// Membrane forces N_x, N_y, N_xy (N/m) in the axes that `along` gives at rest: its projection is x.
@@ -216,16 +244,35 @@ impl Shell {
         let p = frame.local_freedoms(&self.rest, u, q);
         let n = match self.film(sheet, &p) {
             Some(film) => film.force,
-            None => {
-                let mut plane = SVector::<f64, 6>::zeros();
-                for i in 0..6 {
-                    plane[i] = p[6 * (i / 2) + i % 2];
-                }
-                let stiffness = membrane::isotropic(sheet.e_pa * sheet.thickness_m, sheet.poisson);
-                stiffness * (self.strain_matrix() * plane)
-                    + SVector::<f64, 3>::new(1.0, 1.0, 0.0) * sheet.pretension_n_per_m
-            }
+            None => self.elastic_force(sheet, &p),
         };
+        self.turned_force(&n, along)
+    }
+
+    /// The same to first order about the rest, for linear kinematics.
+    pub fn membrane_force_linear(
+        &self,
+        sheet: &Sheet,
+        u: &[Vector3<f64>; 3],
+        along: &Vector3<f64>,
+    ) -> [f64; 3] {
+        let mut p = SVector::<f64, 18>::zeros();
+        for (i, u) in u.iter().enumerate() {
+            p.fixed_rows_mut::<3>(6 * i)
+                .copy_from(&(self.rest.axes.transpose() * u));
+        }
+        self.turned_force(&self.elastic_force(sheet, &p), along)
+    }
+
+    fn elastic_force(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> SVector<f64, 3> {
+        let plane = SVector::<f64, 6>::from_fn(|i, _| p[6 * (i / 2) + i % 2]);
+        let stiffness = membrane::isotropic(sheet.e_pa * sheet.thickness_m, sheet.poisson);
+        stiffness * (self.strain_matrix() * plane)
+            + SVector::<f64, 3>::new(1.0, 1.0, 0.0) * sheet.pretension_n_per_m
+    }
+
+    /// Membrane force in axes whose x is the projection of `along`.
+    fn turned_force(&self, n: &SVector<f64, 3>, along: &Vector3<f64>) -> [f64; 3] {
         let along = self.rest.axes.transpose() * along;
         let (sine, cosine) = along.y.atan2(along.x).sin_cos();
         let (c2, s2, cs) = (cosine * cosine, sine * sine, cosine * sine);
@@ -362,7 +409,7 @@ mod tests {
         for sheet in sheets() {
             let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
             let (u, q) = shape(1.0);
-            let here = shell.response(&sheet, &u, &q);
+            let here = shell.response(&sheet, &u, &q, None);
             let scale = here.force.norm();
             for k in 0..18 {
                 let h = if k % 6 < 3 { 2e-9 } else { 1e-5 };
@@ -395,7 +442,7 @@ mod tests {
             let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
             let error = |size: f64| {
                 let (u, q) = shape(size);
-                let here = shell.response(&sheet, &u, &q);
+                let here = shell.response(&sheet, &u, &q, None);
                 let mut difference = SMatrix::<f64, 18, 18>::zeros();
                 for k in 0..18 {
                     let h = if k % 6 < 3 { 1e-9 } else { 1e-6 };
@@ -447,7 +494,7 @@ mod tests {
             sheet.pretension_n_per_m = 0.0;
             let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
             let (u, q) = shape(0.0);
-            let here = shell.response(&sheet, &u, &q);
+            let here = shell.response(&sheet, &u, &q, None);
             let size = u.iter().map(|u| u.norm()).sum::<f64>();
             assert!(here.force.norm() < 1e-10 * here.stiffness.norm() * size);
         }
@@ -458,7 +505,7 @@ mod tests {
         let [sheet, _] = sheets();
         let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
         let (u, q) = ([Vector3::zeros(); 3], [UnitQuaternion::identity(); 3]);
-        let with = shell.response(&sheet, &u, &q).stiffness;
+        let with = shell.response(&sheet, &u, &q, None).stiffness;
         let without = shell.linear_part();
         let normal = shell.axes().column(2).into_owned();
         let tension = shell.unit_tension();

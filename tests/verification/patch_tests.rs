@@ -202,7 +202,7 @@ fn imposed(
         turned.rotation[node] = *turn;
     }
     let mut values = vec![0.0; equilibrium.pattern.entries()];
-    model.tangent(&equilibrium.pattern, &turned, &none, &mut values);
+    model.tangent(&equilibrium.pattern, &turned, &none, None, &mut values);
     let vector = |keep: &dyn Fn(usize) -> bool| {
         let mut all = vec![0.0; equilibrium.pattern.len()];
         for (node, parts) in field.iter().enumerate().filter(|(node, _)| keep(*node)) {

@@ -50,7 +50,7 @@ fn moved(model: &Model) -> (Vec<f64>, Vec<f64>, f64) {
         state.rotation[node] = turn;
     }
     let mut values = vec![0.0; equilibrium.pattern.entries()];
-    let mut before = model.tangent(&equilibrium.pattern, &rest, &none, &mut values);
+    let mut before = model.tangent(&equilibrium.pattern, &rest, &none, None, &mut values);
     for part in before.chunks_exact_mut(3) {
         let turned = turn * Vector3::from_column_slice(part);
         part.copy_from_slice(turned.as_slice());

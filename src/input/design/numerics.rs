@@ -101,7 +101,7 @@ impl Default for Coupling {
         Coupling {
             accelerator: Accelerator::Anderson,
             twist_tolerance_deg: 1e-6,
-            residual_tolerance: 1e-8,
+            residual_tolerance: 1e-7,
             max_iterations: 60,
         }
     }

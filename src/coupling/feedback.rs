@@ -1,0 +1,179 @@
+//! The air's feedback on the structure: its eigenvalues decide stability, its inverse gives sensitivities.
+//!
+//! With S the shapes that the strips see, K the structure's tangent and A the change of the air's nodal forces with the
+//! shapes, the coupled tangent is K − A S. It is singular where the feedback J = S K⁻¹ A, a matrix of six rows a strip,
+//! has the eigenvalue 1; and (K − A S)⁻¹ b = K⁻¹ (b + A y) with (I − J) y = S K⁻¹ b (Woodbury).
+
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use super::strips::StripAir;
+use super::wing::Wing;
+use crate::structure::Equilibrium;
+
+/// Largest number of Krylov vectors.
+const KRYLOV: usize = 80;
+
+/// The feedback at a shape whose tangent `equilibrium` has factorized; `air` with derivatives.
+#[derive(Debug)]
+pub struct Feedback<'a, 'm> {
+    wing: &'a Wing,
+    equilibrium: &'a mut Equilibrium<'m>,
+    air: Vec<StripAir>,
+}
+
+impl<'a, 'm> Feedback<'a, 'm> {
+    /// At the given shapes of the strips.
+    pub fn new(wing: &'a Wing, equilibrium: &'a mut Equilibrium<'m>, shapes: &[f64]) -> Self {
+        let air = wing.strip_air(shapes, true);
+        Feedback {
+            wing,
+            equilibrium,
+            air,
+        }
+    }
+
+    /// J y.
+    pub fn apply(&mut self, shape_change: &[f64]) -> Vec<f64> {
+        let force = self.wing.air_force_change(&self.air, shape_change);
+        self.shapes_of(&self.by_freedom(&force))
+    }
+
+    /// Solves (K − A S) x = b by freedom of the pattern; `None` if the coupled tangent is singular.
+    pub fn solve(&mut self, right: &[f64]) -> Option<Vec<f64>> {
+        if self.air.is_empty() {
+            let mut x = right.to_vec();
+            self.equilibrium.solve_tangent(&mut x, 1);
+            return Some(x);
+        }
+        let seen = self.shapes_of(right);
+        let y = self.gmres(&seen)?;
+        let air = self.wing.air_force_change(&self.air, &y);
+        let mut x: Vec<f64> = right
+            .iter()
+            .zip(self.by_freedom(&air))
+            .map(|(b, f)| b + f)
+            .collect();
+        self.equilibrium.solve_tangent(&mut x, 1);
+        Some(x)
+    }
+
+    /// Critical dynamic pressure over the present one: the inverse of the largest real eigenvalue of J (Arnoldi).
+    ///
+    /// `None` if the air does not help twist at all: then there is no divergence. Exact where the loads are linear in the
+    /// shape; an estimate from the present shape elsewhere.
+    pub fn critical_ratio(&mut self) -> Option<f64> {
+        let size = 6 * self.air.len();
+        if size == 0 {
+            return None;
+        }
+        // the response to the present load, and a little of everything so that no direction is left out
+        let force = self.wing.air_force(&self.air);
+        let response = DVector::from_vec(self.shapes_of(&self.by_freedom(&force)));
+        let everything = DVector::from_fn(size, |i, _| 1e-3 * (1.0 + i as f64).sin());
+        let start = &response / response.norm().max(f64::MIN_POSITIVE) + everything;
+        let mut basis = vec![start.normalize()];
+        let most = KRYLOV.min(size);
+        let mut hessenberg = DMatrix::<f64>::zeros(most + 1, most);
+        let mut last = f64::NAN;
+        for k in 0..most {
+            let next = self.orthogonal_step(&mut basis, &mut hessenberg, k);
+            let largest = largest_real(&hessenberg.view((0, 0), (k + 1, k + 1)).into_owned());
+            let settled = (largest - last).abs() <= 1e-7 * largest.abs().max(1e-3);
+            if !next || (k >= 8 && settled) {
+                last = largest;
+                break;
+            }
+            last = largest;
+        }
+        (last > 1e-6).then(|| 1.0 / last)
+    }
+
+    /// One step of Arnoldi's method; `false` when the space is exhausted.
+    fn orthogonal_step(
+        &mut self,
+        basis: &mut Vec<DVector<f64>>,
+        hessenberg: &mut DMatrix<f64>,
+        k: usize,
+    ) -> bool {
+        let mut next = DVector::from_vec(self.apply(basis[k].as_slice()));
+        let before = next.norm();
+        for _ in 0..2 {
+            for (i, vector) in basis.iter().enumerate() {
+                let part = next.dot(vector);
+                hessenberg[(i, k)] += part;
+                next -= vector * part;
+            }
+        }
+        let size = next.norm();
+        hessenberg[(k + 1, k)] = size;
+        if size <= 1e-13 * before {
+            return false;
+        }
+        basis.push(next / size);
+        true
+    }
+
+    /// (I − J)⁻¹ b by GMRES (Saad & Schultz 1986).
+    fn gmres(&mut self, right: &[f64]) -> Option<Vec<f64>> {
+        let right = DVector::from_column_slice(right);
+        let norm = right.norm();
+        if norm == 0.0 {
+            return Some(right.data.into());
+        }
+        let mut basis = vec![&right / norm];
+        let most = KRYLOV.min(right.len());
+        let mut feedback = DMatrix::<f64>::zeros(most + 1, most);
+        for k in 0..most {
+            let more = self.orthogonal_step(&mut basis, &mut feedback, k);
+            let mut projected = -feedback.view((0, 0), (k + 2, k + 1)).into_owned();
+            for i in 0..=k {
+                projected[(i, i)] += 1.0;
+            }
+            let mut target = DVector::zeros(k + 2);
+            target[0] = norm;
+            let solution = projected.clone().svd(true, true).solve(&target, 1e-14).ok()?;
+            let residual = (&projected * &solution - &target).norm();
+            if residual <= 1e-12 * norm || !more {
+                let mut y = DVector::zeros(right.len());
+                for (vector, weight) in basis.iter().zip(solution.iter()) {
+                    y += vector * *weight;
+                }
+                return (residual <= 1e-6 * norm).then(|| y.data.into());
+            }
+        }
+        None
+    }
+
+    /// S K⁻¹ f.
+    fn shapes_of(&mut self, force: &[f64]) -> Vec<f64> {
+        let mut moved = force.to_vec();
+        self.equilibrium.solve_tangent(&mut moved, 1);
+        let pattern = &self.equilibrium.pattern;
+        let displacement: Vec<_> = (0..self.wing.model.nodes.len())
+            .map(|node| {
+                let at = pattern.freedom(node, 0);
+                Vector3::new(moved[at], moved[at + 1], moved[at + 2])
+            })
+            .collect();
+        self.wing.strips.shape_changes(&displacement)
+    }
+
+    fn by_freedom(&self, force: &[Vector3<f64>]) -> Vec<f64> {
+        let pattern = &self.equilibrium.pattern;
+        let mut by_freedom = vec![0.0; pattern.len()];
+        for (node, force) in force.iter().enumerate() {
+            let at = pattern.freedom(node, 0);
+            by_freedom[at..at + 3].copy_from_slice(force.as_slice());
+        }
+        by_freedom
+    }
+}
+
+/// Largest eigenvalue that is real; −∞ if none is.
+fn largest_real(matrix: &DMatrix<f64>) -> f64 {
+    let eigenvalues = matrix.complex_eigenvalues();
+    let real = eigenvalues
+        .iter()
+        .filter(|z| z.im.abs() <= 1e-9 * z.norm_sqr().sqrt().max(1e-300));
+    real.map(|z| z.re).fold(f64::NEG_INFINITY, f64::max)
+}

@@ -1,0 +1,211 @@
+//! The fixed point: shapes of the strips → loads → structure → shapes, accelerated.
+
+use super::accelerate::Accelerator;
+use super::error::CouplingError;
+use super::feedback::Feedback;
+use super::wing::Wing;
+use crate::input::design::{Coupling, Structure};
+use crate::progress::Progress;
+use crate::structure::state::State;
+use crate::structure::{Equilibrium, Loads, NewtonSettings};
+
+/// A coupled equilibrium.
+#[derive(Debug, Clone)]
+pub struct Coupled {
+    /// The shape.
+    pub state: State,
+    /// Loads on it.
+    pub loads: Loads,
+    /// Coupled residual relative to the load.
+    pub residual: f64,
+    /// Largest change of twist in the last iteration, deg.
+    pub twist_change_deg: f64,
+    /// Iterations.
+    pub iterations: usize,
+    /// Newton steps in all.
+    pub newton_steps: usize,
+    /// Twist of the strips in each iteration, deg.
+    pub twist_history_deg: Vec<Vec<f64>>,
+    /// Negative pivots of the structure's tangent at the solution.
+    pub negative_pivots: usize,
+    /// Critical dynamic pressure over the present one; `None`: no divergence.
+    pub critical_ratio: Option<f64>,
+}
+
+/// The shape without load; with film pre-tension the one that it pulls the wing into.
+///
+/// # Errors
+/// If it has no equilibrium.
+pub fn cured(
+    wing: &Wing,
+    equilibrium: &mut Equilibrium,
+    progress: &Progress,
+) -> Result<(State, usize), CouplingError> {
+    let nodes = wing.model.nodes.len();
+    let (mut state, none) = (State::at_rest(nodes), Loads::none(nodes));
+    if wing
+        .model
+        .sheets
+        .iter()
+        .all(|sheet| sheet.pretension_n_per_m == 0.0)
+    {
+        return Ok((state, 0));
+    }
+    if wing.linear {
+        return Ok((equilibrium.solve_linear(&none)?, 1));
+    }
+    // hold the flat film by forces and let go of them
+    let inner = equilibrium.internal_loads(&state);
+    let settings = NewtonSettings::default();
+    let report = equilibrium.solve(&mut state, &inner, &none, &settings, progress)?;
+    Ok((state, report.steps))
+}
+
+/// Iterates from the shape `rest` (in equilibrium without load).
+///
+/// # Errors
+/// If it does not converge, or converges beyond divergence.
+pub fn iterate(
+    wing: &Wing,
+    equilibrium: &mut Equilibrium,
+    rest: &State,
+    coupling: &Coupling,
+    structure: &Structure,
+    progress: &Progress,
+) -> Result<Coupled, CouplingError> {
+    let mut accelerator = Accelerator::new(coupling.accelerator);
+    let mut shapes = wing.strips.shapes(rest);
+    let rest_twist = twists(&shapes);
+    let mut coupled = Coupled {
+        state: rest.clone(),
+        loads: Loads::none(wing.model.nodes.len()),
+        residual: f64::INFINITY,
+        twist_change_deg: f64::INFINITY,
+        iterations: 0,
+        newton_steps: 0,
+        twist_history_deg: Vec::new(),
+        negative_pivots: 0,
+        critical_ratio: None,
+    };
+    // arms turn with their nodes, so the start has the same arms without force
+    coupled.loads.arms.clone_from(&wing.bench.arms);
+    for arm in &mut coupled.loads.arms {
+        arm.force_n.fill(0.0);
+    }
+    let mut settings = NewtonSettings {
+        increments: structure.load_increments,
+        ..NewtonSettings::default()
+    };
+    while coupled.iterations < coupling.max_iterations {
+        progress.check()?;
+        coupled.iterations += 1;
+        let loads = wing.loads(&shapes);
+        settings.tolerance = (0.05 * coupled.residual).clamp(1e-9, 0.1);
+        if wing.linear {
+            coupled.state = equilibrium.solve_linear(&loads)?;
+            coupled.newton_steps += 1;
+        } else {
+            let report =
+                equilibrium.solve(&mut coupled.state, &coupled.loads, &loads, &settings, progress)?;
+            coupled.newton_steps += report.steps;
+        }
+        settings.increments = 1;
+        let mapped = wing.strips.shapes(&coupled.state);
+        let (old, new) = (twists(&shapes), twists(&mapped));
+        let change = old
+            .iter()
+            .zip(&new)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
+        coupled.twist_change_deg = change.to_degrees();
+        coupled.twist_history_deg.push(
+            new.iter()
+                .zip(&rest_twist)
+                .map(|(t, r)| (t - r).to_degrees())
+                .collect(),
+        );
+        let actual = wing.loads(&mapped);
+        coupled.residual = residual(wing, equilibrium, &coupled.state, &loads, &actual);
+        coupled.loads = loads;
+        progress.say(format_args!(
+            "fixed point {}: twist changes by {:.1e} deg, residual {:.1e}",
+            coupled.iterations, coupled.twist_change_deg, coupled.residual
+        ));
+        let floor = if wing.linear {
+            0.0
+        } else {
+            2.0 * equilibrium.rounding(&coupled.state, &coupled.loads)
+        };
+        if coupled.twist_change_deg <= coupling.twist_tolerance_deg
+            && coupled.residual <= coupling.residual_tolerance.max(floor)
+        {
+            coupled.loads = actual;
+            return stable(wing, equilibrium, coupled);
+        }
+        shapes = accelerator.next(&shapes, &mapped);
+    }
+    patience_lost(wing, equilibrium, coupled, coupling.max_iterations)
+}
+
+/// The coupled residual F(u) = internal force − bench loads − air(shape of u), relative to the load.
+fn residual(wing: &Wing, equilibrium: &Equilibrium, state: &State, solved: &Loads, actual: &Loads) -> f64 {
+    let scale = equilibrium.scale(state, actual);
+    if wing.linear {
+        // the linear structure stands in equilibrium with `solved` to rounding
+        let apart = actual
+            .force_n
+            .iter()
+            .zip(&solved.force_n)
+            .map(|(a, b)| (a - b).norm_squared())
+            .sum::<f64>();
+        return apart.sqrt() / scale.0;
+    }
+    let residual = wing.model.residual(&equilibrium.pattern, state, actual);
+    equilibrium.relative(&residual, scale)
+}
+
+fn stable(
+    wing: &Wing,
+    equilibrium: &mut Equilibrium,
+    mut coupled: Coupled,
+) -> Result<Coupled, CouplingError> {
+    let shapes = wing.strips.shapes(&coupled.state);
+    coupled.negative_pivots = if wing.linear {
+        equilibrium.factorize_at_rest()?
+    } else {
+        equilibrium.factorize(&coupled.state, &coupled.loads)?
+    };
+    coupled.critical_ratio = Feedback::new(wing, equilibrium, &shapes).critical_ratio();
+    match coupled.critical_ratio {
+        Some(critical_ratio) if critical_ratio <= 1.0 => Err(CouplingError::Diverged { critical_ratio }),
+        _ => Ok(coupled),
+    }
+}
+
+/// Tells divergence from a mere lack of iterations.
+fn patience_lost(
+    wing: &Wing,
+    equilibrium: &mut Equilibrium,
+    coupled: Coupled,
+    allowed: usize,
+) -> Result<Coupled, CouplingError> {
+    let (iterations, twist_change_deg, residual) =
+        (coupled.iterations, coupled.twist_change_deg, coupled.residual);
+    match stable(wing, equilibrium, coupled) {
+        Err(CouplingError::Diverged { critical_ratio }) => Err(CouplingError::Diverged { critical_ratio }),
+        _ => Err(CouplingError::OutOfPatience {
+            iterations,
+            allowed,
+            twist_change_deg,
+            residual,
+        }),
+    }
+}
+
+/// Twist of each strip's chord vector against the wing plane, rad.
+fn twists(shapes: &[f64]) -> Vec<f64> {
+    shapes
+        .chunks_exact(6)
+        .map(|shape| shape[2].atan2(shape[1]))
+        .collect()
+}

@@ -1,0 +1,216 @@
+//! Strips of air on the mesh: how they see the shape, and how their force reaches the nodes.
+//!
+//! A strip stands over one element of the leading edge. Its points are the crossings of its plane with the film's edges,
+//! each a linear interpolation of two nodes. The same weights carry shape one way and force the other, so force, moment
+//! and virtual work are kept for every shape.
+
+use nalgebra::{SMatrix, SVector, Vector3};
+use num_dual::DualSVec64;
+
+use crate::aero::{
+    AirLaw, Flow, Number, StripForce, alpha_linear, pressure_weights, strip_force, strip_force_linear,
+};
+use crate::mesh::{ChordLines, ChordPoint, Mesh};
+use crate::structure::state::State;
+
+/// What a strip sees of the shape: chord vector from leading to trailing edge (m) and leading-edge tangent (per rest
+/// length), wing frame.
+pub type StripShape = SVector<f64, 6>;
+
+/// Strips of a mesh, from base to tip.
+#[derive(Debug, Clone, Default)]
+pub struct Strips {
+    /// The strips.
+    pub strips: Vec<Strip>,
+}
+
+/// One strip.
+#[derive(Debug, Clone)]
+pub struct Strip {
+    /// Span position at rest, m.
+    pub r_m: f64,
+    /// Width at rest, m.
+    pub width_m: f64,
+    /// Chord at rest, m.
+    pub chord_m: f64,
+    /// Points from leading to trailing edge.
+    pub points: Vec<ChordPoint>,
+    /// Chord fraction of each point.
+    pub eta: Vec<f64>,
+    /// Nodes of the leading edge on either side.
+    pub edge: [usize; 2],
+    /// Chord vector and leading-edge tangent at rest.
+    pub rest: StripShape,
+}
+
+/// Force of a strip on its points.
+#[derive(Debug, Clone)]
+pub struct StripAir {
+    /// The section force, per length.
+    pub force: StripForce<f64>,
+    /// Force on the whole strip, N.
+    pub total_n: Vector3<f64>,
+    /// Share of each point.
+    pub weights: Vec<f64>,
+    /// Derivative of each point's force (3) with the strip's shape (6), if asked for.
+    pub by_shape: Vec<SMatrix<f64, 3, 6>>,
+}
+
+impl Strips {
+    /// One strip over each element of the leading edge that meets the film.
+    pub fn new(mesh: &Mesh) -> Self {
+        if mesh.triangles.is_empty() {
+            return Strips::default();
+        }
+        let lines = ChordLines::new(mesh);
+        let strip = |pair: &[usize]| {
+            let [a, b] = [pair[0], pair[1]].map(|node| Vector3::from(mesh.nodes[node]));
+            let (r_m, width_m) = (0.5 * (a.x + b.x), b.x - a.x);
+            let line = lines.at(r_m)?;
+            let place = |p: &ChordPoint| {
+                let [m, n] = p.nodes.map(|node| Vector3::from(mesh.nodes[node]));
+                p.weights[0] * m + p.weights[1] * n
+            };
+            let (first, last) = (line.points.first()?, line.points.last()?);
+            let chord = place(last) - place(first);
+            let chord_m = last.y_m - first.y_m;
+            let tangent = (b - a) / width_m;
+            let eta = line
+                .points
+                .iter()
+                .map(|p| (p.y_m - first.y_m) / chord_m)
+                .collect();
+            let rest =
+                StripShape::from_column_slice(&[chord.x, chord.y, chord.z, tangent.x, tangent.y, tangent.z]);
+            (width_m > 0.0 && chord_m > 0.0).then(|| Strip {
+                r_m,
+                width_m,
+                chord_m,
+                eta,
+                points: line.points,
+                edge: [pair[0], pair[1]],
+                rest,
+            })
+        };
+        Strips {
+            strips: mesh.leading_edge.windows(2).filter_map(strip).collect(),
+        }
+    }
+
+    /// Shapes of all strips, six values each.
+    pub fn shapes(&self, state: &State) -> Vec<f64> {
+        self.strips
+            .iter()
+            .flat_map(|strip| strip.shape(&state.displacement).data.0[0])
+            .collect()
+    }
+
+    /// Change of the shapes with a change of the displacements (the linear part of [`Strips::shapes`]).
+    pub fn shape_changes(&self, displacement: &[Vector3<f64>]) -> Vec<f64> {
+        self.strips
+            .iter()
+            .flat_map(|strip| strip.shape_change(displacement).data.0[0])
+            .collect()
+    }
+}
+
+impl Strip {
+    /// Shape of the strip under nodal displacements, m.
+    pub fn shape(&self, displacement: &[Vector3<f64>]) -> StripShape {
+        self.rest + self.shape_change(displacement)
+    }
+
+    fn shape_change(&self, displacement: &[Vector3<f64>]) -> StripShape {
+        let at = |p: &ChordPoint| {
+            p.weights[0] * displacement[p.nodes[0]] + p.weights[1] * displacement[p.nodes[1]]
+        };
+        let chord = at(&self.points[self.points.len() - 1]) - at(&self.points[0]);
+        let tangent = (displacement[self.edge[1]] - displacement[self.edge[0]]) / self.width_m;
+        StripShape::from_column_slice(&[chord.x, chord.y, chord.z, tangent.x, tangent.y, tangent.z])
+    }
+
+    /// The air's force in a shape.
+    pub fn air(&self, law: &AirLaw, flow: &Flow, linear: bool, shape: &StripShape) -> StripAir {
+        let (force, weights) = self.force(law, flow, linear, shape);
+        StripAir {
+            total_n: force.force_n_per_m * self.width_m,
+            force,
+            weights,
+            by_shape: Vec::new(),
+        }
+    }
+
+    /// The same with derivatives.
+    pub fn air_and_derivative(
+        &self,
+        law: &AirLaw,
+        flow: &Flow,
+        linear: bool,
+        shape: &StripShape,
+    ) -> StripAir {
+        let seeded =
+            SVector::<DualSVec64<6>, 6>::from_fn(|i, _| DualSVec64::<6>::from_re(shape[i]).derivative(i));
+        let (force, weights) = self.force(law, flow, linear, &seeded);
+        let total = force.force_n_per_m.map(|f| f * self.width_m);
+        let by_shape = weights.iter().map(|weight| {
+            let point = total.map(|f| f * *weight);
+            SMatrix::<f64, 3, 6>::from_fn(|i, j| {
+                point[i]
+                    .eps
+                    .unwrap_generic(nalgebra::Const::<6>, nalgebra::Const::<1>)[j]
+            })
+        });
+        StripAir {
+            by_shape: by_shape.collect(),
+            weights: weights.iter().map(|w| w.re).collect(),
+            total_n: total.map(|f| f.re),
+            force: real(&force),
+        }
+    }
+
+    fn force<D: Number>(
+        &self,
+        law: &AirLaw,
+        flow: &Flow,
+        linear: bool,
+        shape: &SVector<D, 6>,
+    ) -> (StripForce<D>, Vec<D>) {
+        let velocity = flow.velocity(self.r_m);
+        let chord = Vector3::new(shape[0], shape[1], shape[2]);
+        let span = Vector3::new(shape[3], shape[4], shape[5]);
+        let force = if linear {
+            let alpha = alpha_linear(&velocity, &chord, &span, self.chord_m);
+            strip_force_linear(law, &velocity, alpha, self.chord_m)
+        } else {
+            strip_force(law, &velocity.map(D::from), &chord, &span, self.chord_m)
+        };
+        let weights = pressure_weights(force.centre_of_pressure, &self.eta);
+        (force, weights)
+    }
+
+    /// Hands the forces of the points to the nodes: `take(node, share of the point, point)`.
+    pub fn spread(&self, mut take: impl FnMut(usize, f64, usize)) {
+        for (index, point) in self.points.iter().enumerate() {
+            for (node, weight) in point.nodes.into_iter().zip(point.weights) {
+                if weight != 0.0 {
+                    take(node, weight, index);
+                }
+            }
+        }
+    }
+}
+
+fn real(force: &StripForce<DualSVec64<6>>) -> StripForce<f64> {
+    StripForce {
+        alpha: force.alpha.re,
+        speed: force.speed.re,
+        cl: force.cl.re,
+        cd: force.cd.re,
+        centre_of_pressure: force.centre_of_pressure.re,
+        normal_n_per_m: force.normal_n_per_m.re,
+        tangential_n_per_m: force.tangential_n_per_m.re,
+        normal: force.normal.map(|x| x.re),
+        chord: force.chord.map(|x| x.re),
+        force_n_per_m: force.force_n_per_m.map(|x| x.re),
+    }
+}

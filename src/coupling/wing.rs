@@ -1,0 +1,221 @@
+//! A wing in its air: the coupled equations F(u) = internal force − bench loads − air load(shape of u).
+
+use nalgebra::Vector3;
+
+use super::error::CouplingError;
+use super::fixed_point::Coupled;
+use super::solution::StripLoad;
+use super::strips::{StripAir, StripShape, Strips};
+use crate::aero::{AirLaw, Flow, pressure_density};
+use crate::input::design::{Design, Kinematics};
+use crate::mesh::Mesh;
+use crate::structure::state::State;
+use crate::structure::{Equilibrium, Loads, Model, bench_loads, wing_model};
+
+/// The structure, the strips and the air of a design, with the laws by which they act on each other.
+#[derive(Debug, Clone)]
+pub struct Wing {
+    /// The structure.
+    pub model: Model,
+    /// The strips of air.
+    pub strips: Strips,
+    /// Bench loads and gravity.
+    pub bench: Loads,
+    /// The air, if there is any.
+    pub air: Option<(AirLaw, Flow)>,
+    /// Small rotations about the wing at rest.
+    pub linear: bool,
+}
+
+impl Wing {
+    /// The wing of a design on a mesh.
+    ///
+    /// # Errors
+    /// If design and mesh do not belong together, or the air's laws cannot be set up.
+    pub fn new(design: &Design, mesh: &Mesh, air_table: Option<&[[f64; 3]]>) -> Result<Self, CouplingError> {
+        let model = wing_model(design, mesh)?;
+        let bench = bench_loads(design, mesh, &model);
+        let air = match Flow::from_design(design) {
+            Some(flow) => Some((AirLaw::from_design(design, air_table)?, flow)),
+            None => None,
+        };
+        let strips = if air.is_some() {
+            Strips::new(mesh)
+        } else {
+            Strips::default()
+        };
+        let linear = design.structure.kinematics == Kinematics::Linear;
+        Ok(Wing {
+            model,
+            strips,
+            bench,
+            air,
+            linear,
+        })
+    }
+
+    /// Air on each strip in the given shapes (six values a strip).
+    pub fn strip_air(&self, shapes: &[f64], derivative: bool) -> Vec<StripAir> {
+        let Some((law, flow)) = &self.air else {
+            return Vec::new();
+        };
+        let strips = self.strips.strips.iter().zip(shapes.chunks_exact(6));
+        strips
+            .map(|(strip, shape)| {
+                let shape = StripShape::from_column_slice(shape);
+                if derivative {
+                    strip.air_and_derivative(law, flow, self.linear, &shape)
+                } else {
+                    strip.air(law, flow, self.linear, &shape)
+                }
+            })
+            .collect()
+    }
+
+    /// Forces of the air on the nodes, N.
+    pub fn air_force(&self, air: &[StripAir]) -> Vec<Vector3<f64>> {
+        let mut force = vec![Vector3::zeros(); self.model.nodes.len()];
+        for (strip, air) in self.strips.strips.iter().zip(air) {
+            strip.spread(|node, share, point| force[node] += air.total_n * (air.weights[point] * share));
+        }
+        force
+    }
+
+    /// Change of the nodal forces with a change of the shapes.
+    pub fn air_force_change(&self, air: &[StripAir], shape_change: &[f64]) -> Vec<Vector3<f64>> {
+        let mut force = vec![Vector3::zeros(); self.model.nodes.len()];
+        for ((strip, air), change) in self
+            .strips
+            .strips
+            .iter()
+            .zip(air)
+            .zip(shape_change.chunks_exact(6))
+        {
+            let change = StripShape::from_column_slice(change);
+            strip.spread(|node, share, point| force[node] += air.by_shape[point] * change * share);
+        }
+        force
+    }
+
+    /// All loads when the strips have the given shapes.
+    pub fn loads(&self, shapes: &[f64]) -> Loads {
+        let mut loads = self.bench.clone();
+        for (load, air) in loads
+            .force_n
+            .iter_mut()
+            .zip(self.air_force(&self.strip_air(shapes, false)))
+        {
+            *load += air;
+        }
+        loads
+    }
+
+    /// All loads on a shape: what equilibrium is judged by.
+    pub fn loads_on(&self, state: &State) -> Loads {
+        self.loads(&self.strips.shapes(state))
+    }
+
+    /// The strips as a result.
+    pub fn strip_loads(&self, air: &[StripAir]) -> Vec<StripLoad> {
+        let load = |(strip, air): (&super::strips::Strip, &StripAir)| StripLoad {
+            r_m: strip.r_m,
+            width_m: strip.width_m,
+            chord_m: strip.chord_m,
+            speed_m_s: air.force.speed,
+            alpha_rad: air.force.alpha,
+            cl: air.force.cl,
+            cd: air.force.cd,
+            centre_of_pressure: air.force.centre_of_pressure,
+            normal_n_per_m: air.force.normal_n_per_m,
+            tangential_n_per_m: air.force.tangential_n_per_m,
+        };
+        self.strips.strips.iter().zip(air).map(load).collect()
+    }
+
+    /// Normal pressure on each triangle (Pa) by the law that the strips spread their force with.
+    pub fn pressure(&self, mesh: &Mesh, air: &[StripAir]) -> Vec<f64> {
+        let strips = &self.strips.strips;
+        let at = |triangle: &[usize; 3]| {
+            let centre = triangle
+                .iter()
+                .map(|&n| Vector3::from(mesh.nodes[n]))
+                .sum::<Vector3<f64>>()
+                / 3.0;
+            let near = strips
+                .partition_point(|s| s.r_m + 0.5 * s.width_m < centre.x)
+                .min(strips.len() - 1);
+            let (strip, air) = (&strips[near], &air[near]);
+            let first = strip.points.first().map_or(0.0, |p| p.y_m);
+            let eta = ((centre.y - first) / strip.chord_m).clamp(0.0, 1.0);
+            let mean = air.force.normal_n_per_m / strip.chord_m;
+            mean * pressure_density(air.force.centre_of_pressure, eta)
+        };
+        if strips.is_empty() || air.is_empty() {
+            return vec![0.0; mesh.triangles.len()];
+        }
+        mesh.triangles.iter().map(at).collect()
+    }
+
+    /// Section forces of every beam at its middle: N, V_edge, V_flap (N), T, M_flap, M_edge (N·m).
+    pub fn beam_forces(&self, state: &State) -> Vec<[f64; 6]> {
+        let force = |beam: &crate::structure::Beam| {
+            let (u, q) = self.model.beam_state(beam, state);
+            if self.linear {
+                beam.section_forces_linear(&u, &q)
+            } else {
+                beam.section_forces(&u, &q)
+            }
+        };
+        self.model.beams.iter().map(force).collect()
+    }
+
+    /// Membrane force of every triangle with x along the projection of the span: N_x, N_y, N_xy (N/m).
+    pub fn membrane_forces(&self, state: &State) -> Vec<[f64; 3]> {
+        let force = |shell: &crate::structure::Shell| {
+            let sheet = &self.model.sheets[shell.sheet];
+            let (u, q) = self.model.shell_state(shell, state);
+            if self.linear {
+                shell.membrane_force_linear(sheet, &u, &Vector3::x())
+            } else {
+                shell.membrane_force(sheet, &u, &q, &Vector3::x())
+            }
+        };
+        self.model.shells.iter().map(force).collect()
+    }
+
+    /// Force (N) and moment about the wing base (N·m) by which the supports hold the wing: they balance the loads.
+    pub fn reaction(&self, equilibrium: &Equilibrium, coupled: &Coupled) -> (Vector3<f64>, Vector3<f64>) {
+        let loads = &coupled.loads;
+        let place = |node: usize| {
+            let moved = if self.linear {
+                Vector3::zeros()
+            } else {
+                coupled.state.displacement[node]
+            };
+            self.model.nodes[node] + moved
+        };
+        let mut force = Vector3::zeros();
+        let mut moment = Vector3::zeros();
+        if self.linear {
+            for (node, (f, m)) in loads.force_n.iter().zip(&loads.moment_n_m).enumerate() {
+                force -= f;
+                moment -= place(node).cross(f) + m;
+            }
+            for arm in &loads.arms {
+                force -= arm.force_n;
+                moment -= (place(arm.node) + arm.arm_m).cross(&arm.force_n);
+            }
+            return (force, moment);
+        }
+        let residual = self.model.residual(&equilibrium.pattern, &coupled.state, loads);
+        for (node, held) in self.model.held.iter().enumerate() {
+            let at = equilibrium.pattern.freedom(node, 0);
+            let held_part = |k: usize| if held[k] { residual[at + k] } else { 0.0 };
+            let f = Vector3::from_fn(|k, _| held_part(k));
+            let m = Vector3::from_fn(|k, _| held_part(3 + k));
+            force += f;
+            moment += place(node).cross(&f) + m;
+        }
+        (force, moment)
+    }
+}

@@ -1,0 +1,217 @@
+//! The structure of a wing: its mesh with the sections, film, supports and bench loads of a design.
+
+use nalgebra::Vector3;
+
+use super::StructureError;
+use super::loads::{ArmForce, Loads};
+use super::material;
+use super::model::{Model, PointMass, Spring};
+use crate::input::design::{BenchLoad, Design, RootChord};
+use crate::mesh::{BeamPart, Mesh};
+
+/// The structure of a wing. `model.beams[i]` is `mesh.beams[i]`, `model.shells[i]` is `mesh.triangles[i]`.
+///
+/// The rod is clamped at its base, with a spring about the span axis if the design gives a pitch stiffness; the film's
+/// root chord is free or clamped.
+///
+/// # Errors
+/// If the mesh and the design do not belong together, or an element has no size.
+pub fn wing_model(design: &Design, mesh: &Mesh) -> Result<Model, StructureError> {
+    let mut model = Model::new(mesh.nodes.iter().map(|x| Vector3::from(*x)).collect());
+    let mut sections: Vec<(BeamPart, usize)> = Vec::new();
+    for beam in &mesh.beams {
+        let known = sections
+            .iter()
+            .find(|(part, _)| *part == beam.part)
+            .map(|(_, index)| *index);
+        let index = match known {
+            Some(index) => index,
+            None => {
+                let index = model.add_section(section_of(design, beam.part)?);
+                sections.push((beam.part, index));
+                index
+            }
+        };
+        model.add_beam(beam.nodes, &Vector3::z(), index)?;
+    }
+    if let Some(sheet) = material::film(design)? {
+        let sheet = model.add_sheet(sheet);
+        for &triangle in &mesh.triangles {
+            model.add_shell(triangle, sheet)?;
+        }
+    }
+    support(design, mesh, &mut model);
+    for load in &design.load {
+        let mass_kg = load.mass_kg.value();
+        if mass_kg > 0.0 || load.inertia_kg_m2.iter().any(|&i| i > 0.0) {
+            for (node, arm_m, share) in carriers(mesh, load) {
+                let inertia_kg_m2 = Vector3::from(load.inertia_kg_m2) * share;
+                model.masses.push(PointMass {
+                    node,
+                    arm_m,
+                    mass_kg: share * mass_kg,
+                    inertia_kg_m2,
+                });
+            }
+        }
+    }
+    Ok(model)
+}
+
+/// Bench loads and gravity of a design.
+pub fn bench_loads(design: &Design, mesh: &Mesh, model: &Model) -> Loads {
+    let mut loads = Loads::none(model.nodes.len());
+    for load in &design.load {
+        for (node, arm_m, share) in carriers(mesh, load) {
+            let force_n = Vector3::from(load.force_n) * share;
+            if arm_m == Vector3::zeros() {
+                loads.force_n[node] += force_n;
+            } else if force_n != Vector3::zeros() {
+                loads.arms.push(ArmForce { node, arm_m, force_n });
+            }
+            loads.moment_n_m[node] += Vector3::from(load.moment_n_m) * share;
+        }
+    }
+    if let Some(gravity) = &design.gravity {
+        weigh(model, &Vector3::from(gravity.acceleration_m_s2), &mut loads);
+    }
+    loads
+}
+
+/// Adds the weight of every element and mass.
+fn weigh(model: &Model, acceleration: &Vector3<f64>, loads: &mut Loads) {
+    for beam in &model.beams {
+        let half = 0.5 * model.sections[beam.section].mass_kg_m * beam.length_m();
+        for node in beam.nodes {
+            loads.force_n[node] += acceleration * half;
+        }
+    }
+    for shell in &model.shells {
+        let sheet = &model.sheets[shell.sheet];
+        let third = sheet.density_kg_m3 * sheet.thickness_m * shell.area_m2() / 3.0;
+        for node in shell.nodes {
+            loads.force_n[node] += acceleration * third;
+        }
+    }
+    for mass in &model.masses {
+        loads.arms.push(ArmForce {
+            node: mass.node,
+            arm_m: mass.arm_m,
+            force_n: acceleration * mass.mass_kg,
+        });
+    }
+}
+
+/// Rod nodes that carry a bench load, each with its arm (m) and share: the two that stand around it.
+fn carriers(mesh: &Mesh, load: &BenchLoad) -> Vec<(usize, Vector3<f64>, f64)> {
+    let rod = mesh.rod_nodes();
+    let x_m = 1e-3 * load.at_mm.value();
+    let offset = Vector3::new(
+        0.0,
+        1e-3 * load.chord_offset_mm.value(),
+        1e-3 * load.normal_offset_mm.value(),
+    );
+    let at = |node: usize| Vector3::from(mesh.nodes[node]);
+    let after = rod.partition_point(|&node| at(node).x < x_m - 1e-12);
+    let near = |node: usize| (at(node).x - x_m).abs() < 1e-9;
+    match (after.checked_sub(1).map(|i| rod[i]), rod.get(after).copied()) {
+        (_, Some(node)) | (Some(node), _) if near(node) => vec![(node, offset, 1.0)],
+        (Some(a), Some(b)) => {
+            let share = (x_m - at(a).x) / (at(b).x - at(a).x);
+            let point = at(a) + share * (at(b) - at(a)) + offset;
+            vec![(a, point - at(a), 1.0 - share), (b, point - at(b), share)]
+        }
+        (Some(node), None) | (None, Some(node)) => {
+            vec![(node, Vector3::new(x_m - at(node).x, 0.0, 0.0) + offset, 1.0)]
+        }
+        (None, None) => Vec::new(),
+    }
+}
+
+fn support(design: &Design, mesh: &Mesh, model: &mut Model) {
+    let Some(&base) = mesh.root.first() else {
+        return;
+    };
+    match &design.root.pitch_stiffness_n_m_per_rad {
+        None => model.clamp(base),
+        Some(stiffness) => {
+            model.hold(base, [true, true, true, false, true, true]);
+            model.springs.push(Spring {
+                node: base,
+                displacement_n_m: [0.0; 3],
+                rotation_n_m_rad: [stiffness.value(), 0.0, 0.0],
+            });
+        }
+    }
+    if design.root.chord == RootChord::Clamped {
+        for &node in &mesh.root[1..] {
+            model.clamp(node);
+        }
+    }
+}
+
+fn section_of(design: &Design, part: BeamPart) -> Result<super::Section, StructureError> {
+    let missing = |part: String| StructureError::UnknownPart { part };
+    match part {
+        BeamPart::Rod(index) => {
+            let rod = design
+                .rod
+                .get(index)
+                .ok_or_else(|| missing(format!("rod {index}")))?;
+            material::section(design, &rod.section, rod.material.as_ref())
+        }
+        BeamPart::Spar(index) => {
+            let spar = design
+                .spar
+                .get(index)
+                .ok_or_else(|| missing(format!("spar {index}")))?;
+            material::section(design, &spar.section, spar.material.as_ref())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn design(load: &str) -> (Design, Mesh) {
+        let text = format!(
+            "format = 1\nname = 'w'\n[planform]\nlength_mm = 70.0\nmean_chord_mm = 20.5\nr2_hat = 0.54\n\
+             [[rod]]\nfrom_mm = 0.0\nto_mm = 69.0\nmaterial = 'steel'\nsection = {{ shape = 'round', diameter_mm = 1.0 }}\n\
+             [material.steel]\ne_gpa = 200.0\npoisson = 0.3\ndensity_kg_m3 = 7800.0\n{load}"
+        );
+        let design = Design::from_toml(&text, "w.toml").unwrap();
+        let planform = crate::geometry::Planform::from_design(&design).unwrap();
+        let mesh = crate::mesh::generate(&design, &planform).unwrap();
+        (design, mesh)
+    }
+
+    #[test]
+    fn a_load_between_two_nodes_keeps_its_force_and_moment() {
+        let load = "[[load]]\nat_mm = 33.333\nchord_offset_mm = 5.0\nnormal_offset_mm = -2.0\nforce_n = [1.0, 2.0, 3.0]\n";
+        let (design, mesh) = design(load);
+        let model = wing_model(&design, &mesh).unwrap();
+        let loads = bench_loads(&design, &mesh, &model);
+        let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+        for arm in &loads.arms {
+            force += arm.force_n;
+            moment += (model.nodes[arm.node] + arm.arm_m).cross(&arm.force_n);
+        }
+        let wanted = Vector3::new(1.0, 2.0, 3.0);
+        assert!((force - wanted).norm() < 1e-14);
+        assert!((moment - Vector3::new(0.033333, 0.005, -0.002).cross(&wanted)).norm() < 1e-14);
+    }
+
+    #[test]
+    fn weight_of_a_rod_is_its_mass_times_gravity() {
+        let (design, mesh) = design("[gravity]\nacceleration_m_s2 = [0.0, 0.0, -10.0]\n");
+        let model = wing_model(&design, &mesh).unwrap();
+        let weight: f64 = bench_loads(&design, &mesh, &model)
+            .force_n
+            .iter()
+            .map(|f| f.z)
+            .sum();
+        let expected = -10.0 * 7800.0 * std::f64::consts::PI * 0.25e-6 * 0.069;
+        assert!((weight / expected - 1.0).abs() < 1e-9, "{weight} {expected}");
+    }
+}
