@@ -259,6 +259,29 @@ fn plates_pass_on_regular_distorted_and_folded_meshes_at_rest_and_turned() {
     }
 }
 
+#[test]
+fn a_taut_film_finds_homogeneous_strain_from_its_border() {
+    let taut = Sheet {
+        pretension_n_per_m: 30.0,
+        ..plate(E_T[0], POISSON, E_T[1])
+    };
+    for distortion in [0.0, 1.0] {
+        let prism = prism([0.0; 4], distortion, film(taut, 1e-4));
+        let in_plane = ["stretching along", "stretching across", "shear"];
+        for (name, _, field) in fields(false)
+            .into_iter()
+            .filter(|(name, ..)| in_plane.contains(name))
+        {
+            let field: Vec<_> = (prism.places.iter())
+                .map(|p| field(&prism, p).map(|v| prism.attitude * v))
+                .collect();
+            let (error, _) = imposed(&prism.model, &prism.outer, &field, &UnitQuaternion::identity());
+            println!("taut film, {name}: {error:.1e}");
+            assert!(error < 1e-8, "{name}: {error}");
+        }
+    }
+}
+
 /// Largest force on an inner node of a homogeneously stretched and turned prism, against that on the outer nodes.
 fn stretched(prism: &Prism, stretch: &nalgebra::Matrix3<f64>) -> f64 {
     let equilibrium = Equilibrium::new(&prism.model).unwrap();
