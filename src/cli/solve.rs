@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::coupling::Engineering;
+use crate::coupling::engineering::engineering;
 use crate::coupling::solution::Solution;
 use crate::export::collect::{Solved, summarize, write_files};
 use crate::export::report::page;
@@ -65,6 +65,12 @@ impl Solve {
         let uncertainty = uncertainty.transpose()?;
         let stroke = self.stroke.map(|phases| stroke::solve(&case, phases, progress));
         let stroke: Option<StrokeRun> = stroke.transpose()?;
+        let design = &case.loaded.design;
+        let numbers = engineering(design, &case.planform, &solution, progress);
+        let numbers = numbers.map_err(|source| Failure::Coupling {
+            design: case.loaded.path.clone(),
+            source,
+        })?;
         let solved = Solved {
             loaded: &case.loaded,
             planform: &case.planform,
@@ -74,7 +80,7 @@ impl Solve {
             measured: reading.measured.as_ref(),
             lift: reading.lift.as_ref(),
             uncertainty: uncertainty.as_ref(),
-            engineering: &Engineering::default(),
+            engineering: &numbers,
         };
         let mut summary = summarize(&solved);
         if let Some(stroke) = stroke {
