@@ -62,20 +62,20 @@ pub fn film(design: &Design) -> Result<Option<Sheet>, StructureError> {
         return Ok(None);
     };
     let material = find(design, &film.material)?;
-    let compression = match (film.compression, design.structure.kinematics) {
-        (FilmCompression::TensionField, Kinematics::LargeRotation) => Compression::TensionField {
-            residual: film.residual_compression.value(),
-            drilling_factor: design.structure.drilling_factor,
-        },
-        _ => Compression::Carries,
+    // a film that carries compression is the whole elastic law on the same element: its bending is far too weak for
+    // the rotations of a plate's membrane
+    let residual = match (film.compression, design.structure.kinematics) {
+        (FilmCompression::TensionField, Kinematics::LargeRotation) => film.residual_compression.value(),
+        (FilmCompression::Carries, _) | (_, Kinematics::Linear) => 1.0,
     };
+    let drilling_factor = design.structure.drilling_factor;
     Ok(Some(Sheet {
         e_pa: 1e9 * material.e_gpa.value(),
         poisson: material.poisson.value(),
         thickness_m: 1e-3 * film.thickness_mm.value(),
         density_kg_m3: material.density_kg_m3.value(),
         pretension_n_per_m: film.pretension_n_per_m.value(),
-        compression,
+        compression: Compression::TensionField { residual, drilling_factor },
     }))
 }
 
