@@ -1,8 +1,10 @@
 //! Strips of air on the mesh: how they see the shape, and how their force reaches the nodes.
 //!
-//! A strip stands over one element of the leading edge. Its points are the crossings of its plane with the film's edges,
-//! each a linear interpolation of two nodes. The same weights carry shape one way and force the other, so force, moment
-//! and virtual work are kept for every shape.
+//! Two strips stand over each element of the leading edge, each cut at a Gauss point of the element, so that a twist
+//! that is linear between the nodes does its exact work on a load that is linear too: cut in the middle instead, eight
+//! elements miss the divergence of a uniform wing by 0.64 %, so by 0.32 %. A strip's points are the crossings of its plane
+//! with the film's edges, each a linear interpolation of two nodes. The same weights carry shape one way and force the
+//! other, so force, moment and virtual work are kept for every shape.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 use num_dual::DualSVec64;
@@ -17,6 +19,9 @@ use crate::structure::state::State;
 /// length), wing frame.
 pub type StripShape = SVector<f64, 6>;
 
+/// Places of the two Gauss points on an element from −1 to 1: ±1/√3.
+const GAUSS: [f64; 2] = [-0.577_350_269_189_625_8, 0.577_350_269_189_625_8];
+
 /// Strips of a mesh, from base to tip.
 #[derive(Debug, Clone, Default)]
 pub struct Strips {
@@ -27,9 +32,9 @@ pub struct Strips {
 /// One strip.
 #[derive(Debug, Clone)]
 pub struct Strip {
-    /// Span position at rest, m.
+    /// Span position of its plane at rest, m.
     pub r_m: f64,
-    /// Width at rest, m.
+    /// Width at rest, m: half the element's.
     pub width_m: f64,
     /// Chord at rest, m.
     pub chord_m: f64,
@@ -57,15 +62,16 @@ pub struct StripAir {
 }
 
 impl Strips {
-    /// One strip over each element of the leading edge that meets the film.
+    /// Two strips over each element of the leading edge that meets the film.
     pub fn new(mesh: &Mesh) -> Self {
         if mesh.triangles.is_empty() {
             return Strips::default();
         }
         let lines = ChordLines::new(mesh);
-        let strip = |pair: &[usize]| {
+        let strip = |pair: &[usize], place: f64| {
             let [a, b] = [pair[0], pair[1]].map(|node| Vector3::from(mesh.nodes[node]));
-            let (r_m, width_m) = (0.5 * (a.x + b.x), b.x - a.x);
+            let length_m = b.x - a.x;
+            let r_m = 0.5 * (a.x + b.x) + 0.5 * place * length_m;
             let line = lines.at(r_m)?;
             let place = |p: &ChordPoint| {
                 let [m, n] = p.nodes.map(|node| Vector3::from(mesh.nodes[node]));
@@ -74,7 +80,7 @@ impl Strips {
             let (first, last) = (line.points.first()?, line.points.last()?);
             let chord = place(last) - place(first);
             let chord_m = last.y_m - first.y_m;
-            let tangent = (b - a) / width_m;
+            let tangent = (b - a) / length_m;
             let eta = line
                 .points
                 .iter()
@@ -82,9 +88,9 @@ impl Strips {
                 .collect();
             let rest =
                 StripShape::from_column_slice(&[chord.x, chord.y, chord.z, tangent.x, tangent.y, tangent.z]);
-            (width_m > 0.0 && chord_m > 0.0).then(|| Strip {
+            (length_m > 0.0 && chord_m > 0.0).then(|| Strip {
                 r_m,
-                width_m,
+                width_m: 0.5 * length_m,
                 chord_m,
                 eta,
                 points: line.points,
@@ -93,7 +99,10 @@ impl Strips {
             })
         };
         Strips {
-            strips: mesh.leading_edge.windows(2).filter_map(strip).collect(),
+            strips: (mesh.leading_edge.windows(2))
+                .flat_map(|pair| GAUSS.map(|place| strip(pair, place)))
+                .flatten()
+                .collect(),
         }
     }
 
@@ -125,7 +134,7 @@ impl Strip {
             p.weights[0] * displacement[p.nodes[0]] + p.weights[1] * displacement[p.nodes[1]]
         };
         let chord = at(&self.points[self.points.len() - 1]) - at(&self.points[0]);
-        let tangent = (displacement[self.edge[1]] - displacement[self.edge[0]]) / self.width_m;
+        let tangent = (displacement[self.edge[1]] - displacement[self.edge[0]]) / (2.0 * self.width_m);
         StripShape::from_column_slice(&[chord.x, chord.y, chord.z, tangent.x, tangent.y, tangent.z])
     }
 

@@ -141,9 +141,10 @@ impl Wing {
                 .map(|&n| Vector3::from(mesh.nodes[n]))
                 .sum::<Vector3<f64>>()
                 / 3.0;
-            let near = strips
-                .partition_point(|s| s.r_m + 0.5 * s.width_m < centre.x)
-                .min(strips.len() - 1);
+            let after = strips.partition_point(|s| s.r_m < centre.x).min(strips.len() - 1);
+            let before = after.saturating_sub(1);
+            let is_before = centre.x - strips[before].r_m < strips[after].r_m - centre.x;
+            let near = if is_before { before } else { after };
             let (strip, air) = (&strips[near], &air[near]);
             let first = strip.points.first().map_or(0.0, |p| p.y_m);
             let eta = ((centre.y - first) / strip.chord_m).clamp(0.0, 1.0);

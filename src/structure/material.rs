@@ -75,7 +75,10 @@ pub fn film(design: &Design) -> Result<Option<Sheet>, StructureError> {
         thickness_m: 1e-3 * film.thickness_mm.value(),
         density_kg_m3: material.density_kg_m3.value(),
         pretension_n_per_m: film.pretension_n_per_m.value(),
-        compression: Compression::TensionField { residual, drilling_factor },
+        compression: Compression::TensionField {
+            residual,
+            drilling_factor,
+        },
     }))
 }
 
