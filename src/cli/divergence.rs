@@ -216,7 +216,7 @@ fn page(report: &DivergenceReport) -> String {
     }
     let verdict = match &report.limit {
         None => format!(
-            "Every step has an equilibrium: no divergence up to {}\n",
+            "Divergence: none up to {}; every step has an equilibrium\n",
             last(report)
         ),
         Some(limit) => format!(

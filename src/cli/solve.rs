@@ -117,8 +117,9 @@ pub fn solve(case: &Case, progress: &Progress) -> Result<Solution, Failure> {
 
 fn band(case: &Case, reading: &Reading, samples: usize, progress: &Progress) -> Result<Uncertainty, Failure> {
     let outputs = ProfileOutputs::new(&reading.profile, &stretches_mm(reading));
+    let unseen = progress.unseen();
     let evaluate =
-        |design: &Design| -> Result<Vec<f64>, String> { outputs.read(&profile_of(case, design, progress)?) };
+        |design: &Design| -> Result<Vec<f64>, String> { outputs.read(&profile_of(case, design, &unseen)?) };
     let settings = UncertaintySettings {
         samples,
         ..UncertaintySettings::default()

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::input::design::Instrument;
+use crate::input::design::{CameraAxis, Instrument};
 use crate::input::measurement::{Channel, Measurement, Row};
-use crate::observation::{Observer, TwistProfile};
+use crate::observation::{ObservationError, Observer, TwistProfile};
 
 use super::row::{ComparedRow, NotCompared, compare_row};
 use super::span::SpanComparison;
@@ -25,6 +25,8 @@ pub struct Comparison {
     pub file: String,
     /// Instrument by which the model was read.
     pub instrument: Instrument,
+    /// Axis of the camera, if it was one.
+    pub camera_axis: Option<CameraAxis>,
     /// Every row that could be compared.
     pub rows: Vec<ComparedRow>,
     /// Every other row, and why not.
@@ -41,6 +43,9 @@ pub struct Comparison {
 
 /// Compares a measurement (the rows of one case) with a solved wing.
 ///
+/// The model is read by the instrument of the measurement, if all its twists were read by one and the design says what
+/// that needs; by the instrument of the design otherwise, and a note says so.
+///
 /// `whole_wing` holds what the model gives for channels of the whole wing (lift in mN, ratios to the rigid wing, …);
 /// rows of channels that are not in it are listed as not compared.
 pub fn compare(
@@ -48,6 +53,12 @@ pub fn compare(
     measurement: &Measurement,
     whole_wing: &BTreeMap<Channel, f64>,
 ) -> Comparison {
+    let foreign = measured_instrument(measurement).filter(|measured| *measured != observer.instrument());
+    let seen = foreign.map(|measured| observer.seen_by(measured));
+    let observer = match &seen {
+        Some(Ok(seen)) => seen,
+        _ => observer,
+    };
     let profile = observer.profile();
     let (mut rows, mut not_compared) = (Vec::new(), Vec::new());
     for row in &measurement.rows {
@@ -64,14 +75,19 @@ pub fn compare(
             .map_or_else(String::new, |row| row.case.clone()),
         file: measurement.file.clone(),
         instrument: profile.instrument,
+        camera_axis: profile.camera_axis,
         span: spans(measurement, &rows, &profile),
         modelled_stages: ModelledStages::of(&profile),
-        notes: notes(&rows, &profile),
+        notes: notes(
+            &rows,
+            &profile,
+            seen.as_ref().and_then(|seen| seen.as_ref().err()),
+        ),
         rows,
         not_compared,
         verdict: String::new(),
     };
-    comparison.verdict = verdict::in_words(&comparison, observer.design());
+    comparison.verdict = verdict::in_words(&comparison, observer.design(), &profile);
     comparison
 }
 
@@ -93,7 +109,14 @@ fn spans(measurement: &Measurement, compared: &[ComparedRow], profile: &TwistPro
     spans
 }
 
-fn notes(rows: &[ComparedRow], profile: &TwistProfile) -> Vec<String> {
+/// The instrument by which every twist was measured; none if there are several, or no twist.
+fn measured_instrument(measurement: &Measurement) -> Option<Instrument> {
+    let mut instruments = measurement.rows.iter().filter_map(|row| row.instrument);
+    let first = instruments.next()?;
+    instruments.all(|other| other == first).then_some(first)
+}
+
+fn notes(rows: &[ComparedRow], profile: &TwistProfile, refused: Option<&ObservationError>) -> Vec<String> {
     let mut notes = Vec::new();
     let others = rows
         .iter()
@@ -101,8 +124,9 @@ fn notes(rows: &[ComparedRow], profile: &TwistProfile) -> Vec<String> {
         .find(|other| *other != profile.instrument);
     if let Some(measured) = others {
         let (measured, modelled) = (instrument_words(measured), instrument_words(profile.instrument));
+        let why = refused.map_or_else(String::new, |error| format!(": {error}"));
         notes.push(format!(
-            "twist was measured by {measured}, but the model is read by {modelled}"
+            "twist was measured by {measured}, but the model is read by {modelled}{why}"
         ));
     }
     for row in rows.iter().filter(|row| row.read_to_mm.is_some()) {
@@ -288,6 +312,11 @@ mod tests {
                 .any(|note| note.contains("48-70 mm is read in the model up to 67.9 mm"))
         );
         assert!(comparison.notes[0].contains("measured by a camera, but the model is read by the rotation"));
+        assert!(
+            comparison.notes[0].contains("camera_axis"),
+            "{}",
+            comparison.notes[0]
+        );
         let reasons: Vec<&str> = comparison
             .not_compared
             .iter()
@@ -298,6 +327,44 @@ mod tests {
         assert!(reasons[1].contains("nothing is extrapolated"));
         let deflection = &comparison.rows[2];
         assert!((deflection.modelled - 2.5).abs() < 0.01, "{deflection:?}");
+    }
+
+    #[test]
+    fn the_model_is_read_by_the_instrument_of_the_measurement_where_the_design_says_how() {
+        let mut design = design("");
+        design.observation.camera_axis = Some(CameraAxis::FlappingAxis);
+        // Feathered at 45 deg: the camera along the flapping axis saturates there, the rotation does not.
+        let feathered = |r_mm: f64| 45.0 * r_mm / 67.9;
+        let row = "a,twist,camera,deg,washout,,67.9,,45.0,1,assumed,none\n";
+        let comparison = against(&design, feathered, row);
+        assert_eq!(comparison.instrument, Instrument::Camera);
+        assert_eq!(comparison.rows[0].modelled_bound, Bound::Lower);
+        assert!(comparison.notes.is_empty(), "{:?}", comparison.notes);
+        let row = row.replace("camera", "chord_rotation");
+        let comparison = against(&design, feathered, &row);
+        assert_eq!(
+            (comparison.instrument, comparison.rows[0].modelled_bound),
+            (Instrument::ChordRotation, Bound::None)
+        );
+    }
+
+    #[test]
+    fn twist_that_arises_beyond_the_last_spar_is_said_to_be_the_films() {
+        let mut two_spars = design("");
+        two_spars.spar.truncate(3);
+        let row = "a,twist,chord_rotation,deg,washout,,67.9,,3.0,1.0,assumed,upper\n";
+        let outboard = |r_mm: f64| 0.1 * r_mm + 0.5 * (r_mm - 35.0).max(0.0);
+        let words = against(&two_spars, outboard, row).verdict;
+        assert!(
+            words.contains("3.5 deg are reached at the last spar (35.0 mm)"),
+            "{words}"
+        );
+        assert!(words.contains("the film alone holds the chord"), "{words}");
+        let inboard = |r_mm: f64| 0.5 * r_mm.min(35.0);
+        let words = against(&two_spars, inboard, row).verdict;
+        assert!(!words.contains("film alone"), "{words}");
+        let words = against(&design(""), outboard, row).verdict;
+        assert!(!words.contains("film alone"), "{words}");
     }
 
     #[test]

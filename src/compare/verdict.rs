@@ -3,6 +3,8 @@
 use crate::input::design::Design;
 use crate::input::measurement::{Bound, Channel, SigmaKind};
 
+use crate::observation::{Place, TwistProfile};
+
 use super::comparison::Comparison;
 use super::integrated::weaker;
 use super::row::ComparedRow;
@@ -12,7 +14,7 @@ use super::span::{ComparedStation, SpanComparison};
 pub const AGREEMENT_SIGMA: f64 = 2.0;
 
 /// One paragraph: where the model fails and by how much, how the rates run, and what that rules out.
-pub fn in_words(comparison: &Comparison, design: &Design) -> String {
+pub fn in_words(comparison: &Comparison, design: &Design, profile: &TwistProfile) -> String {
     if comparison.rows.is_empty() && comparison.span.is_empty() {
         return "No measured row could be compared with the model; the reason stands beside each row."
             .to_string();
@@ -30,6 +32,7 @@ pub fn in_words(comparison: &Comparison, design: &Design) -> String {
             ));
         }
         sentences.extend(along_the_span(span));
+        sentences.extend(free_film(span, profile));
     }
     if let Some(rates) = Rates::of(comparison) {
         sentences.push(rates.in_words());
@@ -102,6 +105,30 @@ fn along_the_span(span: &SpanComparison) -> Vec<String> {
     }
     sentences
 }
+
+/// Whether most of a misfit at the last station arises outboard of the last spar, where no spar keeps the chord.
+fn free_film(span: &SpanComparison, profile: &TwistProfile) -> Option<String> {
+    let last = span.outermost()?;
+    let is_spar_end = |place: Place| matches!(place, Place::SparEnd(_));
+    let spar = profile
+        .readings
+        .iter()
+        .rfind(|reading| is_spar_end(reading.place))?;
+    let (spar_mm, spar_deg) = (spar.r_m * 1e3, spar.twist_rad.to_degrees());
+    let beyond_deg = last.modelled_deg - spar_deg;
+    let is_far = last.r_mm - spar_mm > FREE_SHARE * last.r_mm;
+    // The misfit is measured minus modelled, so what the film adds to the model takes away from it.
+    let is_most = -beyond_deg * last.misfit_deg.signum() > 0.5 * last.misfit_deg.abs();
+    (is_far && last.misfit_deg != 0.0 && is_most).then(|| {
+        format!(
+            "Of the modelled twist there {spar_deg:.1} deg are reached at the last spar ({spar_mm:.1} mm); the other \
+             {beyond_deg:.1} deg arise outboard of it, where the film alone holds the chord."
+        )
+    })
+}
+
+/// A last station farther outboard of the last spar than this share of its place hangs on the film.
+const FREE_SHARE: f64 = 0.1;
 
 fn bound_words(bound: Bound) -> &'static str {
     match bound {

@@ -2,7 +2,8 @@
 
 use crate::compare::verdict::sigma_words;
 use crate::compare::{ComparedRow, Comparison, ModelledStages, ProfileOrigin, SpanComparison};
-use crate::input::measurement::{Bound, SigmaKind};
+use crate::input::design::CameraAxis;
+use crate::input::measurement::{Bound, Channel, SigmaKind};
 
 use super::text::{Table, number, significant, wrapped};
 
@@ -46,11 +47,11 @@ pub fn rows(comparison: &Comparison) -> String {
             row.channel.name().to_string(),
             place(row.r_mm),
             place(row.r_to_mm),
-            format!("{}{}", sign(row.bound), significant(row.measured, 3)),
-            significant(row.sigma, 2),
+            format!("{}{}", sign(row.bound), value(row.channel, row.measured)),
+            value(row.channel, row.sigma),
             kind(row.sigma_kind).to_string(),
-            format!("{}{}", sign(row.modelled_bound), significant(row.modelled, 3)),
-            significant(row.error, 3),
+            format!("{}{}", sign(row.modelled_bound), value(row.channel, row.modelled)),
+            value(row.channel, row.error),
             in_sigma(row),
             unit.to_string(),
             row.run.clone(),
@@ -60,11 +61,34 @@ pub fn rows(comparison: &Comparison) -> String {
         return format!("No number of {} could be compared\n", comparison.file);
     }
     format!(
-        "Measured ({}, case {}) beside modelled; error: measured minus modelled\n{}",
+        "Measured ({}, case {}) beside modelled{}; error: measured minus modelled\n{}",
         comparison.file,
         comparison.case,
+        seen_by(comparison),
         table.render()
     )
+}
+
+/// A camera sees something else than the rotation of the chord.
+fn seen_by(comparison: &Comparison) -> &'static str {
+    match comparison.camera_axis {
+        None => "",
+        Some(CameraAxis::Stroke) => " as a camera along the stroke sees it",
+        Some(CameraAxis::FlappingAxis) => " as a camera along the flapping axis sees it",
+    }
+}
+
+/// As many decimals for all values of a channel, so that they can be held against each other.
+fn value(channel: Channel, value: f64) -> String {
+    match channel {
+        Channel::Twist => number(value, 2),
+        Channel::TwistRate
+        | Channel::LiftRatio
+        | Channel::DragRatio
+        | Channel::EfficiencyRatio
+        | Channel::EffectiveLiftRatio => number(value, 3),
+        _ => significant(value, 3),
+    }
 }
 
 /// A bounded value that nothing contradicts has no distance.

@@ -172,6 +172,7 @@ fn twist(summary: &RunSummary) -> String {
         (None, _) => format!("not readable at {at} mm: the chord is too short there"),
     };
     let _ = writeln!(text, "  tip twist {read}");
+    text.extend(free_film(summary));
     for skipped in &summary.skipped {
         let _ = writeln!(text, "  not read: {skipped}");
     }
@@ -179,6 +180,20 @@ fn twist(summary: &RunSummary) -> String {
     let measured = summary.measured.as_ref();
     text.extend(measured.map(|comparison| format!("\n{}", rows(comparison))));
     text
+}
+
+/// A tip far outboard of the last spar reads the film, not the rod.
+fn free_film(summary: &RunSummary) -> Option<String> {
+    let mut rows = summary.profile.iter();
+    let spar = rows.rfind(|row| row.place.starts_with("spar"))?;
+    let is_far = summary.tip.r_mm - spar.r_mm > 0.1 * summary.wing.length_mm;
+    (is_far && summary.tip.twist_deg.is_some()).then(|| {
+        format!(
+            "  outboard of the last spar ({} mm, {}°) the film alone holds the chord\n",
+            number(spar.r_mm, 1),
+            number(spar.twist_deg, 2)
+        )
+    })
 }
 
 fn uncertainty(band: &Uncertainty) -> String {

@@ -20,6 +20,7 @@ pub struct Observer<'a> {
     planform: &'a Planform,
     solution: &'a Solution,
     lines: ChordLines<'a>,
+    instrument: Instrument,
     camera: Option<Camera>,
     root_angle_rad: Option<f64>,
 }
@@ -30,6 +31,20 @@ impl<'a> Observer<'a> {
     /// Errors: a camera whose axis or root angle is not stated or that sees the wing edge-on; states of another
     /// mesh.
     pub fn new(
+        design: &'a Design,
+        planform: &'a Planform,
+        solution: &'a Solution,
+    ) -> Result<Observer<'a>, ObservationError> {
+        Observer::with(design.observation.instrument, design, planform, solution)
+    }
+
+    /// The same wing before another instrument, for measurements that were made with it; errors as [`Observer::new`].
+    pub fn seen_by(&self, instrument: Instrument) -> Result<Observer<'a>, ObservationError> {
+        Observer::with(instrument, self.design, self.planform, self.solution)
+    }
+
+    fn with(
+        instrument: Instrument,
         design: &'a Design,
         planform: &'a Planform,
         solution: &'a Solution,
@@ -46,7 +61,7 @@ impl<'a> Observer<'a> {
             }
         }
         let root_angle_rad = root_angle_rad(design);
-        let camera = match design.observation.instrument {
+        let camera = match instrument {
             Instrument::ChordRotation => None,
             Instrument::Camera => Some(camera(design, root_angle_rad)?),
         };
@@ -56,6 +71,7 @@ impl<'a> Observer<'a> {
             planform,
             solution,
             lines,
+            instrument,
             camera,
             root_angle_rad,
         })
@@ -73,7 +89,7 @@ impl<'a> Observer<'a> {
         TwistProfile {
             readings,
             skipped,
-            instrument: self.design.observation.instrument,
+            instrument: self.instrument,
             camera_axis: self.camera.map(|camera| camera.axis),
             root_angle_rad: self.root_angle_rad,
         }
@@ -88,6 +104,11 @@ impl<'a> Observer<'a> {
     /// Leading edge at `r_m`; none off it.
     pub fn leading_edge(&self, r_m: f64) -> Option<LeadingEdgeReading> {
         leading_edge_at(self.solution, r_m)
+    }
+
+    /// What reads the twist.
+    pub fn instrument(&self) -> Instrument {
+        self.instrument
     }
 
     /// Design of the wing.

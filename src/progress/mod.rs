@@ -42,6 +42,14 @@ impl Progress {
         }
     }
 
+    /// A handle that shows nothing but is cancelled together with this one: for one of many cases that run at a time.
+    pub fn unseen(&self) -> Self {
+        Progress {
+            cancelled: Arc::clone(&self.cancelled),
+            bar: None,
+        }
+    }
+
     /// Makes Ctrl-C cancel this handle; a second Ctrl-C ends the process at once with exit code 130.
     ///
     /// Does nothing if the process has another handler already.
@@ -122,6 +130,14 @@ mod tests {
         assert_eq!(clone.check(), Ok(()));
         progress.cancel();
         assert_eq!(clone.check(), Err(Cancelled));
+    }
+
+    #[test]
+    fn an_unseen_handle_is_cancelled_with_the_one_it_came_from() {
+        let progress = Progress::quiet();
+        let unseen = progress.unseen();
+        progress.cancel();
+        assert!(unseen.is_cancelled());
     }
 
     #[test]

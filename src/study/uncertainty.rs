@@ -4,8 +4,9 @@
 //! possible and nothing more, so the band is one of ignorance, not of scatter between wings.
 
 use std::fmt::Display;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -103,19 +104,23 @@ where
     let nominal = read(design).map_err(|reason| StudyError::Nominal { reason })?;
     progress.check()?;
     let points = unit_points(settings.samples, inputs.len(), settings.seed);
+    let done = AtomicUsize::new(0);
+    let say = |done: usize| {
+        progress.say(format_args!(
+            "uncertainty: {done} of {} samples solved",
+            settings.samples
+        ));
+    };
+    say(0);
     let results: Vec<Result<Vec<f64>, String>> = points
         .par_iter()
-        .enumerate()
-        .map(|(index, point)| {
+        .map(|point| {
             if progress.is_cancelled() {
                 return Err(String::new());
             }
-            progress.say(format_args!(
-                "uncertainty: sample {} of {}",
-                index + 1,
-                settings.samples
-            ));
-            read(&sampled(design, &inputs, point)?)
+            let result = sampled(design, &inputs, point).and_then(|sample| read(&sample));
+            say(done.fetch_add(1, Ordering::Relaxed) + 1);
+            result
         })
         .collect();
     progress.check()?;
