@@ -1,0 +1,130 @@
+//! Time and memory of the three wings: coupled solve, mesh, and the parts of one Newton step.
+//!
+//! `cargo bench`. One thread; "max alloc" is the peak memory of one run.
+
+use std::path::Path;
+
+use divan::counter::ItemsCount;
+use divan::{AllocProfiler, Bencher};
+
+use washout::coupling::{solution::Solution, solve, wing::Wing};
+use washout::geometry::Planform;
+use washout::input::{Design, Loaded};
+use washout::mesh::{Mesh, generate};
+use washout::progress::Progress;
+use washout::structure::Equilibrium;
+use washout::structure::factor::Factor;
+
+#[global_allocator]
+static MEMORY: AllocProfiler = AllocProfiler::system();
+
+const WINGS: [&str; 3] = ["rigid", "twist-v1", "twist-v2"];
+
+fn main() {
+    divan::main();
+}
+
+struct Case {
+    design: Design,
+    planform: Planform,
+    mesh: Mesh,
+}
+
+impl Case {
+    fn of(wing: &str) -> Case {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("designs/{wing}.toml"));
+        let Loaded { design, .. } = Design::load(&file, &[]).expect("a shipped design");
+        let planform = Planform::from_design(&design).expect("an outline");
+        let mesh = generate(&design, &planform).expect("a mesh");
+        Case {
+            design,
+            planform,
+            mesh,
+        }
+    }
+
+    fn solve(&self) -> Solution {
+        let Case {
+            design,
+            planform,
+            mesh,
+        } = self;
+        solve(design, planform, mesh, None, &Progress::quiet()).expect("an equilibrium")
+    }
+}
+
+/// The coupled solve as `washout solve` makes it, from the mesh to the converged shape.
+#[divan::bench(args = WINGS, sample_count = 5, sample_size = 1)]
+fn coupled_solve(bencher: Bencher, wing: &str) {
+    let case = Case::of(wing);
+    bencher.bench_local(|| case.solve());
+}
+
+/// The mesh of a design.
+#[divan::bench(args = WINGS, sample_count = 20)]
+fn mesh(bencher: Bencher, wing: &str) {
+    let Case {
+        design,
+        planform,
+        mesh,
+    } = Case::of(wing);
+    bencher
+        .counter(ItemsCount::new(mesh.triangles.len()))
+        .bench_local(|| generate(&design, &planform));
+}
+
+/// The parts of one Newton step on the loaded shape.
+#[divan::bench_group(sample_count = 50, sample_size = 1)]
+mod newton_step {
+    use super::*;
+
+    /// Stiffness of all elements into the matrix.
+    #[divan::bench(args = WINGS)]
+    fn assembly(bencher: Bencher, wing: &str) {
+        with_loaded(wing, |wing, solution, equilibrium| {
+            let loads = wing.loads_on(&solution.state);
+            let mut values = equilibrium.tangent_values().to_vec();
+            bencher.bench_local(|| {
+                values.fill(0.0);
+                wing.model
+                    .tangent(&equilibrium.pattern, &solution.state, &loads, None, &mut values)
+            });
+        });
+    }
+
+    /// The numbers of the factor; its pattern is analysed once for a mesh.
+    #[divan::bench(args = WINGS)]
+    fn factorization(bencher: Bencher, wing: &str) {
+        with_loaded(wing, |_, _, equilibrium| {
+            let mut factor = Factor::new(&equilibrium.pattern).expect("memory");
+            bencher.bench_local(|| factor.positive(&equilibrium.pattern, equilibrium.tangent_values()));
+        });
+    }
+
+    /// Assembly, factorization, solution and the residual of the shape that was reached.
+    #[divan::bench(args = WINGS)]
+    fn whole(bencher: Bencher, wing: &str) {
+        with_loaded(wing, |wing, solution, equilibrium| {
+            let loads = wing.loads_on(&solution.state);
+            bencher.bench_local(|| {
+                let pivots = equilibrium.factorize(&solution.state, &loads).expect("a factor");
+                let residual = wing.model.residual(&equilibrium.pattern, &solution.state, &loads);
+                let mut step: Vec<f64> = residual.iter().map(|r| -r).collect();
+                equilibrium.solve_tangent(&mut step, 1);
+                let moved = equilibrium.moved(&solution.state, &step, 1.0);
+                (pivots, wing.model.residual(&equilibrium.pattern, &moved, &loads))
+            });
+        });
+    }
+
+    fn with_loaded(name: &str, measure: impl FnOnce(&Wing, &Solution, &mut Equilibrium)) {
+        let case = Case::of(name);
+        let solution = case.solve();
+        let wing = Wing::new(&case.design, &case.mesh, None).expect("a wing");
+        let mut equilibrium = Equilibrium::new(&wing.model).expect("a pattern");
+        let loads = wing.loads_on(&solution.state);
+        let pivots = equilibrium.factorize(&solution.state, &loads).expect("a factor");
+        assert_eq!(pivots, 0, "{name} is stable");
+        measure(&wing, &solution, &mut equilibrium);
+    }
+}
