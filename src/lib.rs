@@ -1,7 +1,15 @@
 //! washout: the twist of a flexible wing under air load, and which physics a model of it lacks.
 //!
-//! `input → geometry → mesh → structure | aero → effects → coupling → observation → lift → study → compare`,
-//! and `export` turns any result into bytes. Data flows one way; `tests/floor_plan` keeps it so.
+//! ```text
+//! input ─→ geometry ─→ mesh ─┬→ structure ─┬→ effects ─→ coupling ─→ observation ─→ lift ─→ study ─→ compare
+//! designs   outline    nodes  │  beams, film │  added      air and      twist as an    means    bands    measured
+//! measure-  rod and    and    └→ aero ───────┘  physics    structure    instrument     over the          minus
+//! ments     spars      sets      flow, strips              together     sees it        stroke            modelled
+//!
+//! export: any result into bytes        cli: one file per verb        progress: for every room
+//! ```
+//!
+//! Data flows one way; `tests/floor_plan` keeps it so. The shortest way through: `examples/first_run.rs`.
 
 pub mod progress;
 
