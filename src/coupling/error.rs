@@ -1,6 +1,8 @@
 //! Why a coupled solve gives no solution.
 
 use crate::aero::AeroError;
+use crate::input::InputError;
+use crate::mesh::MeshError;
 use crate::progress::Cancelled;
 use crate::structure::StructureError;
 
@@ -43,6 +45,47 @@ pub enum CouplingError {
     /// The user asked to stop.
     #[error(transparent)]
     Interrupted(#[from] Cancelled),
+}
+
+/// Why a sensitivity is not found.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SensitivityError {
+    /// The design has no such number.
+    #[error(
+        "{key}: no number stands there. Give the dotted key of a number, such as flapping.half_amplitude_deg"
+    )]
+    NoNumber {
+        /// The key.
+        key: String,
+    },
+    /// The design refuses values beside the present one.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// A design beside the present one cannot be meshed.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The mesh of a design beside the present one has other elements.
+    #[error(
+        "{key}: the mesh changes its pattern with it, so there is no derivative. Give the wing a mesh file"
+    )]
+    OtherPattern {
+        /// The key.
+        key: String,
+    },
+    /// The wing cannot be set up.
+    #[error(transparent)]
+    Coupling(#[from] CouplingError),
+    /// The coupled tangent is singular: the wing stands at its divergence.
+    #[error(
+        "the coupled tangent is singular: the wing stands at its divergence. Lower the speed or the amplitude"
+    )]
+    Singular,
+}
+
+impl From<StructureError> for SensitivityError {
+    fn from(error: StructureError) -> Self {
+        SensitivityError::Coupling(error.into())
+    }
 }
 
 impl From<StructureError> for CouplingError {

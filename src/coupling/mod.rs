@@ -10,6 +10,8 @@ pub mod feedback;
 
 pub mod fixed_point;
 
+pub mod sensitivity;
+
 pub mod solution;
 
 pub mod strips;
@@ -17,7 +19,8 @@ pub mod strips;
 pub mod wing;
 
 pub use engineering::{Engineering, Extreme};
-pub use error::CouplingError;
+pub use error::{CouplingError, SensitivityError};
+pub use sensitivity::Sensitivity;
 
 use crate::geometry::Planform;
 use crate::input::design::Design;

@@ -1,5 +1,9 @@
 //! Air and structure together: load transfer, divergence, tangent, sensitivity, independence of numerics.
 
+mod film;
+mod independence;
 mod load_transfer;
+mod sensitivity;
 mod support;
+mod tangent;
 mod uniform_wing;

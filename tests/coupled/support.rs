@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use nalgebra::Vector3;
+use washout::aero::Flow;
 use washout::coupling::solution::Solution;
 use washout::coupling::{self, CouplingError};
 use washout::geometry::Planform;
@@ -59,7 +60,11 @@ impl Wing {
 
 /// Force of the air on a wing across the stream at rest, N.
 pub fn lift_n(wing: &Wing, solution: &Solution) -> f64 {
-    let flow = washout::aero::Flow::from_design(&wing.design).unwrap();
+    lift_of(&Flow::from_design(&wing.design).unwrap(), solution)
+}
+
+/// The same for a flow.
+pub fn lift_of(flow: &Flow, solution: &Solution) -> f64 {
     let force: Vector3<f64> = solution.air_force_n.iter().map(|f| Vector3::from(*f)).sum();
     force.dot(&flow.lift_direction())
 }

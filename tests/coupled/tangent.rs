@@ -1,0 +1,103 @@
+//! The coupled tangent K − A S and the air's derivatives against differences of what they differentiate.
+
+use washout::aero::{AirLaw, Flow};
+use washout::coupling::feedback::Feedback;
+use washout::coupling::strips::{StripShape, Strips};
+use washout::coupling::wing::Wing;
+use washout::structure::Equilibrium;
+
+use crate::support::{Noise, shipped};
+
+/// Largest error of the coupled tangent in random directions x, which are answers to loads all over the wing: the
+/// difference (F(u + h x) − F(u − h x))/2h, put through (K − A S)⁻¹, must give x back. Measured as a displacement, because
+/// forces along the rod drown in the rounding of its length.
+fn tangent_error(name: &str, refine: &str, move_m: f64) -> f64 {
+    let shipped = shipped(name, &[refine, "coupling.residual_tolerance=1e-8"]);
+    let solution = shipped.solve();
+    let wing = Wing::new(&shipped.design, &shipped.mesh, None).unwrap();
+    let mut equilibrium = Equilibrium::new(&wing.model).unwrap();
+    let state = &solution.state;
+    equilibrium.factorize(state, &wing.loads_on(state)).unwrap();
+    let shapes = wing.strips.shapes(state);
+    let mut worst = 0.0_f64;
+    for seed in 0..4 {
+        let mut noise = Noise(seed);
+        let (a, b) = (noise.vector(), noise.vector());
+        let mut right = vec![0.0; equilibrium.held().len()];
+        for (node, x) in wing.model.nodes.iter().enumerate() {
+            let at = equilibrium.pattern.freedom(node, 0);
+            for k in 0..3 {
+                right[at + k] = a[k] + b[k] * (60.0 * x.x + 90.0 * x.y).sin();
+            }
+        }
+        let x = Feedback::new(&wing, &mut equilibrium, &shapes)
+            .solve(&right)
+            .unwrap();
+        let step = move_m / x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let residual = |share: f64| {
+            let moved = equilibrium.moved(state, &x, share);
+            wing.model
+                .residual(&equilibrium.pattern, &moved, &wing.loads_on(&moved))
+        };
+        let (up, down) = (residual(step), residual(-step));
+        let slope: Vec<f64> = up
+            .iter()
+            .zip(&down)
+            .map(|(a, b)| (a - b) / (2.0 * step))
+            .collect();
+        let back = Feedback::new(&wing, &mut equilibrium, &shapes)
+            .solve(&slope)
+            .unwrap();
+        let norm = |v: &mut dyn Iterator<Item = f64>| v.map(|v| v * v).sum::<f64>().sqrt();
+        let error = norm(&mut back.iter().zip(&x).map(|(a, b)| a - b)) / norm(&mut x.iter().copied());
+        worst = worst.max(error);
+    }
+    worst
+}
+
+#[test]
+fn solves_with_the_coupled_tangent_agree_with_differences_of_the_coupled_residual() {
+    let error = tangent_error("twist-v2", "mesh.refine=1", 1e-7);
+    println!("tangent: {error:.1e}");
+    assert!(error < 1e-5, "{error}");
+}
+
+#[test]
+fn forces_of_the_points_differentiate_exactly_for_random_shapes() {
+    let wing = shipped("twist-v2", &["mesh.refine=0.5"]);
+    let law = AirLaw::from_design(&wing.design, None).unwrap();
+    let flow = Flow::from_design(&wing.design).unwrap();
+    let mut noise = Noise(3);
+    let mut worst = 0.0_f64;
+    for linear in [false, true] {
+        for strip in &Strips::new(&wing.mesh).strips {
+            let mut shape = StripShape::zeros();
+            let chord = noise.vector().normalize() * strip.chord_m;
+            let edge = noise.vector().normalize();
+            shape.fixed_rows_mut::<3>(0).copy_from(&chord);
+            shape.fixed_rows_mut::<3>(3).copy_from(&edge);
+            let exact = strip.air_and_derivative(&law, &flow, linear, &shape);
+            let force = |shape: &StripShape| {
+                let air = strip.air(&law, &flow, linear, shape);
+                air.weights.iter().map(|w| air.total_n * *w).collect::<Vec<_>>()
+            };
+            for k in 0..6 {
+                let unit = if k < 3 { strip.chord_m } else { 1.0 };
+                let step = 1e-5 * unit;
+                let at = |share: f64| {
+                    let mut moved = shape;
+                    moved[k] += share * step;
+                    force(&moved)
+                };
+                let size = exact.total_n.norm().max(1e-6) / unit;
+                for (point, (up, down)) in at(1.0).iter().zip(at(-1.0)).enumerate() {
+                    let slope = (up - down) / (2.0 * step);
+                    let error = (slope - exact.by_shape[point].column(k)).norm() / size;
+                    worst = worst.max(error);
+                }
+            }
+        }
+    }
+    println!("by_shape: {worst:.1e}");
+    assert!(worst < 1e-5, "{worst}");
+}
