@@ -45,7 +45,7 @@ fn compared(name: &str) -> Comparison {
     compare(&observer, &measurement.unwrap(), &BTreeMap::new())
 }
 
-/// Recorded: modelled twist (deg) at the last stations and the root mean square error along the span.
+/// Recorded: modelled twist (deg) as the measurement's camera reads it, and the root mean square error along the span.
 fn record(comparison: &Comparison, stations: &[(f64, f64)], rmse_along_span_deg: f64) {
     let span = &comparison.span[0];
     println!("{span:?}\n{}", comparison.verdict);
@@ -64,11 +64,11 @@ fn twist_v2_is_met_at_the_tip_and_missed_at_its_base() {
         (2.8, 1.45),
         (18.9, 5.29),
         (35.0, 8.40),
-        (51.1, 17.70),
-        (67.2, 20.52),
-        (67.9, 20.58),
+        (51.1, 17.60),
+        (67.2, 20.24),
+        (67.9, 20.31),
     ];
-    record(&comparison, &spars, 2.87);
+    record(&comparison, &spars, 2.85);
     assert_eq!(comparison.span[0].worst_r_mm, 18.9);
     assert!(
         !comparison.verdict.contains("uniform rod"),
@@ -91,5 +91,5 @@ fn twist_v1_is_missed_by_32_degrees_at_the_tip_and_the_words_say_that_no_uniform
 #[test]
 fn the_rigid_wing_twists_beyond_its_bound_where_its_film_has_no_spar() {
     let comparison = compared("rigid");
-    record(&comparison, &[(67.9, 13.61)], 6.12);
+    record(&comparison, &[(67.9, 13.69)], 6.17);
 }
