@@ -42,6 +42,19 @@ pub enum Failure {
         /// Why.
         source: CouplingError,
     },
+    /// The pitch stop, which only pushes, would have to pull.
+    #[error(
+        "{}: the pitch stop would have to pull with {moment_mn_mm:.3} mN mm, but it only pushes: the wing would leave it, \
+         and this is no equilibrium. Turn the load or the bench forces the other way, or give the pitch stiffness of a \
+         flexure in [root]",
+        design.display()
+    )]
+    StopPulls {
+        /// The design file.
+        design: PathBuf,
+        /// Moment with which it would pull.
+        moment_mn_mm: f64,
+    },
     /// The ranges of the assumed inputs give no band.
     #[error("--uncertainty: {0}")]
     Study(StudyError),
@@ -108,7 +121,7 @@ impl Failure {
             Failure::Study(StudyError::Cancelled(_)) => 130,
             Failure::Study(StudyError::Nominal { .. } | StudyError::SamplesFailed { .. }) => 3,
             Failure::Study(_) => 2,
-            Failure::Input(_) | Failure::Design { .. } => 2,
+            Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } | Failure::NoMeasurement { .. } => 2,
             Failure::Export(ExportError::NoRun { .. } | ExportError::ForeignSummary { .. }) => 2,
             Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) => 1,

@@ -109,10 +109,28 @@ impl Solve {
 
 /// The loaded shape, or a failure that names the design.
 pub fn solve(case: &Case, progress: &Progress) -> Result<Solution, Failure> {
-    case.solve(progress).map_err(|source| Failure::Coupling {
+    let solution = case.solve(progress).map_err(|source| Failure::Coupling {
         design: case.loaded.path.clone(),
         source,
-    })
+    })?;
+    check_stop(case, &solution)?;
+    Ok(solution)
+}
+
+/// The stop of a flapping wing holds it against washout only.
+fn check_stop(case: &Case, solution: &Solution) -> Result<(), Failure> {
+    let design = &case.loaded.design;
+    let has_stop = design.flapping.is_some() && design.root.pitch_stiffness_n_m_per_rad.is_none();
+    let moment = solution.report.reaction_moment_n_m;
+    // Next to no load, rounding decides the sign.
+    let size = moment.iter().map(|part| part * part).sum::<f64>().sqrt();
+    if has_stop && moment[0] > 1e-6 * size {
+        return Err(Failure::StopPulls {
+            design: case.loaded.path.clone(),
+            moment_mn_mm: moment[0] * 1e6,
+        });
+    }
+    Ok(())
 }
 
 fn band(case: &Case, reading: &Reading, samples: usize, progress: &Progress) -> Result<Uncertainty, Failure> {

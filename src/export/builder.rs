@@ -2,6 +2,7 @@
 
 use super::report::line;
 use super::text::{number, significant};
+use super::warnings::SLOW_RATIO;
 use crate::coupling::{Engineering, Extreme};
 
 /// Mass, inertia, frequencies, stresses and margins; empty if there are none.
@@ -89,7 +90,7 @@ pub fn engineering(engineering: &Engineering) -> String {
 /// 1/(1 − 1/ratio²) times as much as a slow one.
 fn stillness(ratio: f64) -> String {
     let times = format!("{} times the flapping", number(ratio, 2));
-    if ratio < 1.5 {
+    if ratio < SLOW_RATIO {
         return format!("{times}: too near it, the shape does not follow the load (not quasi-static)");
     }
     let excess = number(100.0 / (ratio * ratio - 1.0), 0);

@@ -17,6 +17,7 @@ use super::summary::{
     AssumedChoice, AssumedInput, CellLegend, FORMAT, FlowSummary, MeshSummary, Outcome, ProfileRow,
     RunSummary, SolveSummary, TipSummary, WingSummary,
 };
+use super::warnings::warnings;
 use super::wing::{Legend, PARTS, Shape, displacement_mm, solution_grid};
 use super::{ExportError, csv, pvd};
 
@@ -54,7 +55,7 @@ pub fn summarize(solved: &Solved) -> RunSummary {
     } = *solved;
     let design = &loaded.design;
     let legend = Legend::of(design);
-    RunSummary {
+    let mut summary = RunSummary {
         format: FORMAT,
         washout_version: env!("CARGO_PKG_VERSION").to_string(),
         name: design.name.clone(),
@@ -82,7 +83,9 @@ pub fn summarize(solved: &Solved) -> RunSummary {
         },
         warnings: Vec::new(),
         files: Vec::new(),
-    }
+    };
+    summary.warnings = warnings(&summary);
+    summary
 }
 
 /// Adds all files of a run to its folder; `summary.files` is filled with their names.
@@ -191,6 +194,7 @@ fn solve(solution: &Solution) -> SolveSummary {
         residual: report.residual,
         twist_change_deg: report.twist_change_deg,
         negative_pivots: report.negative_pivots,
+        critical_pressure_ratio: report.critical_pressure_ratio,
         reaction_force_mn: report.reaction_force_n.map(|force| force * 1e3),
         reaction_moment_mn_mm: report.reaction_moment_n_m.map(|moment| moment * 1e6),
         largest_twist_deg: history.map(largest).collect(),

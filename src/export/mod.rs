@@ -26,4 +26,6 @@ pub mod report;
 
 pub mod text;
 
+pub mod warnings;
+
 pub use error::ExportError;

@@ -70,8 +70,27 @@ fn solved(summary: &RunSummary) -> String {
         0 => "stable (no negative pivot)".to_string(),
         count => format!("NOT stable: {count} negative pivots of the tangent"),
     };
-    line(&mut text, "branch", &branch);
+    let divergence = match solve.critical_pressure_ratio {
+        // The ratio is an estimate from this shape, so far away it only says that twist takes load off the wing.
+        None | Some(100.0..) => "no divergence in sight".to_string(),
+        Some(ratio) => format!(
+            "divergence at about {} times this dynamic pressure",
+            significant(ratio, 3)
+        ),
+    };
+    line(&mut text, "branch", &format!("{branch}; {divergence}"));
+    if let Some(moment_mn_mm) = stop_moment_mn_mm(summary) {
+        let carries = format!("carries {} mN mm in pitch", significant(moment_mn_mm, 4));
+        line(&mut text, "stop", &carries);
+    }
     text
+}
+
+/// What the pitch stop carries, positive as it pushes; none where a flexure stands between, or nothing flaps.
+fn stop_moment_mn_mm(summary: &RunSummary) -> Option<f64> {
+    let is_rigid = summary.design.root.pitch_stiffness_n_m_per_rad.is_none();
+    let flaps = matches!(summary.flow, Some(FlowSummary::Flapping { .. }));
+    (is_rigid && flaps).then(|| -summary.solve.reaction_moment_mn_mm[0])
 }
 
 fn air(flow: Option<&FlowSummary>) -> String {

@@ -169,6 +169,9 @@ pub struct SolveSummary {
     pub twist_change_deg: f64,
     /// Negative pivots of the tangent (inertia count); 0: stable branch.
     pub negative_pivots: usize,
+    /// Critical dynamic pressure of divergence over that of the design, estimated from the loaded shape; absent if the
+    /// air's answer to twist does not drive it on.
+    pub critical_pressure_ratio: Option<f64>,
     /// Force of the support on the wing, wing frame.
     pub reaction_force_mn: [f64; 3],
     /// Moment of the support about the wing base, wing frame; its first part is what the stop carries.

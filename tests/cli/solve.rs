@@ -219,3 +219,31 @@ fn a_solve_that_does_not_converge_ends_with_3_and_keeps_the_earlier_run() {
     assert!(before == contents(&here.path().join("output/twist-v2")));
     assert_eq!(entries(&here.path().join("output")), ["twist-v2"]);
 }
+
+#[test]
+fn a_stop_that_would_have_to_pull_gives_no_result() {
+    let here = folder();
+    let text = fs::read_to_string(design("twist-v2.toml")).expect("a design");
+    let design = text.replace("materials.toml", &design("materials.toml")).replace(
+        "[measured]\nfile = \"../measurements/colmenares-as-stated.csv\"\ncase = \"twist-v2\"\n",
+        "",
+    );
+    // The air turns the wing with 314 mN mm against the stop; this turns it back with 1000.
+    let load = "\n[[load]]\nat_mm = 35.0\nmoment_n_m = [-0.001, 0.0, 0.0]\n";
+    fs::write(here.path().join("pressed.toml"), design + load).expect("a file");
+    let said = washout(here.path(), &["solve", "pressed.toml"]);
+    assert_eq!((said.code, said.out.as_str()), (Some(2), ""), "{}", said.err);
+    assert!(
+        said.err.contains("the pitch stop would have to pull"),
+        "{}",
+        said.err
+    );
+    assert!(entries(&here.path().join("output")).is_empty());
+    let less = "\n[[load]]\nat_mm = 35.0\nmoment_n_m = [-0.0002, 0.0, 0.0]\n";
+    let text = fs::read_to_string(here.path().join("pressed.toml")).expect("a file");
+    fs::write(here.path().join("less.toml"), text.replace(load, less)).expect("a file");
+    assert_eq!(
+        washout(here.path(), &["solve", "less.toml", "--quiet"]).code,
+        Some(0)
+    );
+}
