@@ -5,5 +5,6 @@ mod independence;
 mod load_transfer;
 mod sensitivity;
 mod support;
+mod swept_wing;
 mod tangent;
 mod uniform_wing;
