@@ -5,6 +5,7 @@ use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::perm::PermRef;
 use faer::sparse::SparseColMatRef;
+use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
     factorize_symbolic_cholesky, supernodal::SupernodalLdltRef,
@@ -50,7 +51,10 @@ impl Factor {
             pattern.symbolic(),
             Side::Lower,
             SymmetricOrdering::Custom(PermRef::new_checked(&order, &order, pattern.len())),
-            CholeskySymbolicParams::default(),
+            CholeskySymbolicParams {
+                supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+                ..CholeskySymbolicParams::default()
+            },
         )
         .map_err(|_| StructureError::Singular { node: 0 })?;
         let need = StackReq::any_of(&[
