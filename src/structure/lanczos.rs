@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, SymmetricEigen};
 
 use super::StructureError;
-use super::newton::Equilibrium;
+use super::equilibrium::Equilibrium;
 use super::pattern::Pattern;
 use crate::progress::Progress;
 

@@ -12,7 +12,7 @@ use super::model::{Model, PointMass};
 use super::pattern::Pattern;
 use super::rotation::skew;
 use super::section::Section;
-use super::shell::Sheet;
+use super::sheet::Sheet;
 use super::state::State;
 
 /// Values of the mass matrix on `pattern` (lower triangle; kg, kg·m, kg·m²), held freedoms included.
@@ -234,7 +234,7 @@ fn parallel(place: &Vector3<f64>) -> Matrix3<f64> {
 mod tests {
     use super::*;
     use crate::structure::section::BeamMaterial;
-    use crate::structure::shell::Compression;
+    use crate::structure::sheet::Compression;
 
     const CARBON: BeamMaterial = BeamMaterial {
         e_pa: 134e9,

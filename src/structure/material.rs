@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Matrix6};
 
 use super::StructureError;
 use super::section::{BeamMaterial, PlyStiffness, Section};
-use super::shell::{Compression, Sheet};
+use super::sheet::{Compression, Sheet};
 use crate::input::design::{self, Design, FilmCompression, Flat, Kinematics, Material, SectionStrain};
 
 /// The section of a rod segment or a spar; `material` as its key says.

@@ -4,6 +4,8 @@ pub mod beam;
 
 pub mod corotational;
 
+pub mod equilibrium;
+
 pub mod error;
 
 pub mod factor;
@@ -32,22 +34,30 @@ pub mod rotation;
 
 pub mod section;
 
+pub mod sheet;
+
 pub mod shell;
+
+pub mod shell_force;
 
 pub mod state;
 
 pub mod strength;
 
+pub mod taming;
+
 pub mod wing;
 
 pub use beam::Beam;
+pub use equilibrium::Equilibrium;
 pub use error::StructureError;
 pub use loads::{ArmForce, Loads};
 pub use mass::{MassProperties, mass_matrix};
 pub use model::{Model, PointMass, Spring};
 pub use modes::{Mode, Vibration, lowest_modes};
-pub use newton::{Equilibrium, NewtonReport, NewtonSettings};
+pub use newton::{NewtonReport, NewtonSettings};
 pub use section::Section;
-pub use shell::{Compression, Sheet, Shell};
+pub use sheet::{Compression, Sheet};
+pub use shell::Shell;
 pub use strength::{FilmStress, Peak, bending_peak, film_stress, torsion_peak};
 pub use wing::{bench_loads, wing_model};

@@ -8,7 +8,8 @@ use super::loads::Loads;
 use super::pattern::Pattern;
 use super::rotation::{moment_correction, spin_to_vector};
 use super::section::Section;
-use super::shell::{Sheet, Shell};
+use super::sheet::Sheet;
+use super::shell::Shell;
 use super::state::State;
 
 /// A structure at rest.
@@ -192,21 +193,23 @@ impl Model {
         shells.sum::<f64>() + beams.sum::<f64>() + springs.sum::<f64>()
     }
 
-    /// Residual as in [`Model::residual`], and its tangent added to `values`; the tangent with the local freedoms of
-    /// `guess` if there is one.
+    /// Residual as in [`Model::residual`], and its tangent added to `values`; the tangent with the help of
+    /// `aid` if there is one.
     pub fn tangent(
         &self,
         pattern: &Pattern,
         state: &State,
         loads: &Loads,
-        guess: Option<&Guess>,
+        aid: Option<&Aid>,
         values: &mut [f64],
     ) -> Vec<f64> {
+        let guess = aid.and_then(|aid| aid.guess.as_ref());
+        let carried = aid.map_or(0.0, |aid| aid.carried);
         let mut residual = vec![0.0; pattern.len()];
         for (index, shell) in self.shells.iter().enumerate() {
             let (u, q) = self.shell_state(shell, state);
             let guess = guess.and_then(|guess| guess.shells.get(index));
-            let response = shell.response(&self.sheets[shell.sheet], &u, &q, guess);
+            let response = shell.response(&self.sheets[shell.sheet], &u, &q, guess, carried);
             scatter(pattern, &mut residual, &shell.nodes, response.force.as_slice());
             pattern.add_shell(values, index, shell.nodes, |i, j| response.stiffness[(i, j)]);
         }
@@ -269,6 +272,15 @@ impl Model {
             });
         }
     }
+}
+
+/// What helps a tangent on the way to equilibrium.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Aid {
+    /// Local freedoms that the last step was expected to lead to: the tangent takes its forces from them.
+    pub guess: Option<Guess>,
+    /// Share of compression that films pretend to carry.
+    pub carried: f64,
 }
 
 /// Local freedoms of the elements that a step is expected to lead to.

@@ -6,11 +6,11 @@
 use nalgebra::Vector3;
 
 use super::StructureError;
+use super::equilibrium::Equilibrium;
 use super::factor::Factor;
 use super::lanczos::{Krylov, Ritz};
 use super::loads::Loads;
 use super::mass::mass_matrix;
-use super::newton::Equilibrium;
 use super::state::State;
 use crate::progress::Progress;
 

@@ -1,18 +1,16 @@
 //! Equilibrium under dead loads: Newton's method with an energy line search and load increments that adapt.
 //!
-//! Two aids help on the way and vanish before the end, so neither changes the answer: the tangent (never the residual) of
-//! thin films gets a share of a fictitious tension while the residual is large, and a tangent that is not positive
+//! Aids help on the way and vanish before the end, so none changes the answer: the tangent (never the residual) looks
+//! ahead to the forces that a step is expected to lead to, films are tamed (`taming`), and a tangent that is not positive
 //! definite is raised until it is.
 
-use nalgebra::{UnitQuaternion, Vector3};
-
 use super::StructureError;
-use super::factor::Factor;
+use super::equilibrium::Equilibrium;
 use super::loads::Loads;
-use super::model::Model;
-use super::pattern::Pattern;
-use super::shell::{Compression, Sheet};
+use super::model::Aid;
+use super::sheet::{Compression, Sheet};
 use super::state::State;
+use super::taming::Taming;
 use crate::progress::Progress;
 
 /// How an equilibrium is sought.
@@ -56,70 +54,7 @@ enum Way {
     Searched,
 }
 
-/// Relative residual below which the fictitious tension is taken back step by step.
-const NEAR: f64 = 3.0;
-
-/// Fictitious tension over the tension that the load would cause in a film.
-const TENSION_SHARE: f64 = 0.1;
-
-/// A structure with all that is made once for its mesh.
-#[derive(Debug)]
-pub struct Equilibrium<'m> {
-    /// The structure.
-    pub model: &'m Model,
-    /// Pattern of its stiffness.
-    pub pattern: Pattern,
-    factor: Factor,
-    held: Vec<bool>,
-    values: Vec<f64>,
-    work: Vec<f64>,
-    /// Norm of the internal forces at rest, N; not zero with pre-tension.
-    rest_force_n: f64,
-    extent_m: f64,
-    /// Longest side of the elements at each node, m.
-    side_m: Vec<f64>,
-    /// Whether the last factorization is that at rest.
-    at_rest: bool,
-}
-
-impl<'m> Equilibrium<'m> {
-    /// Analyses a structure.
-    ///
-    /// # Errors
-    /// If it cannot be analysed.
-    pub fn new(model: &'m Model) -> Result<Self, StructureError> {
-        let pattern = Pattern::new(model);
-        let factor = Factor::new(&pattern)?;
-        let mut held = vec![false; pattern.len()];
-        for (node, flags) in model.held.iter().enumerate() {
-            for (component, &flag) in flags.iter().enumerate() {
-                held[pattern.freedom(node, component)] = flag;
-            }
-        }
-        let values = vec![0.0; pattern.entries()];
-        let none = Loads::none(model.nodes.len());
-        let rest = model.residual(&pattern, &State::at_rest(model.nodes.len()), &none);
-        let rest_force_n = split_norm(&rest, |_| true).0;
-        let extent_m = model.extent_m();
-        Ok(Equilibrium {
-            model,
-            pattern,
-            factor,
-            held,
-            work: values.clone(),
-            values,
-            rest_force_n,
-            extent_m,
-            side_m: longest_sides(model),
-            at_rest: false,
-        })
-    }
-
-    /// Freedoms held by the supports.
-    pub fn held(&self) -> &[bool] {
-        &self.held
-    }
-
+impl Equilibrium<'_> {
     /// Moves `state`, in equilibrium under `from`, to equilibrium under `to`.
     ///
     /// # Errors
@@ -191,23 +126,23 @@ impl<'m> Equilibrium<'m> {
         let mut state = start.clone();
         let scale = self.scale(&state, loads);
         let (force, moment) = loads.size(&state);
-        let tension = self.fictitious_tension(force.max(moment / self.extent_m));
+        let mut taming = Taming::new(self.model, force.max(moment / self.extent_m));
+        let mut aid = Aid::default();
         let mut raise = 0.0;
-        let mut best = f64::INFINITY;
-        let mut guess = None;
-        let (mut share, mut last) = (1.0_f64, f64::INFINITY);
+        let (mut best, mut last) = (f64::INFINITY, f64::INFINITY);
         // plates and rods find equilibrium in a dozen whole steps or not at all; films wrinkle for longer
-        let most = if way == Way::Whole && tension == 0.0 {
+        let most = if way == Way::Whole && !taming.is_needed() {
             20
         } else {
             settings.max_steps
         };
         for count in 0..=most {
             progress.check()?;
+            aid.carried = taming.carried();
             self.values.fill(0.0);
             let residual = self
                 .model
-                .tangent(&self.pattern, &state, loads, guess.as_ref(), &mut self.values);
+                .tangent(&self.pattern, &state, loads, Some(&aid), &mut self.values);
             let size = self.relative(&residual, scale);
             if !size.is_finite() {
                 return Ok(Err(best));
@@ -219,24 +154,31 @@ impl<'m> Equilibrium<'m> {
                 report.residual = size;
                 return Ok(Ok(state));
             }
-            if size < NEAR && size < 0.9 * last {
-                share *= 0.2;
-            } else if size < NEAR && size > 3.0 * last {
-                share = (4.0 * share).min(1.0);
-            }
             last = size;
-            let mut step = self.step(&state, &residual, tension * share, way, &mut raise)?;
+            let way = if taming.is_stuck(count, size) {
+                Way::Searched
+            } else {
+                way
+            };
+            let mut step = self.step(&state, &residual, taming.tension_n_per_m(), way, &mut raise)?;
             report.steps += 1;
             let next = match way {
                 Way::Whole => {
                     let length = self.longest(&step);
                     step.iter_mut().for_each(|s| *s *= length);
-                    guess = Some(self.model.guess(&self.pattern, &state, &step, tension == 0.0));
+                    aid.guess = Some(
+                        self.model
+                            .guess(&self.pattern, &state, &step, !taming.is_needed()),
+                    );
                     Some(self.moved(&state, &step, 1.0))
                 }
                 Way::Searched => {
-                    guess = None;
+                    aid.guess = None;
                     self.search(&state, &step, &residual, loads)
+                        .map(|(moved, length)| {
+                            taming.searched(length);
+                            moved
+                        })
                 }
             };
             match next {
@@ -298,8 +240,8 @@ impl<'m> Equilibrium<'m> {
         Ok(step)
     }
 
-    /// Moves along a step as far as the energy falls.
-    fn search(&self, state: &State, step: &[f64], residual: &[f64], loads: &Loads) -> Option<State> {
+    /// Moves along a step as far as the energy falls; gives the share of the step too.
+    fn search(&self, state: &State, step: &[f64], residual: &[f64], loads: &Loads) -> Option<(State, f64)> {
         let slope = |residual: &[f64]| -> f64 {
             (residual.iter().zip(step).zip(&self.held))
                 .map(|((r, d), &held)| if held { 0.0 } else { r * d })
@@ -314,7 +256,7 @@ impl<'m> Equilibrium<'m> {
             let here = slope(&self.model.residual(&self.pattern, &moved, loads));
             if here.is_finite() && here <= 0.6 * start.abs() {
                 if here.abs() <= 0.9 * start.abs() || high.is_none() {
-                    return Some(moved);
+                    return Some((moved, length));
                 }
                 (low, low_slope) = (length, here);
             } else {
@@ -347,166 +289,4 @@ impl<'m> Equilibrium<'m> {
         let largest = step.chunks_exact(6).map(turn).fold(0.0, f64::max).sqrt();
         if largest > 0.5 { 0.5 / largest } else { 1.0 }
     }
-
-    /// The state moved by a share of a step.
-    pub fn moved(&self, state: &State, step: &[f64], share: f64) -> State {
-        let mut moved = state.clone();
-        for (node, (u, q)) in moved.displacement.iter_mut().zip(&mut moved.rotation).enumerate() {
-            let at = self.pattern.freedom(node, 0);
-            let part = |k: usize| Vector3::new(step[at + k], step[at + k + 1], step[at + k + 2]) * share;
-            *u += part(0);
-            *q = UnitQuaternion::new(part(3)) * *q;
-            q.renormalize_fast();
-        }
-        moved
-    }
-
-    /// Scales of force (N) and moment (N·m) for the relative residual.
-    pub fn scale(&self, state: &State, loads: &Loads) -> (f64, f64) {
-        let (force, moment) = loads.size(state);
-        let force = force.max(self.rest_force_n).max(moment / self.extent_m);
-        let force = if force > 0.0 { force } else { 1.0 };
-        (force, force * self.extent_m)
-    }
-
-    /// Relative residual of the free freedoms.
-    pub fn relative(&self, residual: &[f64], (force, moment): (f64, f64)) -> f64 {
-        let (f, m) = split_norm(residual, |at| !self.held[at]);
-        (f / force).max(m / moment)
-    }
-
-    /// Relative residual that rounding of displacements and of lengths of elements alone makes.
-    pub fn rounding(&self, state: &State, loads: &Loads) -> f64 {
-        self.rounding_at(state, self.scale(state, loads))
-    }
-
-    fn rounding_at(&self, state: &State, (force, moment): (f64, f64)) -> f64 {
-        let (mut force_floor, mut moment_floor) = (0.0, 0.0);
-        for (node, u) in state.displacement.iter().enumerate() {
-            for component in 0..6 {
-                let stiffness = self.values[self.pattern.diagonal(node, component)];
-                if component < 3 {
-                    force_floor += (stiffness * (u[component].abs() + 0.25 * self.side_m[node])).powi(2);
-                } else {
-                    moment_floor += stiffness.powi(2);
-                }
-            }
-        }
-        4.0 * f64::EPSILON * (force_floor.sqrt() / force).max(moment_floor.sqrt() / moment)
-    }
-
-    /// Tension that a film under this much load would take up; zero for plates whose bending carries it.
-    fn fictitious_tension(&self, force_n: f64) -> f64 {
-        let area: f64 = self.model.shells.iter().map(|shell| shell.area_m2()).sum();
-        let films = self.model.sheets.iter().filter(|sheet| {
-            let bending = sheet.e_pa * sheet.thickness_m.powi(3) / 12.0;
-            matches!(sheet.compression, Compression::TensionField { .. })
-                || bending < 1e-3 * force_n * area.sqrt()
-        });
-        let stretching = films
-            .map(|sheet| sheet.e_pa * sheet.thickness_m)
-            .fold(0.0, f64::max);
-        if area > 0.0 {
-            TENSION_SHARE * (force_n * force_n / area * stretching / 24.0).cbrt()
-        } else {
-            0.0
-        }
-    }
-
-    /// Factorizes the tangent at `state` under `loads` as it is; gives the number of negative pivots.
-    ///
-    /// # Errors
-    /// If it is singular.
-    pub fn factorize(&mut self, state: &State, loads: &Loads) -> Result<usize, StructureError> {
-        self.at_rest = false;
-        self.values.fill(0.0);
-        self.model
-            .tangent(&self.pattern, state, loads, None, &mut self.values);
-        self.pattern.hold(&mut self.values, &self.held);
-        if self.factor.positive(&self.pattern, &self.values) {
-            return Ok(0);
-        }
-        self.factor.indefinite(&self.pattern, &self.values)
-    }
-
-    /// The same at rest without loads, as linear kinematics has it.
-    ///
-    /// # Errors
-    /// If it is singular.
-    pub fn factorize_at_rest(&mut self) -> Result<usize, StructureError> {
-        let nodes = self.model.nodes.len();
-        self.factorize(&State::at_rest(nodes), &Loads::none(nodes))
-    }
-
-    /// Linear answer to `loads`, small rotations about the rest; the tangent at rest is factorized once.
-    ///
-    /// # Errors
-    /// If it is singular.
-    pub fn solve_linear(&mut self, loads: &Loads) -> Result<State, StructureError> {
-        let rest = State::at_rest(self.model.nodes.len());
-        if !self.at_rest {
-            self.factorize_at_rest()?;
-            self.at_rest = true;
-        }
-        let mut step = self.model.residual(&self.pattern, &rest, loads);
-        step.iter_mut().for_each(|r| *r = -*r);
-        self.solve_tangent(&mut step, 1);
-        Ok(self.moved(&rest, &step, 1.0))
-    }
-
-    /// The internal forces of a state as loads that would hold it.
-    pub fn internal_loads(&self, state: &State) -> Loads {
-        let mut loads = Loads::none(self.model.nodes.len());
-        let force = self.model.residual(&self.pattern, state, &loads);
-        for node in 0..self.model.nodes.len() {
-            let at = self.pattern.freedom(node, 0);
-            loads.force_n[node] = Vector3::new(force[at], force[at + 1], force[at + 2]);
-            loads.moment_n_m[node] = Vector3::new(force[at + 3], force[at + 4], force[at + 5]);
-        }
-        loads
-    }
-
-    /// The tangent of the last factorization, lower triangle, held freedoms taken out.
-    pub fn tangent_values(&self) -> &[f64] {
-        &self.values
-    }
-
-    /// Solves with the last factorization for `count` right-hand sides; held freedoms give zero.
-    pub fn solve_tangent(&mut self, right: &mut [f64], count: usize) {
-        for column in right.chunks_exact_mut(self.held.len()) {
-            for (value, &held) in column.iter_mut().zip(&self.held) {
-                if held {
-                    *value = 0.0;
-                }
-            }
-        }
-        self.factor.solve(right, count);
-    }
-}
-
-/// Norms of the force and moment parts of a residual over the freedoms that `counts`.
-fn split_norm(residual: &[f64], counts: impl Fn(usize) -> bool) -> (f64, f64) {
-    let (mut force, mut moment) = (0.0, 0.0);
-    for (at, value) in residual.iter().enumerate() {
-        if counts(at) {
-            *(if at % 6 < 3 { &mut force } else { &mut moment }) += value * value;
-        }
-    }
-    (force.sqrt(), moment.sqrt())
-}
-
-/// Longest side of the elements at each node, m.
-fn longest_sides(model: &Model) -> Vec<f64> {
-    let mut longest = vec![0.0_f64; model.nodes.len()];
-    let shells = model.shells.iter().map(|shell| {
-        let [a, b, c] = shell.nodes;
-        [[a, b], [b, c], [c, a]]
-    });
-    let beams = model.beams.iter().map(|beam| beam.nodes);
-    for [a, b] in shells.flatten().chain(beams) {
-        let side = (model.nodes[a] - model.nodes[b]).norm();
-        longest[a] = longest[a].max(side);
-        longest[b] = longest[b].max(side);
-    }
-    longest
 }

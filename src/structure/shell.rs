@@ -8,43 +8,8 @@ use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector2, Vector3};
 
 use super::StructureError;
 use super::corotational::{Frame, Response, Rest};
+use super::sheet::{Compression, Sheet};
 use super::{membrane, plate};
-
-/// What a sheet is made of: isotropic, thin.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sheet {
-    /// Young's modulus, Pa.
-    pub e_pa: f64,
-    /// Poisson's ratio.
-    pub poisson: f64,
-    /// Thickness, m.
-    pub thickness_m: f64,
-    /// Density, kg/m³.
-    pub density_kg_m3: f64,
-    /// Isotropic membrane force at zero strain, N/m.
-    pub pretension_n_per_m: f64,
-    /// How it answers to compression.
-    pub compression: Compression,
-}
-
-/// How a sheet answers to compression in its plane.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Compression {
-    /// It carries compression as tension: a plate, with the optimal triangle for its membrane action.
-    ///
-    /// Not for films in large rotation: the optimal triangle strains with the nodes' rotations about its normal, and
-    /// where sides as long as 100 thicknesses meet at an angle, a film's bending is too weak to hold those rotations. They
-    /// then relieve the membrane (Hencky's membrane comes out 16 % too soft, after hundreds of steps). A film that
-    /// carries compression is a tension field with `residual` = 1: the whole of the plane-stress law.
-    Carries,
-    /// It wrinkles: relaxed tension field on the constant-strain triangle.
-    TensionField {
-        /// Share of the stiffness kept in compression.
-        residual: f64,
-        /// Scale of the weak spring that holds rotations about the normal; 1 is usual.
-        drilling_factor: f64,
-    },
-}
 
 /// Share of the shear stiffness that holds the rotations about the normal of a film, at `drilling_factor` = 1.
 ///
@@ -58,10 +23,10 @@ pub struct Shell {
     pub nodes: [usize; 3],
     /// Index of its sheet in the model.
     pub sheet: usize,
-    rest: Rest<3>,
-    area_m2: f64,
+    pub(super) rest: Rest<3>,
+    pub(super) area_m2: f64,
     /// Gradients of the linear shape functions at rest, element axes, 1/m.
-    gradient: [Vector2<f64>; 3],
+    pub(super) gradient: [Vector2<f64>; 3],
     /// Stiffness of all that is linear in the local freedoms.
     stiffness: SMatrix<f64, 18, 18>,
     /// Local force at zero strain.
@@ -153,21 +118,23 @@ impl Shell {
         (x[1] - x[0]).cross(&(x[2] - x[0])).normalize()
     }
 
-    /// Energy, force and tangent in the deformed shape; the tangent at the local freedoms `guess` if there are any.
+    /// Energy, force and tangent in the deformed shape; the tangent at the local freedoms `guess` if there are any,
+    /// and as if a film carried at least the share `carried` of compression.
     pub fn response(
         &self,
         sheet: &Sheet,
         u: &[Vector3<f64>; 3],
         q: &[UnitQuaternion<f64>; 3],
         guess: Option<&SVector<f64, 18>>,
+        carried: f64,
     ) -> Response<18> {
         let frame = self.frame(u);
         let p = frame.local_freedoms(&self.rest, u, q);
         let Some(guess) = guess else {
-            return frame.to_global(&p, &self.local(sheet, &p));
+            return frame.to_global(&p, &self.local(sheet, &p, carried));
         };
         let (energy, force) = self.local_force(sheet, &p);
-        let tangent = frame.to_global(guess, &self.local(sheet, guess));
+        let tangent = frame.to_global(guess, &self.local(sheet, guess, carried));
         Response {
             energy,
             force: frame.global_force(&p, &force),
@@ -187,7 +154,7 @@ impl Shell {
         p + frame.local_change(&p, step)
     }
 
-    fn local(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> Response<18> {
+    fn local(&self, sheet: &Sheet, p: &SVector<f64, 18>, carried: f64) -> Response<18> {
         let (energy, force) = self.local_force(sheet, p);
         let mut local = Response {
             energy,
@@ -196,7 +163,9 @@ impl Shell {
         };
         if let Some(film) = self.film(sheet, p) {
             let b = self.strain_matrix();
-            let stiffness = b.transpose() * (film.tangent * self.area_m2) * b;
+            let elastic = membrane::isotropic(sheet.e_pa * sheet.thickness_m, sheet.poisson);
+            let tangent = film.tangent + carried * (elastic - film.tangent);
+            let stiffness = b.transpose() * (tangent * self.area_m2) * b;
             for i in 0..6 {
                 for j in 0..6 {
                     local.stiffness[(6 * (i / 2) + i % 2, 6 * (j / 2) + j % 2)] += stiffness[(i, j)];
@@ -232,57 +201,6 @@ impl Shell {
         (energy, force)
     }
 
-    /// Membrane forces N_x, N_y, N_xy (N/m) in the axes that `along` gives at rest: its projection is x.
-    pub fn membrane_force(
-        &self,
-        sheet: &Sheet,
-        u: &[Vector3<f64>; 3],
-        q: &[UnitQuaternion<f64>; 3],
-        along: &Vector3<f64>,
-    ) -> [f64; 3] {
-        let frame = self.frame(u);
-        let p = frame.local_freedoms(&self.rest, u, q);
-        let n = match self.film(sheet, &p) {
-            Some(film) => film.force,
-            None => self.elastic_force(sheet, &p),
-        };
-        self.turned_force(&n, along)
-    }
-
-    /// The same to first order about the rest, for linear kinematics.
-    pub fn membrane_force_linear(
-        &self,
-        sheet: &Sheet,
-        u: &[Vector3<f64>; 3],
-        along: &Vector3<f64>,
-    ) -> [f64; 3] {
-        let mut p = SVector::<f64, 18>::zeros();
-        for (i, u) in u.iter().enumerate() {
-            p.fixed_rows_mut::<3>(6 * i)
-                .copy_from(&(self.rest.axes.transpose() * u));
-        }
-        self.turned_force(&self.elastic_force(sheet, &p), along)
-    }
-
-    fn elastic_force(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> SVector<f64, 3> {
-        let plane = SVector::<f64, 6>::from_fn(|i, _| p[6 * (i / 2) + i % 2]);
-        let stiffness = membrane::isotropic(sheet.e_pa * sheet.thickness_m, sheet.poisson);
-        stiffness * (self.strain_matrix() * plane)
-            + SVector::<f64, 3>::new(1.0, 1.0, 0.0) * sheet.pretension_n_per_m
-    }
-
-    /// Membrane force in axes whose x is the projection of `along`.
-    fn turned_force(&self, n: &SVector<f64, 3>, along: &Vector3<f64>) -> [f64; 3] {
-        let along = self.rest.axes.transpose() * along;
-        let (sine, cosine) = along.y.atan2(along.x).sin_cos();
-        let (c2, s2, cs) = (cosine * cosine, sine * sine, cosine * sine);
-        [
-            c2 * n[0] + s2 * n[1] + 2.0 * cs * n[2],
-            s2 * n[0] + c2 * n[1] - 2.0 * cs * n[2],
-            cs * (n[1] - n[0]) + (c2 - s2) * n[2],
-        ]
-    }
-
     /// Out-of-plane stiffness of the deformed triangle under a unit isotropic tension (1 N/m), per pair of nodes.
     ///
     /// The block of nodes i and j is the returned factor times n nᵀ, n the normal.
@@ -290,7 +208,7 @@ impl Shell {
         SMatrix::from_fn(|i, j| self.area_m2 * self.gradient[i].dot(&self.gradient[j]))
     }
 
-    fn film(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> Option<membrane::FilmResponse> {
+    pub(super) fn film(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> Option<membrane::FilmResponse> {
         let Compression::TensionField { residual, .. } = sheet.compression else {
             return None;
         };
@@ -312,7 +230,7 @@ impl Shell {
         ))
     }
 
-    fn strain_matrix(&self) -> SMatrix<f64, 3, 6> {
+    pub(super) fn strain_matrix(&self) -> SMatrix<f64, 3, 6> {
         let mut b = SMatrix::zeros();
         for (i, slope) in self.gradient.iter().enumerate() {
             b[(0, 2 * i)] = slope.x;
@@ -323,7 +241,7 @@ impl Shell {
         b
     }
 
-    fn frame(&self, u: &[Vector3<f64>; 3]) -> Frame<3, 18> {
+    pub(super) fn frame(&self, u: &[Vector3<f64>; 3]) -> Frame<3, 18> {
         let x = self.rest.deformed(u);
         let (side, other) = (x[1] - x[0], x[2] - x[0]);
         let e3 = side.cross(&other).normalize();
@@ -409,7 +327,7 @@ mod tests {
         for sheet in sheets() {
             let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
             let (u, q) = shape(1.0);
-            let here = shell.response(&sheet, &u, &q, None);
+            let here = shell.response(&sheet, &u, &q, None, 0.0);
             let scale = here.force.norm();
             for k in 0..18 {
                 let h = if k % 6 < 3 { 2e-9 } else { 1e-5 };
@@ -442,7 +360,7 @@ mod tests {
             let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
             let error = |size: f64| {
                 let (u, q) = shape(size);
-                let here = shell.response(&sheet, &u, &q, None);
+                let here = shell.response(&sheet, &u, &q, None, 0.0);
                 let mut difference = SMatrix::<f64, 18, 18>::zeros();
                 for k in 0..18 {
                     let h = if k % 6 < 3 { 1e-9 } else { 1e-6 };
@@ -494,7 +412,7 @@ mod tests {
             sheet.pretension_n_per_m = 0.0;
             let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
             let (u, q) = shape(0.0);
-            let here = shell.response(&sheet, &u, &q, None);
+            let here = shell.response(&sheet, &u, &q, None, 0.0);
             let size = u.iter().map(|u| u.norm()).sum::<f64>();
             assert!(here.force.norm() < 1e-10 * here.stiffness.norm() * size);
         }
@@ -505,7 +423,7 @@ mod tests {
         let [sheet, _] = sheets();
         let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
         let (u, q) = ([Vector3::zeros(); 3], [UnitQuaternion::identity(); 3]);
-        let with = shell.response(&sheet, &u, &q, None).stiffness;
+        let with = shell.response(&sheet, &u, &q, None, 0.0).stiffness;
         let without = shell.linear_part();
         let normal = shell.axes().column(2).into_owned();
         let tension = shell.unit_tension();
@@ -513,11 +431,8 @@ mod tests {
             for j in 0..3 {
                 let block = (with - without).fixed_view::<3, 3>(6 * i, 6 * j).into_owned();
                 let out = normal.dot(&(block * normal));
-                assert!(
-                    (out - 3.0 * tension[(i, j)]).abs() < 1e-6 * 3.0,
-                    "{out} {}",
-                    3.0 * tension[(i, j)]
-                );
+                let expected = 3.0 * tension[(i, j)];
+                assert!((out - expected).abs() < 3e-6, "{out} {expected}");
             }
         }
     }

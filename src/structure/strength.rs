@@ -8,7 +8,8 @@ use nalgebra::{Matrix3, SVector, Vector2, Vector3, Vector6};
 
 use super::model::Model;
 use super::section::Section;
-use super::shell::{Sheet, Shell};
+use super::sheet::Sheet;
+use super::shell::Shell;
 use super::state::State;
 use super::{membrane, plate};
 
