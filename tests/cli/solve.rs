@@ -247,3 +247,31 @@ fn a_stop_that_would_have_to_pull_gives_no_result() {
         Some(0)
     );
 }
+
+#[test]
+fn a_slow_mode_and_a_stress_beyond_strength_are_warned_of_and_a_sound_wing_has_no_warning() {
+    let here = folder();
+    let warnings = |wing: &str, set: &str| {
+        let said = washout(here.path(), &["solve", &design(wing), "--set", set, "--json"]);
+        assert_eq!(said.code, Some(0), "{}", said.err);
+        said.document()["warnings"].clone()
+    };
+    let none: [&str; 0] = [];
+    assert_eq!(warnings("twist-v1.toml", "name=sound"), serde_json::json!(none));
+    let weak = warnings("twist-v1.toml", "material.carbon-rod.strength_mpa=50");
+    assert_eq!(weak.as_array().map(Vec::len), Some(1), "{weak}");
+    assert!(
+        weak[0]
+            .as_str()
+            .is_some_and(|text| text.contains("rod, in bending")),
+        "{weak}"
+    );
+    // Its film outboard of the last spar swings at little more than the flapping.
+    let slow = warnings("rigid.toml", "name=slow");
+    assert!(
+        slow[0]
+            .as_str()
+            .is_some_and(|text| text.contains("lowest natural frequency")),
+        "{slow}"
+    );
+}
