@@ -44,6 +44,8 @@ pub struct DivergenceReport {
     pub key: String,
     /// Every value that was solved, rising.
     pub steps: Vec<DivergenceStep>,
+    /// Values at which the iteration did not settle: neither an equilibrium nor a divergence.
+    pub undecided: Vec<Undecided>,
     /// Where it ended; absent if every step has an equilibrium.
     pub limit: Option<DivergenceLimit>,
 }
@@ -61,6 +63,15 @@ pub struct DivergenceStep {
     pub lift_mn: f64,
     /// Fixed-point iterations.
     pub iterations: usize,
+}
+
+/// A value at which the iteration did not settle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Undecided {
+    /// Value of the key.
+    pub value: f64,
+    /// What the solver said.
+    pub reason: String,
 }
 
 /// The end of the equilibria.
@@ -86,13 +97,15 @@ impl Divergence {
             wing: sweep.case.loaded.design.name.clone(),
             key: sweep.key.to_string(),
             steps: Vec::new(),
+            undecided: Vec::new(),
             limit: None,
         };
         for step in 1..=self.steps {
             let value = highest * f64::from(step) / f64::from(self.steps);
             match sweep.solve(value)? {
                 Ok(found) => report.steps.push(found),
-                Err(reason) => {
+                Err(Without::Patience(reason)) => report.undecided.push(Undecided { value, reason }),
+                Err(Without::Equilibrium(reason)) => {
                     report.limit = Some(sweep.narrow(&mut report.steps, value, reason)?);
                     break;
                 }
@@ -100,6 +113,14 @@ impl Divergence {
         }
         console.result(&page(&report), &report)
     }
+}
+
+/// Why a value gave no equilibrium.
+enum Without {
+    /// There is none, or none is found by the structure.
+    Equilibrium(String),
+    /// The iteration between air and structure did not settle, which says nothing about divergence.
+    Patience(String),
 }
 
 struct Sweep<'a> {
@@ -133,7 +154,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// The equilibrium at a value, or why there is none.
-    fn solve(&self, value: f64) -> Result<Result<DivergenceStep, String>, Failure> {
+    fn solve(&self, value: f64) -> Result<Result<DivergenceStep, Without>, Failure> {
         let progress = self.console.progress();
         progress.say(format_args!(
             "solving at {} = {}",
@@ -144,7 +165,12 @@ impl<'a> Sweep<'a> {
         let solution = match case.solve(progress) {
             Ok(solution) => solution,
             Err(CouplingError::Interrupted(cancelled)) => return Err(cancelled.into()),
-            Err(error) if error.is_not_converged() => return Ok(Err(error.to_string())),
+            Err(error @ CouplingError::OutOfPatience { .. }) => {
+                return Ok(Err(Without::Patience(error.to_string())));
+            }
+            Err(error) if error.is_not_converged() => {
+                return Ok(Err(Without::Equilibrium(error.to_string())));
+            }
             Err(error) => return Err(case.fault(error)),
         };
         let design = &case.loaded.design;
@@ -179,7 +205,9 @@ impl<'a> Sweep<'a> {
                     converged = middle;
                     steps.push(found);
                 }
-                Err(why) => (failed, reason) = (middle, why),
+                Err(Without::Equilibrium(why)) => (failed, reason) = (middle, why),
+                // Near the limit the iteration may creep: the bracket stays as narrow as what is known.
+                Err(Without::Patience(_)) => break,
             }
         }
         Ok(DivergenceLimit {
@@ -215,6 +243,12 @@ fn page(report: &DivergenceReport) -> String {
         ]);
     }
     let verdict = match &report.limit {
+        None if !report.undecided.is_empty() => format!(
+            "No divergence was found up to {}, but {} of the steps did not settle, which is neither an equilibrium nor a \
+             divergence\n",
+            last(report),
+            report.undecided.len()
+        ),
         None => format!(
             "Divergence: none up to {}; every step has an equilibrium\n",
             last(report)
@@ -228,7 +262,12 @@ fn page(report: &DivergenceReport) -> String {
             wrapped(&limit.reason, 2)
         ),
     };
-    format!("{}\n{}\n{verdict}", report.wing, table.render())
+    let undecided: String = report
+        .undecided
+        .iter()
+        .map(|step| wrapped(&format!("at {}: {}", significant(step.value, 5), step.reason), 2))
+        .collect();
+    format!("{}\n{}{undecided}\n{verdict}", report.wing, table.render())
 }
 
 fn last(report: &DivergenceReport) -> String {
