@@ -19,12 +19,14 @@ pub enum CouplingError {
     #[error(
         "beyond divergence: the air's moment grows faster with twist than the structure's; the critical dynamic \
          pressure is about {:.3} times that of the design. Lower the speed or the amplitude, stiffen the rod in torsion, \
-         or move the spars so that the load acts behind the axis; `washout divergence` shows the way there",
-        critical_ratio
+         or move the spars so that the load acts behind the axis; `washout divergence` shows the way there{}",
+        critical_ratio, film_hint(*.linear_film)
     )]
     Diverged {
         /// Critical dynamic pressure over that of the design.
         critical_ratio: f64,
+        /// Whether a film stands in linear kinematics, where little pre-tension looks like divergence.
+        linear_film: bool,
     },
     /// The iteration did not converge.
     #[error(
@@ -110,5 +112,14 @@ impl CouplingError {
             }
             CouplingError::Air(_) | CouplingError::Interrupted(_) => false,
         }
+    }
+}
+
+fn film_hint(linear_film: bool) -> &'static str {
+    if linear_film {
+        ". Or it is no divergence: in linear kinematics a film with little pre-tension sags by many chords; set \
+         structure.kinematics = \"large-rotation\", or raise film.pretension_n_per_m"
+    } else {
+        ""
     }
 }

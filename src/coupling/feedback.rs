@@ -59,7 +59,7 @@ impl<'a, 'm> Feedback<'a, 'm> {
 
     /// Critical dynamic pressure over the present one: the inverse of the largest real eigenvalue of J (Arnoldi).
     ///
-    /// `None` if the air does not help twist at all: then there is no divergence. Exact where the loads are linear in the
+    /// `None` if there is none within a hundred times that: the air does not drive the wing toward divergence. Exact where the loads are linear in the
     /// shape; an estimate from the present shape elsewhere.
     pub fn critical_ratio(&mut self) -> Option<f64> {
         let size = 6 * self.air.len();
@@ -85,7 +85,7 @@ impl<'a, 'm> Feedback<'a, 'm> {
             }
             last = largest;
         }
-        (last > 1e-6).then(|| 1.0 / last)
+        (last > 1e-2).then(|| 1.0 / last)
     }
 
     /// One step of Arnoldi's method; `false` when the space is exhausted.

@@ -51,9 +51,6 @@ pub fn cured(
     {
         return Ok((state, 0));
     }
-    if wing.linear {
-        return Ok((equilibrium.solve_linear(&none)?, 1));
-    }
     // hold the flat film by forces and let go of them
     let inner = equilibrium.internal_loads(&state);
     let settings = NewtonSettings::default();
@@ -102,7 +99,7 @@ pub fn iterate(
         let loads = wing.loads(&shapes);
         settings.tolerance = (0.05 * coupled.residual).clamp(1e-9, 0.1);
         if wing.linear {
-            coupled.state = equilibrium.solve_linear(&loads)?;
+            coupled.state = equilibrium.solve_linear(rest, &loads)?;
             coupled.newton_steps += 1;
         } else {
             let report =
@@ -140,11 +137,11 @@ pub fn iterate(
             && coupled.residual <= coupling.residual_tolerance.max(floor)
         {
             coupled.loads = actual;
-            return stable(wing, equilibrium, coupled);
+            return stable(wing, equilibrium, rest, coupled);
         }
         shapes = accelerator.next(&shapes, &mapped);
     }
-    patience_lost(wing, equilibrium, coupled, coupling.max_iterations)
+    patience_lost(wing, equilibrium, rest, coupled, coupling.max_iterations)
 }
 
 /// The coupled residual F(u) = internal force − bench loads − air(shape of u), relative to the load.
@@ -167,17 +164,24 @@ fn residual(wing: &Wing, equilibrium: &Equilibrium, state: &State, solved: &Load
 fn stable(
     wing: &Wing,
     equilibrium: &mut Equilibrium,
+    rest: &State,
     mut coupled: Coupled,
 ) -> Result<Coupled, CouplingError> {
     let shapes = wing.strips.shapes(&coupled.state);
     coupled.negative_pivots = if wing.linear {
-        equilibrium.factorize_at_rest()?
+        equilibrium.factorize(rest, &Loads::none(wing.model.nodes.len()))?
     } else {
         equilibrium.factorize(&coupled.state, &coupled.loads)?
     };
     coupled.critical_ratio = Feedback::new(wing, equilibrium, &shapes).critical_ratio();
     match coupled.critical_ratio {
-        Some(critical_ratio) if critical_ratio <= 1.0 => Err(CouplingError::Diverged { critical_ratio }),
+        Some(critical_ratio) if critical_ratio <= 1.0 => {
+            let linear_film = wing.has_linear_film();
+            Err(CouplingError::Diverged {
+                critical_ratio,
+                linear_film,
+            })
+        }
         _ => Ok(coupled),
     }
 }
@@ -186,13 +190,14 @@ fn stable(
 fn patience_lost(
     wing: &Wing,
     equilibrium: &mut Equilibrium,
+    rest: &State,
     coupled: Coupled,
     allowed: usize,
 ) -> Result<Coupled, CouplingError> {
     let (iterations, twist_change_deg, residual) =
         (coupled.iterations, coupled.twist_change_deg, coupled.residual);
-    match stable(wing, equilibrium, coupled) {
-        Err(CouplingError::Diverged { critical_ratio }) => Err(CouplingError::Diverged { critical_ratio }),
+    match stable(wing, equilibrium, rest, coupled) {
+        Err(diverged @ CouplingError::Diverged { .. }) => Err(diverged),
         _ => Err(CouplingError::OutOfPatience {
             iterations,
             allowed,

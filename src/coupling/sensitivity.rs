@@ -91,7 +91,7 @@ impl<'a> Sensitivity<'a> {
     ) -> Result<Self, SensitivityError> {
         let mut equilibrium = Equilibrium::new(&wing.model)?;
         if wing.linear {
-            equilibrium.factorize_at_rest()?;
+            equilibrium.factorize(&solution.rest, &Loads::none(wing.model.nodes.len()))?;
         } else {
             equilibrium.factorize(&solution.state, &wing.loads_on(&solution.state))?;
         }
@@ -186,14 +186,15 @@ impl<'a> Sensitivity<'a> {
             _ => self.equilibrium.moved(state, change, offset),
         };
         let state = moved(&self.solution.state, &rate.state);
+        let rest = moved(&self.solution.rest, &rate.rest);
         let air = wing.strip_air(&wing.strips.shapes(&state), false);
         let solution = Solution {
             strips: wing.strip_loads(&air),
             pressure_pa: wing.pressure(&mesh, &air),
-            beam_force: wing.beam_forces(&state),
-            membrane_force_n_per_m: wing.membrane_forces(&state),
+            beam_force: wing.beam_forces(&rest, &state),
+            membrane_force_n_per_m: wing.membrane_forces(&rest, &state),
             air_force_n: wing.air_force(&air).into_iter().map(Into::into).collect(),
-            rest: moved(&self.solution.rest, &rate.rest),
+            rest,
             report: self.solution.report.clone(),
             state,
             mesh,
@@ -229,12 +230,7 @@ impl<'a> Sensitivity<'a> {
         }
         if self.rest.is_none() {
             let mut equilibrium = Equilibrium::new(&self.wing.model)?;
-            if self.wing.linear {
-                equilibrium.factorize_at_rest()?;
-            } else {
-                let none = Loads::none(self.wing.model.nodes.len());
-                equilibrium.factorize(&self.solution.rest, &none)?;
-            }
+            equilibrium.factorize(&self.solution.rest, &Loads::none(self.wing.model.nodes.len()))?;
             self.rest = Some(equilibrium);
         }
         if let Some(rest) = &mut self.rest {
@@ -244,17 +240,18 @@ impl<'a> Sensitivity<'a> {
         Ok(right)
     }
 
-    /// Internal forces less loads, in the kinematics of the wing.
+    /// Internal forces less loads, in the kinematics of the wing; linear kinematics about the shape without load, whose own
+    /// change moves the linear stiffness only in the second order, which is left out.
     fn residual(&self, wing: &Wing, state: &State, loads: &Loads) -> Vec<f64> {
         let pattern = &self.equilibrium.pattern;
         if !wing.linear {
             return wing.model.residual(pattern, state, loads);
         }
-        let rest = State::at_rest(state.displacement.len());
+        let rest = &self.solution.rest;
         let mut values = vec![0.0; pattern.entries()];
         let start = wing.model.tangent(
             pattern,
-            &rest,
+            rest,
             &Loads::none(state.displacement.len()),
             None,
             &mut values,
@@ -262,12 +259,13 @@ impl<'a> Sensitivity<'a> {
         let mut moved = vec![0.0; pattern.len()];
         for (node, (u, q)) in state.displacement.iter().zip(&state.rotation).enumerate() {
             let at = pattern.freedom(node, 0);
-            moved[at..at + 3].copy_from_slice(u.as_slice());
-            moved[at + 3..at + 6].copy_from_slice(q.scaled_axis().as_slice());
+            let turned = q * rest.rotation[node].inverse();
+            moved[at..at + 3].copy_from_slice((u - rest.displacement[node]).as_slice());
+            moved[at + 3..at + 6].copy_from_slice(turned.scaled_axis().as_slice());
         }
         let mut residual = pattern.multiply(&values, &moved);
         residual.iter_mut().zip(start).for_each(|(r, s)| *r += s);
-        loads.subtract(pattern, &rest, &mut residual);
+        loads.subtract(pattern, rest, &mut residual);
         residual
     }
 

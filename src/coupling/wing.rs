@@ -54,6 +54,11 @@ impl Wing {
         })
     }
 
+    /// Whether a film is to carry the air in linear kinematics.
+    pub fn has_linear_film(&self) -> bool {
+        self.linear && !self.model.sheets.is_empty()
+    }
+
     /// Air on each strip in the given shapes (six values a strip).
     pub fn strip_air(&self, shapes: &[f64], derivative: bool) -> Vec<StripAir> {
         let Some((law, flow)) = &self.air else {
@@ -158,28 +163,35 @@ impl Wing {
     }
 
     /// Section forces of every beam at its middle: N, V_edge, V_flap (N), T, M_flap, M_edge (N·m).
-    pub fn beam_forces(&self, state: &State) -> Vec<[f64; 6]> {
+    pub fn beam_forces(&self, rest: &State, state: &State) -> Vec<[f64; 6]> {
         let force = |beam: &crate::structure::Beam| {
             let (u, q) = self.model.beam_state(beam, state);
-            if self.linear {
-                beam.section_forces_linear(&u, &q)
-            } else {
-                beam.section_forces(&u, &q)
+            if !self.linear {
+                return beam.section_forces(&u, &q);
             }
+            let (u0, q0) = self.model.beam_state(beam, rest);
+            let (before, more) = (
+                beam.section_forces(&u0, &q0),
+                beam.section_forces_linear(&[u[0] - u0[0], u[1] - u0[1]], &[q[0] / q0[0], q[1] / q0[1]]),
+            );
+            std::array::from_fn(|i| before[i] + more[i])
         };
         self.model.beams.iter().map(force).collect()
     }
 
     /// Membrane force of every triangle with x along the projection of the span: N_x, N_y, N_xy (N/m).
-    pub fn membrane_forces(&self, state: &State) -> Vec<[f64; 3]> {
+    pub fn membrane_forces(&self, rest: &State, state: &State) -> Vec<[f64; 3]> {
         let force = |shell: &crate::structure::Shell| {
             let sheet = &self.model.sheets[shell.sheet];
             let (u, q) = self.model.shell_state(shell, state);
-            if self.linear {
-                shell.membrane_force_linear(sheet, &u, &Vector3::x())
-            } else {
-                shell.membrane_force(sheet, &u, &q, &Vector3::x())
+            if !self.linear {
+                return shell.membrane_force(sheet, &u, &q, &Vector3::x());
             }
+            let (u0, q0) = self.model.shell_state(shell, rest);
+            let before = shell.membrane_force(sheet, &u0, &q0, &Vector3::x());
+            let moved = std::array::from_fn(|i| u[i] - u0[i]);
+            let more = shell.membrane_force_linear(sheet, &moved, &Vector3::x());
+            std::array::from_fn(|i| before[i] + more[i])
         };
         self.model.shells.iter().map(force).collect()
     }

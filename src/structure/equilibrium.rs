@@ -25,8 +25,8 @@ pub struct Equilibrium<'m> {
     pub(super) extent_m: f64,
     /// Longest side of the elements at each node, m.
     pub(super) side_m: Vec<f64>,
-    /// Whether the last factorization is that at rest.
-    pub(super) at_rest: bool,
+    /// Whether the last factorization is that of linear kinematics.
+    pub(super) is_linear: bool,
 }
 
 impl<'m> Equilibrium<'m> {
@@ -58,7 +58,7 @@ impl<'m> Equilibrium<'m> {
             rest_force_n,
             extent_m,
             side_m: longest_sides(model),
-            at_rest: false,
+            is_linear: false,
         })
     }
 
@@ -119,7 +119,7 @@ impl<'m> Equilibrium<'m> {
     /// # Errors
     /// If it is singular.
     pub fn factorize(&mut self, state: &State, loads: &Loads) -> Result<usize, StructureError> {
-        self.at_rest = false;
+        self.is_linear = false;
         self.values.fill(0.0);
         self.model
             .tangent(&self.pattern, state, loads, None, &mut self.values);
@@ -130,29 +130,20 @@ impl<'m> Equilibrium<'m> {
         self.factor.indefinite(&self.pattern, &self.values)
     }
 
-    /// The same at rest without loads, as linear kinematics has it.
+    /// Linear answer to `loads` of a structure that stands in equilibrium without them at `about`: small rotations about that
+    /// shape. The tangent there is factorized once, as long as nothing else is solved between.
     ///
     /// # Errors
     /// If it is singular.
-    pub fn factorize_at_rest(&mut self) -> Result<usize, StructureError> {
-        let nodes = self.model.nodes.len();
-        self.factorize(&State::at_rest(nodes), &Loads::none(nodes))
-    }
-
-    /// Linear answer to `loads`, small rotations about the rest; the tangent at rest is factorized once.
-    ///
-    /// # Errors
-    /// If it is singular.
-    pub fn solve_linear(&mut self, loads: &Loads) -> Result<State, StructureError> {
-        let rest = State::at_rest(self.model.nodes.len());
-        if !self.at_rest {
-            self.factorize_at_rest()?;
-            self.at_rest = true;
+    pub fn solve_linear(&mut self, about: &State, loads: &Loads) -> Result<State, StructureError> {
+        if !self.is_linear {
+            self.factorize(about, &Loads::none(self.model.nodes.len()))?;
+            self.is_linear = true;
         }
-        let mut step = self.model.residual(&self.pattern, &rest, loads);
+        let mut step = self.model.residual(&self.pattern, about, loads);
         step.iter_mut().for_each(|r| *r = -*r);
         self.solve_tangent(&mut step, 1);
-        Ok(self.moved(&rest, &step, 1.0))
+        Ok(self.moved(about, &step, 1.0))
     }
 
     /// The internal forces of a state as loads that would hold it.

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Matrix6};
 use super::StructureError;
 use super::section::{BeamMaterial, PlyStiffness, Section};
 use super::sheet::{Compression, Sheet};
-use crate::input::design::{self, Design, FilmCompression, Flat, Kinematics, Material, SectionStrain};
+use crate::input::design::{self, Design, FilmCompression, Flat, Material, SectionStrain};
 
 /// The section of a rod segment or a spar; `material` as its key says.
 ///
@@ -53,7 +53,7 @@ pub fn section(
     })
 }
 
-/// The film of a design as a sheet; `None` without film. Linear kinematics has a film that carries compression.
+/// The film of a design as a sheet; `None` without film.
 ///
 /// # Errors
 /// If its material is missing.
@@ -64,9 +64,9 @@ pub fn film(design: &Design) -> Result<Option<Sheet>, StructureError> {
     let material = find(design, &film.material)?;
     // a film that carries compression is the whole elastic law on the same element: its bending is far too weak for
     // the rotations of a plate's membrane
-    let residual = match (film.compression, design.structure.kinematics) {
-        (FilmCompression::TensionField, Kinematics::LargeRotation) => film.residual_compression.value(),
-        (FilmCompression::Carries, _) | (_, Kinematics::Linear) => 1.0,
+    let residual = match film.compression {
+        FilmCompression::TensionField => film.residual_compression.value(),
+        FilmCompression::Carries => 1.0,
     };
     let drilling_factor = design.structure.drilling_factor;
     Ok(Some(Sheet {

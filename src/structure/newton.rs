@@ -202,7 +202,7 @@ impl Equilibrium<'_> {
         way: Way,
         raise: &mut f64,
     ) -> Result<Vec<f64>, StructureError> {
-        self.at_rest = false;
+        self.is_linear = false;
         if tension > 0.0 {
             self.model
                 .add_tension(&self.pattern, state, tension, &mut self.values);

@@ -24,7 +24,7 @@ impl Shell {
         self.turned_force(&n, along)
     }
 
-    /// The same to first order about the rest, for linear kinematics.
+    /// Its change to first order about the rest with displacements, for linear kinematics.
     pub fn membrane_force_linear(
         &self,
         sheet: &Sheet,
@@ -36,14 +36,17 @@ impl Shell {
             p.fixed_rows_mut::<3>(6 * i)
                 .copy_from(&(self.rest.axes.transpose() * u));
         }
-        self.turned_force(&self.elastic_force(sheet, &p), along)
+        let stiffness = membrane::isotropic(sheet.e_pa * sheet.thickness_m, sheet.poisson);
+        self.turned_force(&(stiffness * self.mean_strain(&p)), along)
     }
 
     fn elastic_force(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> SVector<f64, 3> {
-        let plane = SVector::<f64, 6>::from_fn(|i, _| p[6 * (i / 2) + i % 2]);
         let stiffness = membrane::isotropic(sheet.e_pa * sheet.thickness_m, sheet.poisson);
-        stiffness * (self.strain_matrix() * plane)
-            + SVector::<f64, 3>::new(1.0, 1.0, 0.0) * sheet.pretension_n_per_m
+        stiffness * self.mean_strain(p) + SVector::<f64, 3>::new(1.0, 1.0, 0.0) * sheet.pretension_n_per_m
+    }
+
+    fn mean_strain(&self, p: &SVector<f64, 18>) -> SVector<f64, 3> {
+        self.strain_matrix() * SVector::<f64, 6>::from_fn(|i, _| p[6 * (i / 2) + i % 2])
     }
 
     /// Membrane force in axes whose x is the projection of `along`.

@@ -65,9 +65,6 @@ pub struct Air {
     /// The centre of pressure for `fixed`, as a fraction of the chord from the leading edge.
     #[schemars(extend("minimum" = 0.01, "maximum" = 0.99, "examples" = [0.25]))]
     pub centre_of_pressure_fraction: Quantity,
-    /// The number of strips along the span; 0 means one per column of the mesh.
-    #[schemars(extend("maximum" = 10000, "examples" = [0]))]
-    pub strips: usize,
 }
 
 /// Force coefficients by name.
@@ -109,7 +106,6 @@ impl Default for Air {
             table: None,
             centre_of_pressure: CentreOfPressure::Dickson,
             centre_of_pressure_fraction: Quantity::Stated(0.25),
-            strips: 0,
         }
     }
 }
