@@ -11,7 +11,7 @@ use crate::support::{lift_of, shipped};
 
 const SETS: [&str; 3] = [
     "mesh.refine=0.5",
-    "coupling.twist_tolerance_deg=1e-9",
+    "coupling.twist_tolerance_deg=2e-8",
     "coupling.residual_tolerance=1e-8",
 ];
 
@@ -73,7 +73,7 @@ fn rates_of_tip_twist_and_lift_are_those_of_wings_solved_again() {
 #[test]
 fn a_parameter_that_moves_the_mesh_has_its_rate_too() {
     for key in ["spar[2].at_mm", "planform.mean_chord_mm"] {
-        let errors = error("twist-v2", &[], key, 5e-4);
+        let errors = error("twist-v2", &[], key, 2e-3);
         assert!(errors.iter().all(|error| *error < 1e-4), "{key}: {errors:?}");
     }
 }

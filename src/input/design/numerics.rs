@@ -34,7 +34,7 @@ pub enum Kinematics {
 #[serde(deny_unknown_fields, default)]
 pub struct MeshSettings {
     /// The number of elements across the mean chord at refinement 1.
-    #[schemars(extend("minimum" = 2, "maximum" = 1000, "examples" = [14]))]
+    #[schemars(extend("minimum" = 2, "maximum" = 1000, "examples" = [12]))]
     pub chordwise: usize,
     /// The factor on the number of elements in both directions.
     #[schemars(extend("minimum" = 0.1, "maximum" = 100.0, "examples" = [1.0]))]
@@ -89,7 +89,7 @@ impl Default for Structure {
 impl Default for MeshSettings {
     fn default() -> Self {
         MeshSettings {
-            chordwise: 14,
+            chordwise: 12,
             refine: 1.0,
             file: None,
         }
