@@ -3,6 +3,7 @@
 mod film;
 mod independence;
 mod load_transfer;
+mod mesh_study;
 mod sensitivity;
 mod support;
 mod swept_wing;
