@@ -80,6 +80,8 @@ proptest! {
                 p[1] *= 1.0 + 0.01 * wobble[(7 * node) % 64];
             }
         }
+        // next to a joint a triangle can be so flat that the wobble turns it over
+        prop_assume!(check(&mesh).is_ok());
         let text = write(&mesh);
         let back = read(text.as_bytes(), "wing.msh").unwrap();
         prop_assert_eq!(bits(&back), bits(&mesh));
