@@ -101,7 +101,10 @@ def check_run(folder):
     check((found == tip["displacement_mm"]).all(), f"tip moves by {found}, summary.json says {tip['displacement_mm']}")
 
     check(numpy.abs(at_points["twist_deg"]).max() < 180.0, "twist beyond half a turn")
+    # The base of the profile is the clamp; the film's root chord is free to turn, and the file shows that of the film.
     for row in summary["profile"]:
+        if row["place"] == "base":
+            continue
         column = numpy.isclose(rest[:, 0], row["r_mm"], rtol=0, atol=1e-6)
         for twist in at_points["twist_deg"][column]:
             check(abs(twist - row["twist_deg"]) < 1e-3, f"twist at {row['r_mm']} mm: {twist}, {row['twist_deg']}")
