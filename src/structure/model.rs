@@ -1,5 +1,7 @@
 //! A structure: nodes, elements, supports, springs and masses; its energy, forces and tangent.
 
+use rayon::prelude::*;
+
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 
 use super::StructureError;
@@ -11,6 +13,9 @@ use super::section::Section;
 use super::sheet::Sheet;
 use super::shell::Shell;
 use super::state::State;
+
+/// Elements whose responses are held at once.
+const CHUNK: usize = 1024;
 
 /// A structure at rest.
 #[derive(Debug, Clone, Default)]
@@ -206,12 +211,25 @@ impl Model {
         let guess = aid.and_then(|aid| aid.guess.as_ref());
         let carried = aid.map_or(0.0, |aid| aid.carried);
         let mut residual = vec![0.0; pattern.len()];
-        for (index, shell) in self.shells.iter().enumerate() {
-            let (u, q) = self.shell_state(shell, state);
-            let guess = guess.and_then(|guess| guess.shells.get(index));
-            let response = shell.response(&self.sheets[shell.sheet], &u, &q, guess, carried);
-            scatter(pattern, &mut residual, &shell.nodes, response.force.as_slice());
-            pattern.add_shell(values, index, shell.nodes, |i, j| response.stiffness[(i, j)]);
+        for (part, shells) in self.shells.chunks(CHUNK).enumerate() {
+            let response = |(index, shell): (usize, &Shell)| {
+                let (u, q) = self.shell_state(shell, state);
+                let guess = guess.and_then(|guess| guess.shells.get(part * CHUNK + index));
+                shell.response(&self.sheets[shell.sheet], &u, &q, guess, carried)
+            };
+            // computed side by side, added one after the other: the sums do not depend on the number of threads
+            let responses: Vec<_> = shells
+                .par_iter()
+                .enumerate()
+                .with_min_len(64)
+                .map(response)
+                .collect();
+            for (index, (shell, response)) in shells.iter().zip(&responses).enumerate() {
+                scatter(pattern, &mut residual, &shell.nodes, response.force.as_slice());
+                pattern.add_shell(values, part * CHUNK + index, shell.nodes, |i, j| {
+                    response.stiffness[(i, j)]
+                });
+            }
         }
         for (index, beam) in self.beams.iter().enumerate() {
             let (u, q) = self.beam_state(beam, state);
