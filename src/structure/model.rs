@@ -1,6 +1,6 @@
 //! A structure: nodes, elements, supports, springs and masses; its energy, forces and tangent.
 
-use rayon::prelude::*;
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 
