@@ -62,6 +62,23 @@ pub enum StudyError {
         /// Reason of the first.
         reason: String,
     },
+    /// A scatter that is none.
+    #[error("the scatter of the measurement is not positive: give every row a sigma larger than 0")]
+    BadNoise,
+    /// A condition without a result.
+    #[error("case {case}: {reason}")]
+    Case {
+        /// Name of the case.
+        case: String,
+        /// Why.
+        reason: String,
+    },
+    /// A fit that does not settle.
+    #[error("the fit did not settle in {steps} steps: narrow the priors, or free fewer unknowns")]
+    NotCalibrated {
+        /// Steps taken.
+        steps: usize,
+    },
     /// The user asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

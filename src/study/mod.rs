@@ -2,7 +2,13 @@
 
 pub mod band;
 
+pub mod calibrate;
+
 pub mod error;
+
+pub mod forward;
+
+pub mod noise;
 
 pub mod output;
 
@@ -17,7 +23,10 @@ pub mod surrogate;
 pub mod uncertainty;
 
 pub use band::{OutputBand, SurrogateQuality};
+pub use calibrate::{Fit, Task, calibrate};
 pub use error::StudyError;
+pub use forward::{Condition, Forward, Linear, Observable, Unknown, UnknownKind};
+pub use noise::Noise;
 pub use output::{Output, ProfileOutputs};
 pub use shares::Share;
 pub use uncertainty::{Uncertainty, UncertaintySettings, propagate};

@@ -1,0 +1,347 @@
+//! Calibration: the unknowns that fit the measurement best, each held by its prior.
+//!
+//! Q(x) = ‖Σ^(−1/2)(y − f(x))‖² + Σ ((x − mean)/σ)² is made least by damped Gauss–Newton steps (Levenberg 1944, Marquardt
+//! 1963) in units of the priors. An unknown at an end of its range stays there while Q would fall beyond it. A measured
+//! bound counts only where the model breaks it.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::input::measurement::Bound;
+
+use super::error::StudyError;
+use super::forward::{Forward, Linear, Observable};
+use super::noise::Noise;
+
+/// Steps allowed.
+const PATIENCE: usize = 30;
+/// Largest last step, in standard deviations of the posterior, that ends the search; a fall of Q by less than its square
+/// (over 1 + Q) does too.
+const TOLERANCE: f64 = 1e-3;
+
+/// The best fit.
+#[derive(Debug, Clone)]
+pub struct Fit {
+    /// Value of every unknown; those not free where they were.
+    pub at: Vec<f64>,
+    /// Indices of the unknowns that were free.
+    pub free: Vec<usize>,
+    /// Indices of the observables that were fitted.
+    pub rows: Vec<usize>,
+    /// Least Q: misfit plus price of the priors.
+    pub q: f64,
+    /// The misfit's part of it.
+    pub misfit: f64,
+    /// Whitened residual of the fitted observables, measured minus modelled.
+    pub residual: DVector<f64>,
+    /// Whitened derivatives (fitted observables × free unknowns), per prior standard deviation.
+    pub slopes: DMatrix<f64>,
+    /// Covariance of the free unknowns, in their units.
+    pub covariance: DMatrix<f64>,
+    /// Those of the free unknowns that ended at an end of their range.
+    pub at_end: Vec<usize>,
+    /// Predictions for all observables, held-out ones included, in their units.
+    pub predicted: DVector<f64>,
+    /// Steps taken.
+    pub steps: usize,
+}
+
+/// What a fit is to do.
+#[derive(Debug, Clone)]
+pub struct Task<'a> {
+    /// Observables to fit.
+    pub rows: &'a [usize],
+    /// Their scatter.
+    pub noise: &'a Noise,
+    /// Unknowns to move.
+    pub free: &'a [usize],
+    /// Where to start.
+    pub start: &'a [f64],
+}
+
+/// Measured minus modelled for one observable: nothing where it is a bound that the model keeps.
+pub fn misfit(observable: &Observable, modelled: f64) -> f64 {
+    let error = observable.value - modelled;
+    match observable.bound {
+        Bound::None => error,
+        Bound::Upper => error.min(0.0),
+        Bound::Lower => error.max(0.0),
+    }
+}
+
+/// Fits the free unknowns.
+///
+/// # Errors
+/// If the model has no solution at the start, or the search does not settle.
+pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> {
+    let unknowns = forward.unknowns();
+    let free: Vec<usize> = task.free.to_vec();
+    let wanted = |name: &str| free.iter().any(|&i| unknowns[i].name == name);
+    let mut at = task.start.to_vec();
+    let mut linear = forward.linearize(&at, &|unknown| wanted(&unknown.name))?;
+    let mut damping = 1e-3;
+    let mut fall = f64::INFINITY;
+    for step in 0..PATIENCE {
+        let here = Local::new(forward, task, &at, &linear);
+        let moved = here.step(forward, &free, &at, damping);
+        if moved.size < TOLERANCE || fall < TOLERANCE * TOLERANCE * (1.0 + here.q()) {
+            return Ok(here.fit(forward, task, at, linear, step));
+        }
+        let trial = forward.linearize(&moved.at, &|unknown| wanted(&unknown.name));
+        let better = trial.ok().map(|trial| {
+            let q = Local::new(forward, task, &moved.at, &trial).q();
+            (trial, q)
+        });
+        match better {
+            Some((trial, q)) if q <= here.q() => {
+                fall = here.q() - q;
+                (at, linear) = (moved.at, trial);
+                damping = (damping * 0.1).max(1e-9);
+            }
+            _ if damping > 1e8 => return Ok(here.fit(forward, task, at, linear, step)),
+            _ => damping *= 10.0,
+        }
+    }
+    Err(StudyError::NotCalibrated { steps: PATIENCE })
+}
+
+/// The fit about one point, all in prior standard deviations and whitened.
+struct Local {
+    residual: DVector<f64>,
+    slopes: DMatrix<f64>,
+    prior: DVector<f64>,
+}
+
+struct Moved {
+    at: Vec<f64>,
+    size: f64,
+}
+
+impl Local {
+    fn new(forward: &dyn Forward, task: &Task, at: &[f64], linear: &Linear) -> Local {
+        let (observables, unknowns) = (forward.observables(), forward.unknowns());
+        let errors = task
+            .rows
+            .iter()
+            .map(|&row| misfit(&observables[row], linear.value[row]));
+        let errors = DVector::from_iterator(task.rows.len(), errors);
+        let slopes = DMatrix::from_fn(task.rows.len(), task.free.len(), |i, j| {
+            let kept = observables[task.rows[i]].bound != Bound::None && errors[i] == 0.0;
+            let slope = linear.jacobian[(task.rows[i], task.free[j])];
+            if kept {
+                0.0
+            } else {
+                slope * unknowns[task.free[j]].sigma
+            }
+        });
+        let prior = task
+            .free
+            .iter()
+            .map(|&i| (at[i] - unknowns[i].mean) / unknowns[i].sigma);
+        Local {
+            residual: task.noise.whiten(&errors),
+            slopes: task.noise.whiten_columns(&slopes),
+            prior: DVector::from_iterator(task.free.len(), prior),
+        }
+    }
+
+    fn q(&self) -> f64 {
+        self.residual.norm_squared() + self.prior.norm_squared()
+    }
+
+    /// Half of the curvature of Q.
+    fn curvature(&self) -> DMatrix<f64> {
+        let size = self.prior.len();
+        self.slopes.transpose() * &self.slopes + DMatrix::identity(size, size)
+    }
+
+    fn step(&self, forward: &dyn Forward, free: &[usize], at: &[f64], damping: f64) -> Moved {
+        let unknowns = forward.unknowns();
+        let downhill = self.slopes.transpose() * &self.residual - &self.prior;
+        let mut curvature = self.curvature();
+        let diagonal = curvature.diagonal();
+        let mut push = downhill.clone();
+        for (k, &i) in free.iter().enumerate() {
+            curvature[(k, k)] += damping * diagonal[k];
+            let [low, high] = unknowns[i].range;
+            let leaves = (at[i] <= low && push[k] < 0.0) || (at[i] >= high && push[k] > 0.0);
+            if leaves {
+                push[k] = 0.0;
+                curvature.row_mut(k).fill(0.0);
+                curvature.column_mut(k).fill(0.0);
+                curvature[(k, k)] = 1.0;
+            }
+        }
+        let step = curvature
+            .cholesky()
+            .map_or_else(|| push.clone(), |factor| factor.solve(&push));
+        let mut moved = at.to_vec();
+        let mut size: f64 = 0.0;
+        for (k, &i) in free.iter().enumerate() {
+            let [low, high] = unknowns[i].range;
+            moved[i] = (at[i] + step[k] * unknowns[i].sigma).clamp(low, high);
+            let width = unknowns[i].sigma / diagonal[k].sqrt();
+            size = size.max((moved[i] - at[i]).abs() / width);
+        }
+        Moved { at: moved, size }
+    }
+
+    fn fit(self, forward: &dyn Forward, task: &Task, at: Vec<f64>, linear: Linear, steps: usize) -> Fit {
+        let unknowns = forward.unknowns();
+        let sigma = DVector::from_iterator(task.free.len(), task.free.iter().map(|&i| unknowns[i].sigma));
+        let size = sigma.len();
+        let inverse = self
+            .curvature()
+            .cholesky()
+            .map_or_else(|| DMatrix::identity(size, size), |c| c.inverse());
+        let covariance = DMatrix::from_fn(size, size, |i, j| inverse[(i, j)] * sigma[i] * sigma[j]);
+        let ends = task.free.iter().copied().filter(|&i| {
+            let [low, high] = unknowns[i].range;
+            at[i] <= low || at[i] >= high
+        });
+        Fit {
+            at_end: ends.collect(),
+            free: task.free.to_vec(),
+            rows: task.rows.to_vec(),
+            q: self.q(),
+            misfit: self.residual.norm_squared(),
+            residual: self.residual,
+            slopes: self.slopes,
+            covariance,
+            predicted: linear.value,
+            at,
+            steps,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::measurement::Channel;
+    use crate::study::forward::{Condition, Unknown, UnknownKind};
+
+    /// y = a exp(−b x) at x = 0, 1, … with unknowns a and b.
+    struct Decay {
+        unknowns: Vec<Unknown>,
+        observables: Vec<Observable>,
+        conditions: Vec<Condition>,
+    }
+
+    impl Decay {
+        fn new(values: &[f64], sigma: f64, range: [f64; 2]) -> Decay {
+            let unknown = |name: &str, mean: f64, sigma: f64, range: [f64; 2]| Unknown {
+                name: name.into(),
+                unit: "1".into(),
+                kind: UnknownKind::Input,
+                mean,
+                sigma,
+                range,
+            };
+            let observable = |(line, &value): (usize, &f64)| Observable {
+                condition: 0,
+                line,
+                channel: Channel::Twist,
+                run: String::new(),
+                r_mm: Some(line as f64),
+                r_to_mm: None,
+                value,
+                sigma,
+                bound: Bound::None,
+            };
+            Decay {
+                unknowns: vec![
+                    unknown("a", 1.0, 10.0, [0.0, 100.0]),
+                    unknown("b", 0.1, 1.0, range),
+                ],
+                observables: values.iter().enumerate().map(observable).collect(),
+                conditions: vec![Condition {
+                    name: "c".into(),
+                    wing: "w".into(),
+                    is_held_out: false,
+                    frequency_hz: None,
+                    half_amplitude_deg: None,
+                    dynamic_pressure_pa: 0.0,
+                    length_m: 1.0,
+                }],
+            }
+        }
+
+        fn fit(&self) -> Fit {
+            let rows: Vec<usize> = (0..self.observables.len()).collect();
+            let none = DVector::zeros(rows.len());
+            let noise = Noise::new(&self.observables, &self.conditions, &rows, &none, 0.0).unwrap();
+            let task = Task {
+                rows: &rows,
+                noise: &noise,
+                free: &[0, 1],
+                start: &[1.0, 0.1],
+            };
+            calibrate(self, &task).unwrap()
+        }
+    }
+
+    impl Forward for Decay {
+        fn unknowns(&self) -> &[Unknown] {
+            &self.unknowns
+        }
+        fn observables(&self) -> &[Observable] {
+            &self.observables
+        }
+        fn conditions(&self) -> &[Condition] {
+            &self.conditions
+        }
+        fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
+            let value = (0..self.observables.len()).map(|x| at[0] * (-at[1] * x as f64).exp());
+            Ok(DVector::from_iterator(self.observables.len(), value))
+        }
+        fn linearize(&self, at: &[f64], _: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError> {
+            let value = self.predict(at)?;
+            let jacobian = DMatrix::from_fn(value.len(), 2, |x, j| match j {
+                0 => value[x] / at[0],
+                _ => -(x as f64) * value[x],
+            });
+            Ok(Linear { value, jacobian })
+        }
+        fn moment_response(&self, _: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {
+            Ok(DMatrix::zeros(self.observables.len(), stations))
+        }
+    }
+
+    fn exact(a: f64, b: f64) -> Vec<f64> {
+        (0..8).map(|x| a * (-b * x as f64).exp()).collect()
+    }
+
+    #[test]
+    fn a_nonlinear_fit_from_afar_finds_what_made_the_data() {
+        let fit = Decay::new(&exact(20.0, 0.7), 1e-3, [0.0, 5.0]).fit();
+        assert!(
+            (fit.at[0] - 20.0).abs() < 2e-3 && (fit.at[1] - 0.7).abs() < 1e-4,
+            "{:?}",
+            fit.at
+        );
+        assert!(fit.misfit < 1e-3 && fit.at_end.is_empty());
+    }
+
+    #[test]
+    fn an_unknown_stops_at_the_end_of_its_range_and_says_so() {
+        let fit = Decay::new(&exact(20.0, 0.7), 1e-3, [0.0, 0.5]).fit();
+        assert_eq!((fit.at[1], &fit.at_end[..]), (0.5, &[1][..]));
+    }
+
+    #[test]
+    fn without_information_the_prior_stays() {
+        let fit = Decay::new(&exact(20.0, 0.7), 1e6, [0.0, 5.0]).fit();
+        assert!((fit.at[0] - 1.0).abs() < 1e-6 && (fit.covariance[(0, 0)].sqrt() - 10.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_bound_that_the_model_keeps_does_not_pull() {
+        let mut decay = Decay::new(&exact(2.0, 0.1), 1e-2, [0.0, 5.0]);
+        decay.observables[3].value = 5.0;
+        decay.observables[3].bound = Bound::Upper;
+        let fit = decay.fit();
+        assert!((fit.at[0] - 2.0).abs() < 0.01, "{:?}", fit.at);
+        decay.observables[3].bound = Bound::Lower;
+        assert!((decay.fit().at[0] - 2.0).abs() > 0.3);
+    }
+}

@@ -1,0 +1,136 @@
+//! What a fit needs of a model: its unknowns, its observables, its predictions and how they answer to the unknowns.
+
+use nalgebra::{DMatrix, DVector};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::input::measurement::{Bound, Channel};
+
+use super::error::StudyError;
+
+/// What a study may move.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Unknown {
+    /// Its name: the dotted key of an input or of an effect's strength, or a nuisance of the ruler.
+    pub name: String,
+    /// Unit of its values; `1` for pure numbers.
+    pub unit: String,
+    /// What it is.
+    pub kind: UnknownKind,
+    /// Mean of its prior, where it starts; 0 for the strength of an effect that the model lacks.
+    pub mean: f64,
+    /// Standard deviation of its prior.
+    pub sigma: f64,
+    /// Values that it may take.
+    pub range: [f64; 2],
+}
+
+/// What an unknown is.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum UnknownKind {
+    /// An input of the design.
+    Input,
+    /// A nuisance of the ruler: it moves the reading, not the wing.
+    Ruler,
+    /// The strength of an effect.
+    Effect {
+        /// Name of the effect.
+        effect: String,
+        /// Effects that are the same physics at another place, or another formula of it, share their family.
+        family: String,
+        /// Size of strength that is plausible: one standard deviation of what is thought possible.
+        scale: f64,
+        /// Whether only strengths of one sign make sense.
+        one_sided: bool,
+        /// Whether its response has a kink at zero, so that it must be seen from a step.
+        has_switch: bool,
+    },
+}
+
+/// One measured number.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Observable {
+    /// Index of its condition.
+    pub condition: usize,
+    /// Line of the measurement file.
+    pub line: usize,
+    /// What was measured.
+    pub channel: Channel,
+    /// Run of the measurement; may be empty.
+    pub run: String,
+    /// Station or inner end of the interval, mm.
+    pub r_mm: Option<f64>,
+    /// Outer end of the interval, mm.
+    pub r_to_mm: Option<f64>,
+    /// Measured value in the unit of the channel.
+    pub value: f64,
+    /// Its standard deviation.
+    pub sigma: f64,
+    /// Whether it is only a bound.
+    pub bound: Bound,
+}
+
+/// One design at one operating point or under one bench load.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Condition {
+    /// Name of the case in the study.
+    pub name: String,
+    /// Cases of one wing share this: the name of the design.
+    pub wing: String,
+    /// Whether it is kept out of every fit.
+    pub is_held_out: bool,
+    /// Flapping frequency, Hz.
+    pub frequency_hz: Option<f64>,
+    /// Half-stroke amplitude, deg.
+    pub half_amplitude_deg: Option<f64>,
+    /// Dynamic pressure at the tip (or of the stream), Pa; 0 for bench loads.
+    pub dynamic_pressure_pa: f64,
+    /// Length of the wing, m.
+    pub length_m: f64,
+}
+
+/// Predictions and their derivatives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Linear {
+    /// Predicted value of every observable, in the unit of its channel.
+    pub value: DVector<f64>,
+    /// Derivative of each observable (row) with each unknown (column), in their units.
+    pub jacobian: DMatrix<f64>,
+}
+
+/// A model with unknowns, seen through observables.
+///
+/// Vectors of unknowns are in the order of [`Forward::unknowns`] and in their units, predictions in the order of
+/// [`Forward::observables`]. All methods are functions of their arguments alone: the same values give the same
+/// bits, whatever was asked before and on any number of threads.
+pub trait Forward: Sync {
+    /// The unknowns.
+    fn unknowns(&self) -> &[Unknown];
+
+    /// The observables, held-out ones included.
+    fn observables(&self) -> &[Observable];
+
+    /// The conditions.
+    fn conditions(&self) -> &[Condition];
+
+    /// What the model gives for every observable.
+    ///
+    /// # Errors
+    /// If a condition has no solution, with its name and the reason.
+    fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError>;
+
+    /// Predictions and their derivatives with the unknowns of which `wanted` holds; the other columns are zero.
+    ///
+    /// # Errors
+    /// As [`Forward::predict`].
+    fn linearize(&self, at: &[f64], wanted: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError>;
+
+    /// Response of every observable (row) to a moment per length about the span axis (N·m/m, positive: washout) in its
+    /// own condition, spread as a hat function around each of `stations` places evenly spaced from base to tip
+    /// (column).
+    ///
+    /// # Errors
+    /// As [`Forward::predict`].
+    fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError>;
+}
