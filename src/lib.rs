@@ -6,6 +6,8 @@
 //! measure-  rod and    and    └→ aero ───────┘  physics    structure    instrument     over the          minus
 //! ments     spars      sets      flow, strips              together     sees it        stroke            modelled
 //!
+//!                            verify: published cases ←─ structure, coupling
+//!
 //! export: any result into bytes        cli: one file per verb        progress: for every room
 //! ```
 //!
@@ -30,6 +32,8 @@ pub mod coupling;
 pub mod observation;
 
 pub mod lift;
+
+pub mod verify;
 
 pub mod study;
 

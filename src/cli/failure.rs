@@ -87,6 +87,23 @@ pub enum Failure {
         /// The name.
         name: String,
     },
+    /// Cases of `washout verify` that fail.
+    #[error("{} of the cases fail: {}", failing.len(), failing.join(", "))]
+    Cases {
+        /// Their names.
+        failing: Vec<String>,
+    },
+    /// A case that there is not.
+    #[error(
+        "there is no case '{name}'{}; `washout verify --list` shows all",
+        nearest.as_ref().map_or(String::new(), |nearest| format!(", did you mean '{nearest}'?"))
+    )]
+    UnknownCase {
+        /// What was asked for.
+        name: String,
+        /// The case that is nearest, if one is near.
+        nearest: Option<String>,
+    },
     /// Standard output does not take the result.
     #[error("cannot write to standard output: {0}; send it elsewhere, or free some space there")]
     Output(io::Error),
@@ -124,7 +141,8 @@ impl Failure {
             Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } | Failure::NoMeasurement { .. } => 2,
             Failure::Export(ExportError::NoRun { .. } | ExportError::ForeignSummary { .. }) => 2,
-            Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) => 1,
+            Failure::UnknownCase { .. } => 2,
+            Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) | Failure::Cases { .. } => 1,
             Failure::Interrupted(_) => 130,
         }
     }

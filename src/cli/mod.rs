@@ -27,6 +27,8 @@ pub mod schema;
 
 pub mod diff;
 
+pub mod verify;
+
 use clap::{Args, Parser, Subcommand};
 
 pub use console::Console;
@@ -82,6 +84,8 @@ pub enum Verb {
     Schema(schema::Schema),
     /// Compare two runs: inputs, results, twist
     Diff(diff::Diff),
+    /// Run the published cases that say how far to trust the solver
+    Verify(verify::Verify),
 }
 
 /// Runs one verb.
@@ -100,6 +104,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Init(verb) => verb.run(&console),
         Verb::Schema(verb) => verb.run(&console),
         Verb::Diff(verb) => verb.run(&console),
+        Verb::Verify(verb) => verb.run(&console),
     };
     console.progress().finish();
     result

@@ -4,6 +4,7 @@ use clap::{Args, ValueEnum};
 
 use crate::export::difference::Difference;
 use crate::export::summary::RunSummary;
+use crate::export::verification::VerifyReport;
 
 use super::{Console, Failure};
 
@@ -34,6 +35,8 @@ pub enum Output {
     Mesh,
     /// `washout init --json`
     Init,
+    /// `washout verify --json`, and `verify.json`
+    Verify,
 }
 
 impl Schema {
@@ -47,6 +50,7 @@ impl Schema {
             Some(Output::Diff) => schemars::schema_for!(Difference),
             Some(Output::Mesh) => schemars::schema_for!(super::mesh::MeshReport),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
+            Some(Output::Verify) => schemars::schema_for!(VerifyReport),
         };
         console.document(&schema)
     }

@@ -26,6 +26,10 @@ pub mod report;
 
 pub mod text;
 
+pub mod trust;
+
+pub mod verification;
+
 pub mod warnings;
 
 pub use error::ExportError;

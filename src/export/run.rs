@@ -24,6 +24,7 @@ pub const SUMMARY: &str = "summary.json";
 pub struct RunFolder {
     target: PathBuf,
     partial: TempDir,
+    summary: &'static str,
     names: Vec<String>,
 }
 
@@ -32,7 +33,12 @@ impl RunFolder {
     ///
     /// An existing folder is accepted only if it is empty or holds nothing but an earlier run.
     pub fn create(target: &Path) -> Result<Self, ExportError> {
-        refuse_foreign(target)?;
+        RunFolder::listed_by(target, SUMMARY)
+    }
+
+    /// The same for a folder whose files are listed by the document `summary`.
+    pub fn listed_by(target: &Path, summary: &'static str) -> Result<Self, ExportError> {
+        refuse_foreign(target, summary)?;
         let parent = match target.parent() {
             Some(parent) if !parent.as_os_str().is_empty() => parent.to_path_buf(),
             _ => PathBuf::from("."),
@@ -43,6 +49,7 @@ impl RunFolder {
         Ok(RunFolder {
             target: target.to_path_buf(),
             partial,
+            summary,
             names: Vec::new(),
         })
     }
@@ -64,11 +71,11 @@ impl RunFolder {
     /// Names of all files of the folder, the summary among them, as its `files` must list them.
     pub fn listed(&self) -> Vec<String> {
         let mut names = self.names.clone();
-        names.push(SUMMARY.to_string());
+        names.push(self.summary.to_string());
         names
     }
 
-    /// Adds `summary.json`, the last file; its `files` are what [`RunFolder::listed`] says.
+    /// Adds the summary (`summary.json`), the last file; its `files` are what [`RunFolder::listed`] says.
     ///
     /// Refuses a document that would not read back as it is, above all numbers that are not finite.
     pub fn add_summary<T>(&mut self, document: &T) -> Result<(), ExportError>
@@ -76,14 +83,19 @@ impl RunFolder {
         T: Serialize + DeserializeOwned + PartialEq,
     {
         let text = to_json(document)?;
-        self.add(SUMMARY, text.as_bytes())
+        self.add(self.summary, text.as_bytes())
     }
 
     /// Puts the folder in place of an earlier run; gives its path.
     pub fn commit(self) -> Result<PathBuf, ExportError> {
-        let RunFolder { target, partial, .. } = self;
+        let RunFolder {
+            target,
+            partial,
+            summary,
+            ..
+        } = self;
         sync_folder(partial.path()).map_err(ExportError::file("write", &target))?;
-        refuse_foreign(&target)?;
+        refuse_foreign(&target, summary)?;
         let parent = partial.path().parent().unwrap_or(Path::new(".")).to_path_buf();
         let earlier = if target.exists() {
             let earlier = hidden_folder(&parent, &target, "earlier")
@@ -164,7 +176,7 @@ fn sync_folder(path: &Path) -> io::Result<()> {
 }
 
 /// Refuses a target that holds files that no run wrote.
-fn refuse_foreign(target: &Path) -> Result<(), ExportError> {
+fn refuse_foreign(target: &Path, summary: &str) -> Result<(), ExportError> {
     let entries = match fs::read_dir(target) {
         Ok(entries) => entries,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
@@ -175,7 +187,7 @@ fn refuse_foreign(target: &Path) -> Result<(), ExportError> {
         let entry = entry.map_err(ExportError::file("read", target))?;
         found.insert(entry.file_name().to_string_lossy().into_owned());
     }
-    let known = files_of_run(target);
+    let known = files_of_run(target, summary);
     match found.into_iter().find(|name| !known.contains(name)) {
         None => Ok(()),
         Some(entry) => Err(ExportError::ForeignEntry {
@@ -186,8 +198,8 @@ fn refuse_foreign(target: &Path) -> Result<(), ExportError> {
 }
 
 /// The files that a run lists in its summary; none if there is no readable summary.
-fn files_of_run(folder: &Path) -> BTreeSet<String> {
-    let text = fs::read_to_string(folder.join(SUMMARY)).unwrap_or_default();
+fn files_of_run(folder: &Path, summary: &str) -> BTreeSet<String> {
+    let text = fs::read_to_string(folder.join(summary)).unwrap_or_default();
     let summary: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
     let names = summary["files"].as_array().into_iter().flatten();
     names

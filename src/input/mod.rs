@@ -42,3 +42,4 @@ pub use assumption::{Assumption, Choice};
 pub use design::Design;
 pub use error::{InputError, Place, Problem, Range};
 pub use load::Loaded;
+pub(crate) use nearest::nearest as nearest_word;

@@ -3,7 +3,7 @@
 use crate::{folder, washout};
 
 /// Every verb of the program.
-pub const VERBS: [&str; 8] = [
+pub const VERBS: [&str; 9] = [
     "solve",
     "compare",
     "divergence",
@@ -11,6 +11,7 @@ pub const VERBS: [&str; 8] = [
     "init",
     "schema",
     "diff",
+    "verify",
     "help",
 ];
 

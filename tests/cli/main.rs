@@ -16,6 +16,8 @@ mod schema;
 
 mod solve;
 
+mod verify;
+
 mod writing;
 
 use std::path::{Path, PathBuf};

@@ -40,6 +40,20 @@ const ROOMS: &[(&str, &[&str])] = &[
         &["progress", "input", "geometry", "aero", "coupling", "observation"],
     ),
     (
+        "verify",
+        &[
+            "progress",
+            "input",
+            "geometry",
+            "mesh",
+            "structure",
+            "aero",
+            "effects",
+            "coupling",
+            "observation",
+        ],
+    ),
+    (
         "study",
         &[
             "progress",
@@ -68,6 +82,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "coupling",
             "observation",
             "lift",
+            "verify",
             "study",
             "compare",
         ],
@@ -85,6 +100,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "coupling",
             "observation",
             "lift",
+            "verify",
             "study",
             "compare",
             "export",

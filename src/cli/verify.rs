@@ -1,0 +1,109 @@
+//! `washout verify`: the published cases, run and judged.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use crate::export::ExportError;
+use crate::export::run::RunFolder;
+use crate::export::text::Table;
+use crate::export::trust::{markdown, trust_page};
+use crate::export::verification::VerifyReport;
+use crate::input::nearest_word;
+use crate::verify::{ALL, Case, Extent, Kind, named, run};
+
+use super::{Console, Failure};
+
+/// Name of the document of the folder.
+const DOCUMENT: &str = "verify.json";
+
+/// Arguments of `washout verify`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout verify                                all cases on three meshes each
+  washout verify --short                        one mesh each, under a minute
+  washout verify --list                         what cases there are
+  washout verify cook-membrane elastica         these alone
+
+A case passes if its error on the finest mesh is within the limit that good elements reach, and if the order of
+convergence is that of theory where theory gives one. Exit code 1 if one fails.")]
+pub struct Verify {
+    /// Cases to run [default: all]
+    #[arg(value_name = "CASE")]
+    pub cases: Vec<String>,
+    /// Say what cases there are, and run nothing
+    #[arg(long)]
+    pub list: bool,
+    /// Run each case on the coarsest mesh that is within its limit, and on no other
+    #[arg(long)]
+    pub short: bool,
+    /// Folder to write into
+    #[arg(long, short, value_name = "DIR", default_value = "output/verify")]
+    pub output: PathBuf,
+    /// Also write the page "How far to trust washout"
+    #[arg(long, value_name = "FILE")]
+    pub page: Option<PathBuf>,
+}
+
+impl Verify {
+    /// Runs the cases, prints and writes the tables.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let cases = self.chosen()?;
+        if self.list {
+            return console.result(&list(&cases), &names(&cases));
+        }
+        let mut folder = RunFolder::listed_by(&self.output, DOCUMENT)?;
+        let extent = if self.short { Extent::Short } else { Extent::Full };
+        let outcomes = run(&cases, extent, console.progress())?;
+        let mut report = VerifyReport::new(&outcomes, extent);
+        folder.add("verify.md", markdown(&report).as_bytes())?;
+        folder.add("verify.csv", &report.csv()?)?;
+        report.files = folder.listed();
+        folder.add_summary(&report)?;
+        console.progress().check()?;
+        let path = folder.commit()?;
+        if let Some(page) = &self.page {
+            write(page, &trust_page(&report))?;
+        }
+        let files = format!("\nFiles in {}: {}\n", path.display(), report.files.join(" "));
+        console.result(&(report.page() + &files), &report)?;
+        match report.failing() {
+            failing if failing.is_empty() => Ok(()),
+            failing => Err(Failure::Cases { failing }),
+        }
+    }
+
+    fn chosen(&self) -> Result<Vec<&'static Case>, Failure> {
+        if self.cases.is_empty() {
+            return Ok(ALL.to_vec());
+        }
+        let find = |name: &String| {
+            named(name).ok_or_else(|| Failure::UnknownCase {
+                name: name.clone(),
+                nearest: nearest_word(name, ALL.iter().map(|case| case.name)).map(str::to_string),
+            })
+        };
+        self.cases.iter().map(find).collect()
+    }
+}
+
+fn write(path: &Path, text: &str) -> Result<(), ExportError> {
+    fs::write(path, text).map_err(ExportError::file("write", path))
+}
+
+fn names(cases: &[&Case]) -> Vec<&'static str> {
+    cases.iter().map(|case| case.name).collect()
+}
+
+fn list(cases: &[&Case]) -> String {
+    let mut table = Table::new(["case", "kind", "what"]);
+    for case in cases {
+        let kind = match case.kind {
+            Kind::Verification => "verification",
+            Kind::Validation => "validation",
+        };
+        table.row([case.name.to_string(), kind.to_string(), case.title.to_string()]);
+    }
+    table.render()
+}

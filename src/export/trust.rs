@@ -1,0 +1,135 @@
+//! `verify.md` and the page "How far to trust washout": the cases, their errors and orders, and what they do not say.
+
+use std::fmt::Write;
+
+use super::text::{number, significant};
+use super::verification::{CaseReport, VerifyReport, percent, rows};
+
+/// What stands above the tables of the page.
+const HEAD: &str = "\
+# How far to trust washout
+
+Written by `washout verify --page docs/how-far-to-trust-washout.md`; `tests/verification` runs the cases again and
+compares. Do not edit by hand.
+
+A solver may be trusted for the cases that it has passed. Each case below runs through the library that the wings use,
+on a coarse, a middle and a fine mesh, each with half the element size of the one before. It passes if the error on the
+fine mesh is within its limit, which is what good elements are reported to reach on such meshes, and if the observed
+order of convergence is within 0.2 of that of theory where theory gives one. The order is observed on the three meshes
+alone (against the own extrapolated value), not against the reference.
+
+References are *seen* (read in a public transcription of the publication), *derived* (a closed form, or a solution by
+independent means) or from *memory*; what rests on memory alone is shown and not judged.
+";
+
+/// The page of documentation; no timings, so that it does not change from run to run.
+pub fn trust_page(report: &VerifyReport) -> String {
+    format!("{HEAD}\n{}", tables(report, false))
+}
+
+/// `verify.md`: the same tables with timings.
+pub fn markdown(report: &VerifyReport) -> String {
+    format!(
+        "# washout {} verify\n\n{}\n{}",
+        report.version,
+        report.summary(),
+        tables(report, true)
+    )
+}
+
+fn tables(report: &VerifyReport, timed: bool) -> String {
+    let mut text = String::new();
+    for (title, cases) in report.parts() {
+        if cases.is_empty() {
+            continue;
+        }
+        // writing to a text cannot fail
+        let _ = write!(text, "## {title}\n\n{}", table(cases, timed));
+        for case in cases {
+            if let Some(failure) = &case.failure {
+                let _ = writeln!(text, "\n`{}` gave no answer: {failure}.", case.name);
+            }
+        }
+        text.push('\n');
+    }
+    text + &notes(report)
+}
+
+fn table(cases: &[CaseReport], timed: bool) -> String {
+    let head = [
+        "case",
+        "quantity",
+        "reference",
+        "ours",
+        "coarse",
+        "middle",
+        "fine",
+        "limit",
+        "order",
+        "mesh",
+    ];
+    let mut head = head.map(str::to_string).to_vec();
+    if timed {
+        head.push("time, s".to_string());
+    }
+    head.extend(["verdict".to_string(), "source".to_string()]);
+    let mut text = format!("| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
+    for (case, quantity) in rows(cases) {
+        let error = |level: &str| percent(case.error_at(quantity, level));
+        let unit = if quantity.unit == "1" { "" } else { &quantity.unit };
+        let mut cells = vec![
+            case.name.clone(),
+            quantity.words(),
+            format!("{} {unit}", significant(quantity.reference, 6))
+                .trim_end()
+                .to_string(),
+            quantity.ours.map_or("–".to_string(), |ours| significant(ours, 6)),
+            error("coarse"),
+            error("middle"),
+            error("fine"),
+            percent(Some(quantity.tolerance)),
+            quantity.order_words(),
+            case.meshes.last().map_or(String::new(), |mesh| mesh.mesh.clone()),
+        ];
+        if timed {
+            cells.push(number(case.time_s(), 1));
+        }
+        cells.push(if quantity.verdict == "pass" {
+            "pass".to_string()
+        } else {
+            format!("**{}**", quantity.verdict)
+        });
+        cells.push(format!("{} ({})", quantity.source, quantity.confidence));
+        let _ = writeln!(text, "| {} |", cells.join(" | "));
+    }
+    text
+}
+
+/// What the cases are, which are exempt from an order and why, and other references.
+fn notes(report: &VerifyReport) -> String {
+    let mut text =
+        String::from("Errors and limits in percent of the reference; a curve is shown where it is worst.\n");
+    text += "\n## The cases\n\n";
+    for case in report.cases() {
+        let _ = writeln!(text, "- `{}`: {}.", case.name, case.title);
+        let mut seen: Vec<&String> = Vec::new();
+        for quantity in &case.quantities {
+            for other in quantity
+                .others
+                .iter()
+                .filter(|other| !seen.contains(other))
+                .collect::<Vec<_>>()
+            {
+                let _ = writeln!(text, "  Other reference for the {}: {other}.", quantity.name);
+                seen.push(other);
+            }
+        }
+    }
+    text += "\n## Without an expected order\n\n";
+    for (case, quantity) in report.cases().flat_map(|case| rows(std::slice::from_ref(case))) {
+        if let Some(why) = &quantity.order_exempt {
+            let _ = writeln!(text, "- `{}`, {}: {why}.", case.name, quantity.name);
+        }
+    }
+    text
+}

@@ -1,0 +1,60 @@
+//! Why a case could not be run.
+
+use crate::coupling::CouplingError;
+use crate::geometry::GeometryError;
+use crate::input::InputError;
+use crate::progress::Cancelled;
+use crate::structure::StructureError;
+
+/// Why a case could not be run.
+#[derive(Debug, thiserror::Error)]
+pub enum VerifyError {
+    /// The structure cannot be built or solved.
+    #[error(transparent)]
+    Structure(StructureError),
+    /// Air and structure together have no solution.
+    #[error(transparent)]
+    Coupling(CouplingError),
+    /// The design of a case is refused.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The outline of a case is refused.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// The tangent at rest is not positive definite.
+    #[error("the structure at rest has {negative} negative pivots; please report this as a bug")]
+    Unstable {
+        /// Negative pivots.
+        negative: usize,
+    },
+    /// The solver found no such number.
+    #[error("the solution has no {what}; please report this as a bug")]
+    Missing {
+        /// What was sought.
+        what: &'static str,
+    },
+    /// The user asked to stop.
+    #[error(transparent)]
+    Interrupted(#[from] Cancelled),
+}
+
+impl From<StructureError> for VerifyError {
+    fn from(error: StructureError) -> Self {
+        match error {
+            StructureError::Interrupted(cancelled) => VerifyError::Interrupted(cancelled),
+            other => VerifyError::Structure(other),
+        }
+    }
+}
+
+impl From<CouplingError> for VerifyError {
+    fn from(error: CouplingError) -> Self {
+        match error {
+            CouplingError::Interrupted(cancelled)
+            | CouplingError::Structure(StructureError::Interrupted(cancelled)) => {
+                VerifyError::Interrupted(cancelled)
+            }
+            other => VerifyError::Coupling(other),
+        }
+    }
+}
