@@ -2,6 +2,7 @@
 
 python .ci/read_vtu.py output/twist-v2            a run
 python .ci/read_vtu.py --mesh output/mesh         what `washout mesh` wrote
+python .ci/read_vtu.py --modes output/modes       what `washout modes` wrote
 """
 
 import json
@@ -138,8 +139,25 @@ def check_mesh(folder):
     print(f"{folder}: {len(points)} points, {len(types)} cells")
 
 
+def check_modes(folder):
+    summary = json.loads((folder / "summary.json").read_text())
+    entries = list(ElementTree.parse(folder / "modes.pvd").getroot().iter("DataSet"))
+    files = [mode["file"] for mode in summary["modes"]]
+    check([entry.get("file") for entry in entries] == files, f"{folder}/modes.pvd does not list {files}")
+    for name in files:
+        path = folder / name
+        points, types, at_points, at_cells = read(path)
+        check_arrays(path, at_points, {"displacement_mm": 3, "rotation_deg": 3}, len(points))
+        check_arrays(path, at_cells, PART_ARRAYS, len(types))
+        largest = numpy.linalg.norm(at_points["displacement_mm"], axis=1).max()
+        check(abs(largest - 1.0) < 1e-9, f"{path}: the largest displacement is {largest} mm")
+    print(f"{folder}: {len(files)} modes")
+
+
 if __name__ == "__main__":
     if sys.argv[1] == "--mesh":
         check_mesh(Path(sys.argv[2]))
+    elif sys.argv[1] == "--modes":
+        check_modes(Path(sys.argv[2]))
     else:
         check_run(Path(sys.argv[1]))

@@ -55,6 +55,20 @@ pub enum Failure {
         /// Moment with which it would pull.
         moment_mn_mm: f64,
     },
+    /// The shape has no natural frequencies.
+    #[error(
+        "{}: the {shape} shape is not stable ({directions} directions in which it would run away), so it has no natural \
+         frequencies. Try a finer mesh (--refine 2), or give the film a pre-tension (film.pretension_n_per_m)",
+        design.display()
+    )]
+    Unstable {
+        /// The design file.
+        design: PathBuf,
+        /// `loaded` or `unloaded`.
+        shape: &'static str,
+        /// Negative pivots of its tangent.
+        directions: usize,
+    },
     /// The ranges of the assumed inputs give no band.
     #[error("--uncertainty: {0}")]
     Study(StudyError),
@@ -135,6 +149,7 @@ impl Failure {
                 ..
             } => 130,
             Failure::Coupling { .. } | Failure::Phase { .. } | Failure::Option { .. } => 2,
+            Failure::Unstable { .. } => 3,
             Failure::Study(StudyError::Cancelled(_)) => 130,
             Failure::Study(StudyError::Nominal { .. } | StudyError::SamplesFailed { .. }) => 3,
             Failure::Study(_) => 2,

@@ -19,6 +19,8 @@ pub mod compare;
 
 pub mod divergence;
 
+pub mod modes;
+
 pub mod mesh;
 
 pub mod init;
@@ -76,6 +78,8 @@ pub enum Verb {
     Compare(compare::Compare),
     /// Raise the speed or the amplitude until the wing has no equilibrium any more
     Divergence(divergence::Divergence),
+    /// Natural frequencies and mode shapes, unloaded or in flight
+    Modes(modes::Modes),
     /// Write the mesh of a design, for VTK and Gmsh
     Mesh(mesh::WriteMesh),
     /// Write a commented design file to start from
@@ -100,6 +104,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Solve(verb) => verb.run(&console),
         Verb::Compare(verb) => verb.run(&console),
         Verb::Divergence(verb) => verb.run(&console),
+        Verb::Modes(verb) => verb.run(&console),
         Verb::Mesh(verb) => verb.run(&console),
         Verb::Init(verb) => verb.run(&console),
         Verb::Schema(verb) => verb.run(&console),

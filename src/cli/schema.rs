@@ -3,6 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use crate::export::difference::Difference;
+use crate::export::modes::ModesSummary;
 use crate::export::summary::RunSummary;
 use crate::export::verification::VerifyReport;
 
@@ -31,6 +32,8 @@ pub enum Output {
     Divergence,
     /// `washout diff --json`
     Diff,
+    /// `washout modes --json`
+    Modes,
     /// `washout mesh --json`
     Mesh,
     /// `washout init --json`
@@ -48,6 +51,7 @@ impl Schema {
             Some(Output::Compare) => schemars::schema_for!(super::compare::CompareReport),
             Some(Output::Divergence) => schemars::schema_for!(super::divergence::DivergenceReport),
             Some(Output::Diff) => schemars::schema_for!(Difference),
+            Some(Output::Modes) => schemars::schema_for!(ModesSummary),
             Some(Output::Mesh) => schemars::schema_for!(super::mesh::MeshReport),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
             Some(Output::Verify) => schemars::schema_for!(VerifyReport),

@@ -6,16 +6,14 @@ use serde::{Deserialize, Serialize};
 
 use super::CouplingError;
 use super::solution::Solution;
+use super::vibration::Standing;
 use crate::aero::Flow;
 use crate::geometry::Planform;
 use crate::input::design::{Design, Kinematics, Section};
 use crate::mesh::BeamPart;
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{
-    Equilibrium, Loads, MassProperties, Model, Peak, StructureError, Vibration, bench_loads, bending_peak,
-    film_stress, lowest_modes, torsion_peak, wing_model,
-};
+use crate::structure::{MassProperties, Model, Peak, Vibration, bending_peak, film_stress, torsion_peak};
 
 /// Natural frequencies that are given.
 const MODES: usize = 6;
@@ -89,15 +87,11 @@ pub fn engineering(
     solution: &Solution,
     progress: &Progress,
 ) -> Result<Engineering, CouplingError> {
-    let model = wing_model(design, &solution.mesh)?;
-    let mut loads = bench_loads(design, &solution.mesh, &model);
-    for (load, air) in loads.force_n.iter_mut().zip(&solution.air_force_n) {
-        *load += Vector3::from(*air);
-    }
+    let standing = Standing::loaded(design, solution)?;
     let mut found = Engineering::default();
-    found.weigh(design, planform, &model);
-    found.load(design, &model, solution);
-    found.vibrate(design, planform, &model, &loads, &solution.state, progress)?;
+    found.weigh(design, planform, &standing.model);
+    found.load(design, &standing.model, solution);
+    found.vibrate(design, planform, standing, progress)?;
     Ok(found)
 }
 
@@ -151,36 +145,19 @@ impl Engineering {
         &mut self,
         design: &Design,
         planform: &Planform,
-        model: &Model,
-        loads: &Loads,
-        state: &State,
+        standing: Standing,
         progress: &Progress,
-    ) -> Result<(), StructureError> {
-        let mut equilibrium = Equilibrium::new(model)?;
-        let nodes = model.nodes.len();
-        let (rest, none) = (State::at_rest(nodes), Loads::none(nodes));
-        // a linear structure vibrates as at rest
-        let linear = design.structure.kinematics == Kinematics::Linear;
-        let (state, loads) = if linear { (&rest, &none) } else { (state, loads) };
-        let flow = Flow::from_design(design);
-        let moved_air: Option<Vec<f64>> = flow.map(|_| {
-            let per_chord = design.air.density_kg_m3.value() * std::f64::consts::FRAC_PI_4;
-            let middle = |nodes: [usize; 3]| nodes.iter().map(|&n| model.nodes[n].x).sum::<f64>() / 3.0;
-            let shells = model.shells.iter();
-            shells
-                .map(|shell| per_chord * planform.chord_m(middle(shell.nodes)))
-                .collect()
-        });
-        let mut frequencies = |across_kg_m2: &[f64]| {
-            let found = lowest_modes(&mut equilibrium, state, loads, across_kg_m2, MODES, progress)?;
-            Ok::<_, StructureError>(match found {
+    ) -> Result<(), CouplingError> {
+        let frequencies = |standing: &Standing| {
+            Ok::<_, CouplingError>(match standing.modes(MODES, progress)? {
                 Vibration::Stable(modes) => (modes.iter().map(|mode| mode.frequency_hz).collect(), 0),
                 Vibration::Unstable { negative } => (Vec::new(), negative),
             })
         };
-        (self.natural_frequencies_hz, self.unstable_directions) = frequencies(&[])?;
-        if let Some(moved_air) = moved_air {
-            (self.natural_frequencies_in_air_hz, _) = frequencies(&moved_air)?;
+        (self.natural_frequencies_hz, self.unstable_directions) = frequencies(&standing)?;
+        let flow = Flow::from_design(design);
+        if flow.is_some() {
+            (self.natural_frequencies_in_air_hz, _) = frequencies(&standing.with_air(design, planform))?;
         }
         if let Some(Flow::Flapping { frequency_hz, .. }) = flow {
             let lowest = self.natural_frequencies_in_air_hz.first();
@@ -217,6 +194,7 @@ fn material_strength_pa(design: &Design, name: &str) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::mesh::generate;
+    use crate::structure::wing_model;
 
     fn twist_v2() -> Design {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("designs/twist-v2.toml");

@@ -16,6 +16,8 @@ pub mod solution;
 
 pub mod strips;
 
+pub mod vibration;
+
 pub mod wing;
 
 pub use engineering::{Engineering, Extreme};

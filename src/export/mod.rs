@@ -6,6 +6,8 @@ pub mod vtu;
 
 pub mod wing;
 
+pub mod modes;
+
 pub mod pvd;
 
 pub mod csv;

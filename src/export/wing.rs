@@ -31,6 +31,12 @@ pub fn mesh_grid(design: &Design, mesh: &Mesh) -> Grid {
     grid(design, mesh, mesh.nodes.iter().map(|&node| Vector3::from(node)))
 }
 
+/// The mesh in a shape with its parts, materials and sections.
+pub fn shape_grid(design: &Design, mesh: &Mesh, shape: &State) -> Grid {
+    let moved = mesh.nodes.iter().zip(&shape.displacement);
+    grid(design, mesh, moved.map(|(&node, u)| Vector3::from(node) + u))
+}
+
 /// A solution with all its arrays; displacement, rotation and twist count from the unloaded shape.
 ///
 /// `twist_deg`: one value per node, the twist of the chord line through it.
@@ -40,8 +46,7 @@ pub fn solution_grid(design: &Design, solution: &Solution, twist_deg: Vec<f64>, 
         Shape::Unloaded => &solution.rest,
         Shape::Deformed => &solution.state,
     };
-    let moved = mesh.nodes.iter().zip(&state.displacement);
-    let mut grid = grid(design, mesh, moved.map(|(&node, u)| Vector3::from(node) + u));
+    let mut grid = shape_grid(design, mesh, state);
     let (triangles, beams) = (mesh.triangles.len(), mesh.beams.len());
 
     grid.point_arrays = vec![

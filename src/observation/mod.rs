@@ -14,6 +14,8 @@ pub mod error;
 
 pub mod field;
 
+pub mod motion;
+
 pub mod observer;
 
 pub mod profile;
@@ -31,6 +33,7 @@ pub(crate) mod imposed;
 
 pub use deflection::{LeadingEdgeReading, read_leading_edge};
 pub use error::ObservationError;
+pub use motion::{ModeReader, ModeReading, MotionShare};
 pub use observer::Observer;
 pub use profile::{TwistProfile, TwistReading, read_profile, twist_at};
 pub use rate::{MeanRate, mean_rate};

@@ -7,6 +7,7 @@ pub const VERBS: [&str; 9] = [
     "solve",
     "compare",
     "divergence",
+    "modes",
     "mesh",
     "init",
     "schema",

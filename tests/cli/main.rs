@@ -12,6 +12,8 @@ mod interrupt;
 
 mod mesh;
 
+mod modes;
+
 mod schema;
 
 mod solve;
