@@ -3,7 +3,7 @@
 use crate::{folder, washout};
 
 /// Every verb of the program.
-pub const VERBS: [&str; 9] = [
+pub const VERBS: [&str; 10] = [
     "solve",
     "compare",
     "divergence",
