@@ -26,6 +26,9 @@ pub struct ComparedRow {
     pub r_mm: Option<f64>,
     /// Outer end of the interval.
     pub r_to_mm: Option<f64>,
+    /// Chord fraction behind the leading edge at which a displacement is read.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub chord_fraction: Option<f64>,
     /// Where the model could be read last, if that is short of the outer end.
     pub read_to_mm: Option<f64>,
     /// Measured value.
@@ -78,7 +81,9 @@ pub fn compare_row(
     let modelled = match row.channel {
         Channel::Twist => twist(row, observer),
         Channel::TwistRate => twist_rate(row, profile),
-        Channel::Deflection => deflection(row, observer),
+        Channel::Deflection => displacement(row, observer, 2),
+        Channel::ChordwiseDisplacement => displacement(row, observer, 1),
+        Channel::SpanwiseDisplacement => displacement(row, observer, 0),
         channel => whole(channel, whole_wing),
     };
     let modelled = modelled.map_err(|reason| NotCompared {
@@ -97,6 +102,7 @@ pub fn compare_row(
         instrument: row.instrument,
         r_mm: row.r_mm,
         r_to_mm: row.r_to_mm,
+        chord_fraction: row.chord_fraction,
         read_to_mm: modelled.read_to_mm,
         measured: row.value,
         sigma: row.sigma,
@@ -148,11 +154,11 @@ fn twist_rate(row: &Row, profile: &TwistProfile) -> Result<Modelled, String> {
     })
 }
 
-fn deflection(row: &Row, observer: &Observer) -> Result<Modelled, String> {
-    let Some(reading) = observer.leading_edge(station_m(row)?) else {
+fn displacement(row: &Row, observer: &Observer, axis: usize) -> Result<Modelled, String> {
+    let Some(moved_m) = observer.displacement(station_m(row)?, row.chord_fraction.unwrap_or(0.0)) else {
         return Err("the station lies off the leading edge of the mesh; nothing is extrapolated".to_string());
     };
-    Ok(value(reading.deflection_m * 1e3))
+    Ok(value(moved_m[axis] * 1e3))
 }
 
 fn whole(channel: Channel, whole_wing: &BTreeMap<Channel, f64>) -> Result<Modelled, String> {

@@ -170,6 +170,7 @@ impl Engineering {
 /// Strength of what a fibre of a part is made of, Pa.
 fn strength_pa(design: &Design, part: BeamPart, fibre: usize) -> Option<f64> {
     let (section, material) = match part {
+        BeamPart::Rib(_) => return None,
         BeamPart::Rod(index) => design.rod.get(index).map(|rod| (&rod.section, &rod.material))?,
         BeamPart::Spar(index) => design
             .spar

@@ -14,8 +14,8 @@ use crate::structure::state::State;
 
 use super::vtu::{Array, Grid};
 
-/// The values of `part`: film 0, rod 1, spar 2.
-pub const PARTS: [&str; 3] = ["film", "rod", "spar"];
+/// The values of `part`: film 0, rod 1, spar 2, stiff rib 3.
+pub const PARTS: [&str; 4] = ["film", "rod", "spar", "rib"];
 
 /// Which of the two shapes of a solution the points stand on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,7 +58,9 @@ pub fn solution_grid(design: &Design, solution: &Solution, twist_deg: Vec<f64>, 
         Array::scalar("twist_deg", twist_deg),
         Array::scalar("pressure_pa", pressure_at_nodes(mesh, &solution.pressure_pa)),
     ];
-    let membrane = &solution.membrane_force_n_per_m;
+    // a wing of ribs has no film: its triangles carry nothing
+    let mut membrane = solution.membrane_force_n_per_m.clone();
+    membrane.resize(triangles, [0.0; 3]);
     let on_triangles = |values: Vec<[f64; 3]>| [values, vec![[0.0; 3]; beams]].concat();
     let on_beams = |first: usize| {
         let values = solution
@@ -72,7 +74,7 @@ pub fn solution_grid(design: &Design, solution: &Solution, twist_deg: Vec<f64>, 
     let mut principal: Vec<[f64; 2]> = membrane.iter().map(|&force| principal_tension(force)).collect();
     principal.resize(principal.len() + beams, [0.0; 2]);
     grid.cell_arrays.extend([
-        Array::vector("membrane_force_n_per_m", &on_triangles(membrane.clone())),
+        Array::vector("membrane_force_n_per_m", &on_triangles(membrane)),
         Array::vector("principal_tension_n_per_m", &principal),
         Array::vector("beam_force_n", &on_beams(0)),
         Array::vector("beam_moment_n_m", &on_beams(3)),
@@ -132,6 +134,7 @@ fn grid(design: &Design, mesh: &Mesh, positions_m: impl Iterator<Item = Vector3<
     let mut cells: Vec<[i32; 4]> = vec![[0, 0, film, -1]; mesh.triangles.len()];
     for beam in &mesh.beams {
         let (part, index, material, section) = match beam.part {
+            BeamPart::Rib(index) => (3, index, None, None),
             BeamPart::Rod(index) => {
                 let rod = design.rod.get(index);
                 (

@@ -5,7 +5,7 @@ use super::table::Table;
 
 /// Reads a table with the columns alpha_deg, cl, cd; rows `[alpha_deg, cl, cd]` with α rising.
 pub(crate) fn parse(file: &str, text: &str) -> Result<Vec<[f64; 3]>, InputError> {
-    let table = Table::parse(file, text, &["alpha_deg", "cl", "cd"])?;
+    let table = Table::parse(file, text, &["alpha_deg", "cl", "cd"], &[])?;
     let angles = Range {
         low: -180.0,
         high: 180.0,

@@ -24,8 +24,13 @@ pub(crate) struct Record {
 }
 
 impl Table {
-    /// Reads a table that must have exactly these columns, in any order.
-    pub fn parse(file: &str, text: &str, columns: &[&'static str]) -> Result<Table, InputError> {
+    /// Reads a table that must have these columns, in any order, and may have the optional ones, and no other.
+    pub fn parse(
+        file: &str,
+        text: &str,
+        columns: &[&'static str],
+        optional: &[&'static str],
+    ) -> Result<Table, InputError> {
         let name: Rc<str> = file.into();
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
@@ -36,12 +41,13 @@ impl Table {
             .map_err(|error| broken(file, text, &error))?
             .clone();
         let line = line_of_row(text, headers.position());
-        check_header(file, line, &headers, columns)?;
+        check_header(file, line, &headers, columns, optional)?;
         let mut records = Vec::new();
         for record in reader.records() {
             let record = record.map_err(|error| broken(file, text, &error))?;
             let fields = headers.iter().zip(record.iter()).filter_map(|(header, field)| {
-                let column = columns.iter().find(|column| **column == header)?;
+                let mut known = columns.iter().chain(optional);
+                let column = known.find(|column| **column == header)?;
                 Some((*column, field.to_string()))
             });
             records.push(Record {
@@ -164,6 +170,7 @@ fn check_header(
     line: usize,
     headers: &csv::StringRecord,
     columns: &[&'static str],
+    optional: &[&'static str],
 ) -> Result<(), InputError> {
     let fail = |column: &str, problem: Problem, cure: String| {
         let place = Place {
@@ -179,10 +186,14 @@ fn check_header(
             cure,
         ))
     };
-    let all = format!("The columns are {}", columns.join(","));
+    let mut all = format!("The columns are {}", columns.join(","));
+    if !optional.is_empty() {
+        all.push_str(&format!(", and if wanted {}", optional.join(",")));
+    }
+    let known: Vec<&'static str> = columns.iter().chain(optional).copied().collect();
     for (number, header) in headers.iter().enumerate() {
-        if !columns.contains(&header) {
-            let cure = match nearest(header, columns.iter().copied()) {
+        if !known.contains(&header) {
+            let cure = match nearest(header, known.iter().copied()) {
                 Some(near) => format!("Did you mean {near}? {all}"),
                 None => all,
             };

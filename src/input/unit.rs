@@ -21,6 +21,7 @@ pub(crate) const USED: &[Unit] = &[
     unit("n_per_m", "N/m", "newtons per metre"),
     unit("per_rad", "1/rad", "one per radian"),
     unit("kg_m3", "kg/m³", "kilograms per cubic metre"),
+    unit("kg_m2_per_m", "kg·m²/m", "kilogram square metres per metre"),
     unit("kg_m2", "kg·m²", "kilogram square metres"),
     unit("kg_m", "kg/m", "kilograms per metre"),
     unit("n_m2", "N·m²", "newton square metres"),

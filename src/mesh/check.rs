@@ -249,6 +249,7 @@ impl Check<'_> {
                     }
                     last = Some(to);
                 }
+                BeamPart::Rib(_) => {}
                 BeamPart::Spar(_) => match spar_end.insert(part, (to, beam)) {
                     Some((end, _)) if end != from => {
                         return Err(Defect::BrokenSpar {

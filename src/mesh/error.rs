@@ -54,6 +54,33 @@ pub enum MeshError {
         /// Where the rod ends.
         rod_end_mm: f64,
     },
+    /// A number of bays that gives no mesh, or one beyond any use.
+    #[error("ribs: bays = {bays} with mesh.refine = {refine}: keep their product between 1 and {largest}")]
+    Bays {
+        /// `ribs.bays`.
+        bays: usize,
+        /// `mesh.refine`.
+        refine: f64,
+        /// Largest product that is allowed.
+        largest: usize,
+    },
+    /// Ribs outboard of the end of the rod.
+    #[error(
+        "ribs: the rod ends at {rod_end_mm} mm, the wing at {tip_mm} mm, and ribs outboard of the rod hang on nothing; \
+         let the last [[rod]] end at {tip_mm}"
+    )]
+    LooseRibs {
+        /// Where the rod ends.
+        rod_end_mm: f64,
+        /// Where the wing is cut.
+        tip_mm: f64,
+    },
+    /// A mesh file for a wing of ribs.
+    #[error("{file}: a wing of ribs is meshed by the program, not from a file; delete mesh.file, or [ribs]")]
+    RibsFromFile {
+        /// Mesh file.
+        file: String,
+    },
     /// The film stands in the mesh or in the design only.
     #[error(
         "{file}: {}; {cure}",

@@ -8,7 +8,7 @@ use super::bisect::Refinable;
 use super::columns::{Columns, lay_columns};
 use super::error::MeshError;
 use super::quality::smallest_angle_rad;
-use super::{BeamElement, BeamPart, Mesh};
+use super::{BeamElement, BeamPart, Mesh, ribs};
 use crate::geometry::{Layout, Planform};
 use crate::input::design::Design;
 
@@ -20,8 +20,11 @@ const PREFERRED_ANGLE_DEG: f64 = 25.0;
 
 /// Meshes a design; `mesh.chordwise` × `mesh.refine` elements from leading to trailing edge.
 ///
-/// Without a film only rod and spars are meshed. Errors: impossible layout or density, elements that fold.
+/// Without a film only rod and spars are meshed; with ribs, see `mesh::ribs`. Errors: impossible layout or density, elements that fold.
 pub fn generate(design: &Design, planform: &Planform) -> Result<Mesh, MeshError> {
+    if let Some(ribs) = &design.ribs {
+        return ribs::generate(design, planform, ribs);
+    }
     let layout = Layout::from_design(design, planform)?;
     let chordwise = chordwise_elements(design)?;
     let columns = lay_columns(planform, &layout, chordwise);

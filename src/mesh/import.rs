@@ -32,6 +32,10 @@ pub fn for_design(design: &Design, file: Option<MeshFile>) -> Result<(Planform, 
         let mesh = generate(design, &planform)?;
         return Ok((planform, mesh));
     };
+    if design.ribs.is_some() {
+        let file = file.name.to_string();
+        return Err(MeshError::RibsFromFile { file });
+    }
     let mesh = gmsh::read(file.bytes, file.name)?;
     let fit = Fit {
         mesh: &mesh,
@@ -125,7 +129,7 @@ impl Fit<'_> {
     fn parts(&self, layout: &Layout, slack_m: f64) -> Result<(), MeshError> {
         let pieces = self.mesh.beams.iter().filter_map(|beam| match beam.part {
             BeamPart::Rod(index) => Some(index + 1),
-            BeamPart::Spar(_) => None,
+            BeamPart::Spar(_) | BeamPart::Rib(_) => None,
         });
         let counts = [
             ("rod pieces", pieces.max().unwrap_or(0), layout.rod.len()),

@@ -24,6 +24,8 @@ pub mod names;
 
 pub mod quality;
 
+mod ribs;
+
 pub use chordline::{ChordLine, ChordLines, ChordPoint, chord_line};
 pub use defect::Defect;
 pub use error::MeshError;
@@ -36,11 +38,11 @@ pub use quality::Quality;
 pub struct Mesh {
     /// Positions of the nodes in the wing frame, m.
     pub nodes: Vec<[f64; 3]>,
-    /// Membrane triangles, counter-clockwise seen from +z.
+    /// Triangles of the film, counter-clockwise seen from +z; of a wing of ribs, of the surface that the air meets.
     pub triangles: Vec<[usize; 3]>,
-    /// Beam elements, each between two nodes, running outward (rod) or from leading to trailing edge (spars).
+    /// Beam elements, each between two nodes, running outward (rod) or from leading to trailing edge (spars, ribs).
     pub beams: Vec<BeamElement>,
-    /// Nodes on the root chord (x smallest), from leading to trailing edge; the first is the rod's.
+    /// Nodes on the root chord (x smallest), from leading to trailing edge.
     pub root: Vec<usize>,
     /// Nodes along the leading edge, from base to tip.
     pub leading_edge: Vec<usize>,
@@ -64,6 +66,8 @@ pub enum BeamPart {
     Rod(usize),
     /// Spar, by its index in the design.
     Spar(usize),
+    /// Stiff rib of a wing without film, counted from the base.
+    Rib(usize),
 }
 
 impl Mesh {
@@ -81,7 +85,7 @@ impl Mesh {
     pub fn spar_count(&self) -> usize {
         let index = |beam: &BeamElement| match beam.part {
             BeamPart::Spar(index) => Some(index + 1),
-            BeamPart::Rod(_) => None,
+            BeamPart::Rod(_) | BeamPart::Rib(_) => None,
         };
         self.beams.iter().filter_map(index).max().unwrap_or(0)
     }

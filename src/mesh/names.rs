@@ -1,4 +1,4 @@
-//! Names of the sets in mesh files: `rod-0`, `spar-2`, `membrane`, `root`, `leading-edge`, `trailing-edge`.
+//! Names of the sets in mesh files: `rod-0`, `spar-2`, `rib-1`, `membrane`, `root`, `leading-edge`, `trailing-edge`.
 
 use std::fmt;
 
@@ -15,7 +15,7 @@ pub enum SetName {
     TrailingEdge,
     /// The film's triangles.
     Membrane,
-    /// A rod piece or a spar.
+    /// A rod piece, a spar or a rib.
     Beam(BeamPart),
 }
 
@@ -37,6 +37,7 @@ impl SetName {
             _ => SetName::Beam(match name.split_once('-')? {
                 ("rod", digits) => BeamPart::Rod(index(digits)?),
                 ("spar", digits) => BeamPart::Spar(index(digits)?),
+                ("rib", digits) => BeamPart::Rib(index(digits)?),
                 _ => return None,
             }),
         })
@@ -48,6 +49,7 @@ impl fmt::Display for BeamPart {
         match self {
             BeamPart::Rod(index) => write!(f, "rod-{index}"),
             BeamPart::Spar(index) => write!(f, "spar-{index}"),
+            BeamPart::Rib(index) => write!(f, "rib-{index}"),
         }
     }
 }

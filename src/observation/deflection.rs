@@ -5,8 +5,9 @@ use nalgebra::Vector3;
 use crate::coupling::solution::Solution;
 use crate::geometry::Planform;
 use crate::input::design::Design;
+use crate::mesh::{ChordLines, ChordPoint};
 
-use super::edges::leading_edge_point;
+use super::edges::{Edges, leading_edge_point, sections_at};
 use super::station::stations;
 
 /// The leading edge at one station, against the unloaded shape.
@@ -54,6 +55,41 @@ pub fn leading_edge_at(solution: &Solution, r_m: f64) -> Option<LeadingEdgeReadi
         slope_rad: tangent.z.atan2(tangent.x) - unloaded.z.atan2(unloaded.x),
         sweep_rad: tangent.y.atan2(tangent.x) - unloaded.y.atan2(unloaded.x),
     })
+}
+
+/// Displacement (m, wing frame) from the unloaded shape of the point at `chord_fraction` at `r_m`; none off the wing.
+///
+/// With a film, or ribs, the point lies on the chord line of the mesh; on a bare rod it turns with the section.
+pub fn displacement_at(
+    solution: &Solution,
+    lines: &ChordLines,
+    r_m: f64,
+    chord_fraction: f64,
+    chord_m: f64,
+) -> Option<Vector3<f64>> {
+    let Solution {
+        mesh, rest, state, ..
+    } = solution;
+    if mesh.triangles.is_empty() {
+        let [unloaded, loaded] = sections_at(mesh, [rest, state], r_m, chord_m)?;
+        let at = |edges: &Edges| edges.leading_m + edges.chord() * chord_fraction;
+        return Some(at(&loaded) - at(&unloaded));
+    }
+    let moved = |point: &ChordPoint| {
+        let of = |node: usize| state.displacement[node] - rest.displacement[node];
+        of(point.nodes[0]) * point.weights[0] + of(point.nodes[1]) * point.weights[1]
+    };
+    let line = lines.at(r_m)?;
+    let (first, last) = (line.points.first()?, line.points.last()?);
+    let y_m = first.y_m + chord_fraction * (last.y_m - first.y_m);
+    let behind = line.points.partition_point(|point| point.y_m < y_m);
+    let (a, b) = (
+        &line.points[behind.saturating_sub(1)],
+        &line.points[behind.min(line.points.len() - 1)],
+    );
+    let gap_m = b.y_m - a.y_m;
+    let share = if gap_m > 0.0 { (y_m - a.y_m) / gap_m } else { 0.0 };
+    Some(moved(a) * (1.0 - share) + moved(b) * share)
 }
 
 #[cfg(test)]

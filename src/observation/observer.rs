@@ -1,5 +1,7 @@
 //! A solved wing before the design's instrument: twist and leading edge at any station.
 
+use nalgebra::Vector3;
+
 use crate::coupling::solution::Solution;
 use crate::geometry::Planform;
 use crate::input::design::{CameraAxis, Design, Instrument};
@@ -7,7 +9,7 @@ use crate::input::measurement::Bound;
 use crate::mesh::ChordLines;
 
 use super::camera::Camera;
-use super::deflection::{LeadingEdgeReading, leading_edge_at};
+use super::deflection::{LeadingEdgeReading, displacement_at, leading_edge_at};
 use super::edges::{Edges, edges_at, sections_at};
 use super::error::ObservationError;
 use super::profile::{TwistProfile, TwistReading};
@@ -104,6 +106,16 @@ impl<'a> Observer<'a> {
     /// Leading edge at `r_m`; none off it.
     pub fn leading_edge(&self, r_m: f64) -> Option<LeadingEdgeReading> {
         leading_edge_at(self.solution, r_m)
+    }
+
+    /// Displacement (m) from the unloaded shape of the point at `chord_fraction` behind the leading edge at `r_m`, in
+    /// the frame in which displacements are read; none off the wing.
+    pub fn displacement(&self, r_m: f64, chord_fraction: f64) -> Option<Vector3<f64>> {
+        let chord_m = self.planform.chord_m(r_m);
+        let moved = displacement_at(self.solution, &self.lines, r_m, chord_fraction, chord_m)?;
+        let (sin, cos) = self.design.observation.frame_pitch_deg.to_radians().sin_cos();
+        let (y, z) = (moved.y, moved.z);
+        Some(Vector3::new(moved.x, y * cos + z * sin, z * cos - y * sin))
     }
 
     /// What reads the twist.

@@ -1,6 +1,6 @@
 //! Sections and sheets from what a design says: units and materials resolved.
 
-use nalgebra::{Matrix3, Matrix6};
+use nalgebra::{Matrix3, Matrix6, Vector3};
 
 use super::StructureError;
 use super::section::{BeamMaterial, PlyStiffness, Section};
@@ -151,6 +151,7 @@ fn given(section: &design::Section) -> Result<Section, StructureError> {
         ga_edge_n,
         ga_flap_n,
         mass_kg_m,
+        polar_inertia_kg_m2_per_m,
         coupling,
     } = section
     else {
@@ -176,6 +177,9 @@ fn given(section: &design::Section) -> Result<Section, StructureError> {
         stiffness[(j, i)] = term.value.value();
     }
     let mut section = Section::from_stiffness(&stiffness, mass_kg_m.value())?;
+    // as of a flat section: what turns about the axis turns about the normal too
+    let polar = polar_inertia_kg_m2_per_m.value();
+    section.inertia_kg_m = Vector3::new(polar, 0.0, polar);
     for (k, given) in shear.into_iter().enumerate() {
         if given.is_none() {
             section.compliance.row_mut(1 + k).fill(0.0);

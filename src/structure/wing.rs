@@ -6,6 +6,7 @@ use super::StructureError;
 use super::loads::{ArmForce, Loads};
 use super::material;
 use super::model::{Model, PointMass, Spring};
+use super::section::Section;
 use crate::input::design::{BenchLoad, Design, RootChord};
 use crate::mesh::{BeamPart, Mesh};
 
@@ -20,9 +21,13 @@ pub fn wing_model(design: &Design, mesh: &Mesh) -> Result<Model, StructureError>
     let mut model = Model::new(mesh.nodes.iter().map(|x| Vector3::from(*x)).collect());
     let mut sections: Vec<(BeamPart, usize)> = Vec::new();
     for beam in &mesh.beams {
+        let same = |part: BeamPart| match (part, beam.part) {
+            (BeamPart::Rib(_), BeamPart::Rib(_)) => true,
+            (part, other) => part == other,
+        };
         let known = sections
             .iter()
-            .find(|(part, _)| *part == beam.part)
+            .find(|(part, _)| same(*part))
             .map(|(_, index)| *index);
         let index = match known {
             Some(index) => index,
@@ -73,7 +78,7 @@ pub fn bench_loads(design: &Design, mesh: &Mesh, model: &Model) -> Loads {
         }
     }
     if let Some(gravity) = &design.gravity {
-        weigh(model, &Vector3::from(gravity.acceleration_m_s2), &mut loads);
+        weigh(model, &Vector3::from(gravity.in_wing_frame_m_s2()), &mut loads);
     }
     loads
 }
@@ -103,33 +108,36 @@ fn weigh(model: &Model, acceleration: &Vector3<f64>, loads: &mut Loads) {
 }
 
 /// Rod nodes that carry a bench load, each with its arm (m) and share: the two that stand around it.
+///
+/// The load's chord offset counts from the leading edge (y = 0), wherever the rod lies.
 fn carriers(mesh: &Mesh, load: &BenchLoad) -> Vec<(usize, Vector3<f64>, f64)> {
     let rod = mesh.rod_nodes();
     let x_m = 1e-3 * load.at_mm.value();
-    let offset = Vector3::new(
-        0.0,
+    let place = Vector3::new(
+        x_m,
         1e-3 * load.chord_offset_mm.value(),
         1e-3 * load.normal_offset_mm.value(),
     );
     let at = |node: usize| Vector3::from(mesh.nodes[node]);
+    let arm = |node: usize| place - at(node);
     let after = rod.partition_point(|&node| at(node).x < x_m - 1e-12);
     let near = |node: usize| (at(node).x - x_m).abs() < 1e-9;
     match (after.checked_sub(1).map(|i| rod[i]), rod.get(after).copied()) {
-        (_, Some(node)) | (Some(node), _) if near(node) => vec![(node, offset, 1.0)],
+        (_, Some(node)) | (Some(node), _) if near(node) => {
+            let arm_m = Vector3::new(0.0, arm(node).y, arm(node).z);
+            vec![(node, arm_m, 1.0)]
+        }
         (Some(a), Some(b)) => {
             let share = (x_m - at(a).x) / (at(b).x - at(a).x);
-            let point = at(a) + share * (at(b) - at(a)) + offset;
-            vec![(a, point - at(a), 1.0 - share), (b, point - at(b), share)]
+            vec![(a, arm(a), 1.0 - share), (b, arm(b), share)]
         }
-        (Some(node), None) | (None, Some(node)) => {
-            vec![(node, Vector3::new(x_m - at(node).x, 0.0, 0.0) + offset, 1.0)]
-        }
+        (Some(node), None) | (None, Some(node)) => vec![(node, arm(node), 1.0)],
         (None, None) => Vec::new(),
     }
 }
 
 fn support(design: &Design, mesh: &Mesh, model: &mut Model) {
-    let Some(&base) = mesh.root.first() else {
+    let Some(&base) = mesh.rod_nodes().first() else {
         return;
     };
     match &design.root.pitch_stiffness_n_m_per_rad {
@@ -144,13 +152,13 @@ fn support(design: &Design, mesh: &Mesh, model: &mut Model) {
         }
     }
     if design.root.chord == RootChord::Clamped {
-        for &node in &mesh.root[1..] {
+        for &node in mesh.root.iter().filter(|&&node| node != base) {
             model.clamp(node);
         }
     }
 }
 
-fn section_of(design: &Design, part: BeamPart) -> Result<super::Section, StructureError> {
+fn section_of(design: &Design, part: BeamPart) -> Result<Section, StructureError> {
     let missing = |part: String| StructureError::UnknownPart { part };
     match part {
         BeamPart::Rod(index) => {
@@ -160,6 +168,7 @@ fn section_of(design: &Design, part: BeamPart) -> Result<super::Section, Structu
                 .ok_or_else(|| missing(format!("rod {index}")))?;
             material::section(design, &rod.section, rod.material.as_ref())
         }
+        BeamPart::Rib(_) => rib_section(design),
         BeamPart::Spar(index) => {
             let spar = design
                 .spar
@@ -168,6 +177,18 @@ fn section_of(design: &Design, part: BeamPart) -> Result<super::Section, Structu
             material::section(design, &spar.section, spar.material.as_ref())
         }
     }
+}
+
+/// The section of a stiff rib: no mass, rigid in shear, as stiff along its length as the rod.
+fn rib_section(design: &Design) -> Result<Section, StructureError> {
+    let (mut bending, mut axial) = (0.0_f64, 0.0_f64);
+    for rod in &design.rod {
+        let section = material::section(design, &rod.section, rod.material.as_ref())?;
+        bending = bending.max(section.gj_n_m2()).max(section.ei_flap_n_m2());
+        axial = axial.max(section.axial_stiffness_n());
+    }
+    let bending = bending * design.ribs.as_ref().map_or(1.0, |ribs| ribs.stiffness_ratio);
+    Ok(Section::uncoupled(axial, bending, bending, bending))
 }
 
 #[cfg(test)]

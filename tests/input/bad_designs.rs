@@ -112,7 +112,7 @@ const CASES: &[Case] = &[
         "[observation]",
         "[observaton]",
         "wing.toml:43:2: observaton: unknown key.\n  \
-         Did you mean observation? Allowed at the top level: format, name, materials, planform, flapping, steady, air, rod, spar, film, root, load, gravity, structure, mesh, coupling, observation, measured, material, assumed_choice, effects",
+         Did you mean observation? Allowed at the top level: format, name, materials, planform, flapping, steady, air, rod, spar, ribs, film, root, load, gravity, structure, mesh, coupling, observation, measured, material, assumed_choice, effects",
     ),
     (
         "unknown key of a section",

@@ -133,7 +133,7 @@ const CASES: &[Case] = &[
     (
         "channel unknown",
         "wing,twst,camera,deg,washout,1,30,,6,0.5,stated,none",
-        "m.csv:4: channel = twst: must be one of twist, twist_rate, deflection, lift, drag, power, lift_ratio, drag_ratio, efficiency_ratio, effective_lift_ratio, frequency.\n  \
+        "m.csv:4: channel = twst: must be one of twist, twist_rate, deflection, chordwise_displacement, spanwise_displacement, lift, drag, power, lift_ratio, drag_ratio, efficiency_ratio, effective_lift_ratio, frequency.\n  \
          Did you mean twist? Give what was measured, e.g. twist",
     ),
     (
@@ -235,7 +235,7 @@ fn a_missing_column_is_named() {
     assert_eq!(
         message(&text),
         "m.csv:2: column sigma_kind is missing.\n  \
-         The columns are case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound"
+         The columns are case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound, and if wanted chord_fraction"
     );
 }
 
@@ -244,7 +244,7 @@ fn a_misspelt_column_is_named() {
     assert_eq!(
         message(&HEAD.replace(",r_mm", ",r_m")),
         "m.csv:2: column \"r_m\" is not known.\n  \
-         Did you mean r_mm? The columns are case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound"
+         Did you mean r_mm? The columns are case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound, and if wanted chord_fraction"
     );
 }
 
@@ -253,7 +253,7 @@ fn a_column_twice_is_named() {
     assert_eq!(
         message(&HEAD.replace(",run,", ",case,")),
         "m.csv:2: column case stands twice.\n  \
-         The columns are case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound"
+         The columns are case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound, and if wanted chord_fraction"
     );
 }
 
@@ -272,6 +272,6 @@ fn text_that_is_no_table_is_refused() {
     assert_eq!(
         message("twist at 20 mm: 4.5 deg\n"),
         "m.csv:1: column \"twist at 20 mm: 4.5 deg\" is not known.\n  \
-         The columns are case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound"
+         The columns are case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound, and if wanted chord_fraction"
     );
 }

@@ -8,6 +8,8 @@ mod bad_measurements;
 
 mod properties;
 
+mod ribs;
+
 mod settings;
 
 mod shipped;

@@ -74,7 +74,7 @@ const CASES: &[(&str, &str)] = &[
     (
         "flaping.frequency_hz=23",
         "--set: flaping: unknown key.\n  \
-         Did you mean flapping? Allowed at the top level: format, name, materials, planform, flapping, steady, air, rod, spar, film, root, load, gravity, structure, mesh, coupling, observation, measured, material, assumed_choice, effects",
+         Did you mean flapping? Allowed at the top level: format, name, materials, planform, flapping, steady, air, rod, spar, ribs, film, root, load, gravity, structure, mesh, coupling, observation, measured, material, assumed_choice, effects",
     ),
     (
         "flapping.frequency_hz.value=23",

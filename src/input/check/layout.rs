@@ -9,6 +9,9 @@ use crate::input::error::{InputError, Number};
 /// Ends of spars nearer than this, mm, would make slivers.
 const NEAREST_MM: f64 = 0.2;
 
+/// A rod nearer to the leading edge than this share of the chord lies on it.
+const NEAREST_FRACTION: f64 = 0.01;
+
 pub(super) fn check_rod(design: &Design, root: &Node) -> Result<(), InputError> {
     let length = design.planform.length_mm.value();
     if design.rod.is_empty() {
@@ -64,6 +67,48 @@ fn joint(number: usize, from: f64, end: f64) -> (String, String) {
             format!("Write from_mm = {end:?}, or let rod[{before}] end at {from:?}"),
         ),
     }
+}
+
+/// Ribs hold the chord of a wing that is a beam: no film, no spars, a rod up to the tip.
+pub(super) fn check_ribs(design: &Design, root: &Node) -> Result<(), InputError> {
+    let Some(ribs) = &design.ribs else {
+        return Ok(());
+    };
+    let others = [("film", design.film.is_some()), ("spar", !design.spar.is_empty())];
+    for (other, _) in others.into_iter().filter(|(_, stands)| *stands) {
+        let message = format!("cannot stand together with {other}");
+        let cure = "Keep [ribs] for a wing that is a beam, or [film] and [[spar]] for one of film";
+        return refuse(root, "ribs", message, &[other], cure);
+    }
+    if design.mesh.file.is_some() {
+        let cure = "Delete mesh.file; a wing of ribs is meshed by the program";
+        return refuse(
+            root,
+            "mesh.file",
+            "cannot stand together with ribs",
+            &["ribs"],
+            cure,
+        );
+    }
+    let fraction = ribs.rod_chord_fraction.value();
+    if fraction > 0.0 && fraction < NEAREST_FRACTION {
+        let message = "lies so near to the leading edge that the ribs between them have no length";
+        let cure = format!("Write 0 for a rod on the leading edge, or {NEAREST_FRACTION} and more");
+        return refuse(root, "ribs.rod_chord_fraction", message, &[], cure);
+    }
+    let tip = design.planform.length_mm.value() * design.planform.tip_cut.value();
+    let number = design.rod.len() - 1;
+    let end = design.rod[number].to_mm.value();
+    if end < tip * (1.0 - 1e-9) {
+        let message = format!(
+            "ends short of the tip at {} mm, so that ribs outboard of it hang on nothing",
+            Number(round(tip))
+        );
+        let cure = format!("Let the last segment end at {} mm", Number(round(tip)));
+        let with = ["ribs", "planform.tip_cut"];
+        return refuse(root, &format!("rod[{number}].to_mm"), message, &with, cure);
+    }
+    Ok(())
 }
 
 pub(super) fn check_spars(design: &Design, root: &Node) -> Result<(), InputError> {

@@ -4,6 +4,7 @@ use super::refuse;
 use crate::input::design::Design;
 use crate::input::document::Node;
 use crate::input::error::{InputError, Number};
+use crate::input::path::KeyPath;
 
 pub(super) fn check(design: &Design, root: &Node) -> Result<(), InputError> {
     let length = design.planform.length_mm.value();
@@ -21,7 +22,10 @@ pub(super) fn check(design: &Design, root: &Node) -> Result<(), InputError> {
             );
         }
         let zero = |vector: &[f64; 3]| vector.iter().all(|part| *part == 0.0);
-        if zero(&load.force_n) && zero(&load.moment_n_m) && load.mass_kg.value() == 0.0 {
+        // a mass of 0 that is written down is the first of a row of weights
+        let is_written = KeyPath::parse(&format!("{key}.mass_kg")).is_ok_and(|path| root.at(&path).is_some());
+        let loads_nothing = zero(&load.force_n) && zero(&load.moment_n_m) && load.mass_kg.value() == 0.0;
+        if loads_nothing && !is_written {
             let cure = "Give force_n, moment_n_m or mass_kg, or delete the table";
             return refuse(root, &key, "loads nothing", &[], cure);
         }

@@ -24,6 +24,7 @@ pub(crate) fn check(design: &Design, root: &Node) -> Result<(), InputError> {
     section::check_materials(design, root)?;
     layout::check_rod(design, root)?;
     layout::check_spars(design, root)?;
+    layout::check_ribs(design, root)?;
     if let Some(film) = &design.film {
         material_is_known(design, root, &film.material, "film.material")?;
     }

@@ -46,6 +46,25 @@ pub struct Spar {
     pub section: Section,
 }
 
+/// Stiff ribs of a wing that is a beam: they hang leading and trailing edge on the rod, without film or spars.
+///
+/// They carry the air to the rod and the edges to the instrument; they weigh nothing and hardly bend.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ribs {
+    /// The number of bays between ribs at `mesh.refine` 1; there is a rib at either end of the wing and rod piece.
+    #[schemars(extend("minimum" = 1, "maximum" = 1000, "examples" = [16]))]
+    pub bays: usize,
+    /// The place of the rod behind the leading edge, as a fraction of the chord.
+    #[serde(default = "zero")]
+    #[schemars(extend("minimum" = 0.0, "maximum" = 0.95, "examples" = [0.5]))]
+    pub rod_chord_fraction: Quantity,
+    /// The stiffness of a rib over the largest torsional or flapwise stiffness of the rod; results must not depend on it.
+    #[serde(default = "stiffness_ratio")]
+    #[schemars(extend("minimum" = 100.0, "maximum" = 1e7, "examples" = [1e4]))]
+    pub stiffness_ratio: f64,
+}
+
 /// The membrane or plate.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -103,6 +122,10 @@ pub enum RootChord {
     Free,
     /// The whole root edge is held.
     Clamped,
+}
+
+fn stiffness_ratio() -> f64 {
+    1e4
 }
 
 fn residual_compression() -> Quantity {

@@ -14,6 +14,8 @@ pub struct BenchLoad {
     #[schemars(extend("minimum" = 0.0, "maximum" = 100000.0, "examples" = [70.0]))]
     pub at_mm: Quantity,
     /// The offset along the chord from the leading edge, positive toward the trailing edge; rigid arm.
+    ///
+    /// It counts from the leading edge also where `ribs.rod_chord_fraction` puts the rod behind it.
     #[serde(default = "zero")]
     #[schemars(extend("minimum" = -100000.0, "maximum" = 100000.0, "examples" = [0.0]))]
     pub chord_offset_mm: Quantity,
@@ -43,7 +45,41 @@ pub struct BenchLoad {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Gravity {
-    /// The acceleration vector in the wing frame (9.80665 m/s² in length on Earth).
+    /// The acceleration vector in the wing frame at no pitch (9.80665 m/s² in length on Earth).
     #[schemars(extend("minimum" = -1e5, "maximum" = 1e5, "examples" = [[0.0, 0.0, -9.80665]]))]
     pub acceleration_m_s2: [f64; 3],
+    /// The nose-up pitch of the wing's root on its bench, by which the wing turns under the acceleration.
+    ///
+    /// At 90 deg an acceleration along -z points to the trailing edge. The air does not feel this angle: see
+    /// `steady.root_angle_deg`.
+    #[serde(default = "zero")]
+    #[schemars(extend("minimum" = -180.0, "maximum" = 180.0, "examples" = [45.0]))]
+    pub root_pitch_deg: Quantity,
+}
+
+impl Gravity {
+    /// The acceleration in the wing frame, pitch included, m/s².
+    pub fn in_wing_frame_m_s2(&self) -> [f64; 3] {
+        let [x, y, z] = self.acceleration_m_s2;
+        let (sin, cos) = self.root_pitch_deg.value().to_radians().sin_cos();
+        [x, y * cos - z * sin, y * sin + z * cos]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nose_up_by_a_right_angle_gravity_pulls_to_the_trailing_edge() {
+        let gravity = Gravity {
+            acceleration_m_s2: [0.0, 0.0, -10.0],
+            root_pitch_deg: Quantity::Stated(90.0),
+        };
+        let [x, y, z] = gravity.in_wing_frame_m_s2();
+        assert!(
+            x == 0.0 && (y - 10.0).abs() < 1e-12 && z.abs() < 1e-12,
+            "{x} {y} {z}"
+        );
+    }
 }

@@ -27,7 +27,7 @@ mod planform;
 mod section;
 
 pub use flow::{Air, CentreOfPressure, Coefficients, Flapping, Steady};
-pub use layout::{Film, FilmCompression, RodSegment, Root, RootChord, Spar};
+pub use layout::{Film, FilmCompression, Ribs, RodSegment, Root, RootChord, Spar};
 pub use load::{BenchLoad, Gravity};
 pub use material::Material;
 pub use numerics::{Accelerator, Coupling, Kinematics, MeshSettings, Structure};
@@ -67,6 +67,9 @@ pub struct Design {
     /// The spars from the leading to the trailing edge, one `[[spar]]` table each.
     #[serde(default)]
     pub spar: Vec<Spar>,
+    /// The stiff ribs of a wing without film, which hang its edges on the rod.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ribs: Option<Ribs>,
     /// The membrane or plate between rod and spars.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub film: Option<Film>,

@@ -23,6 +23,11 @@ pub struct Observation {
     /// The share of the mean chord that the chord must exceed for an angle to be read.
     #[schemars(extend("minimum" = 0.0, "maximum" = 1.0, "examples" = [0.2]))]
     pub smallest_chord: f64,
+    /// The nose-up pitch of the wing's root against the frame in which displacements are read (0: the wing frame).
+    ///
+    /// A ruler that stands on the bench, or in the stream, reads a pitched wing in its own frame. Twist is not touched.
+    #[schemars(extend("minimum" = -180.0, "maximum" = 180.0, "examples" = [0.0]))]
+    pub frame_pitch_deg: f64,
     /// The fraction of the length that "tip" means.
     #[schemars(extend("minimum" = 0.1, "maximum" = 1.0, "examples" = [0.97]))]
     pub tip_station: f64,
@@ -69,6 +74,7 @@ impl Default for Observation {
             camera_error_mm: 0.2,
             stations_mm: Vec::new(),
             smallest_chord: 0.2,
+            frame_pitch_deg: 0.0,
             tip_station: 0.97,
         }
     }

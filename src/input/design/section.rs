@@ -81,6 +81,10 @@ pub enum Section {
         #[serde(default = "zero")]
         #[schemars(extend("minimum" = 0.0, "maximum" = 1e6, "examples" = [1.2e-3]))]
         mass_kg_m: Quantity,
+        /// The moment of inertia of the mass about the axis, per length; modes feel it.
+        #[serde(default = "zero")]
+        #[schemars(extend("minimum" = 0.0, "maximum" = 1e6, "examples" = [2e-5]))]
+        polar_inertia_kg_m2_per_m: Quantity,
         /// The coupling terms of the 6×6 stiffness matrix.
         #[serde(default)]
         #[schemars(extend("examples" = [[{"between": ["twist", "bending-flap"], "value": 1e-5}]]))]

@@ -43,6 +43,8 @@ pub struct Row {
     pub r_mm: Option<f64>,
     /// Outer end of the interval, mm, for twist rates.
     pub r_to_mm: Option<f64>,
+    /// Chord fraction behind the leading edge at which a displacement was read; none for other channels.
+    pub chord_fraction: Option<f64>,
     /// The value in the unit of the channel; twist is washout, whatever the sign in the file.
     pub value: f64,
     /// Standard deviation of the value, same unit, positive.
@@ -61,8 +63,12 @@ pub enum Channel {
     Twist,
     /// Mean twist rate over an interval, deg/mm, washout rising toward the tip positive.
     TwistRate,
-    /// Deflection of the leading edge at a station, mm, positive toward +z.
+    /// Deflection across the wing plane at a station, mm, positive toward +z; of the leading edge unless said otherwise.
     Deflection,
+    /// Displacement toward the trailing edge at a station, mm.
+    ChordwiseDisplacement,
+    /// Displacement toward the tip at a station, mm.
+    SpanwiseDisplacement,
     /// Mean lift of one wing, mN.
     Lift,
     /// Mean drag of one wing, mN.
@@ -122,10 +128,15 @@ pub const COLUMNS: [&str; 12] = [
     "bound",
 ];
 
-const CHANNELS: [(&str, Channel); 11] = [
+/// Columns that may be left out.
+pub const OPTIONAL_COLUMNS: [&str; 1] = ["chord_fraction"];
+
+const CHANNELS: [(&str, Channel); 13] = [
     ("twist", Channel::Twist),
     ("twist_rate", Channel::TwistRate),
     ("deflection", Channel::Deflection),
+    ("chordwise_displacement", Channel::ChordwiseDisplacement),
+    ("spanwise_displacement", Channel::SpanwiseDisplacement),
     ("lift", Channel::Lift),
     ("drag", Channel::Drag),
     ("power", Channel::Power),
@@ -150,7 +161,7 @@ impl Channel {
         match self {
             Channel::Twist => "deg",
             Channel::TwistRate => "deg/mm",
-            Channel::Deflection => "mm",
+            Channel::Deflection | Channel::ChordwiseDisplacement | Channel::SpanwiseDisplacement => "mm",
             Channel::Lift | Channel::Drag => "mN",
             Channel::Power => "mW",
             Channel::LiftRatio
@@ -166,8 +177,16 @@ impl Channel {
         matches!(self, Channel::Twist | Channel::TwistRate)
     }
 
+    /// Whether it is a displacement, so that it has a place on the chord.
+    pub fn is_displacement(self) -> bool {
+        matches!(
+            self,
+            Channel::Deflection | Channel::ChordwiseDisplacement | Channel::SpanwiseDisplacement
+        )
+    }
+
     fn has_station(self) -> bool {
-        self.is_twist() || self == Channel::Deflection
+        self.is_twist() || self.is_displacement()
     }
 
     /// Range of values that are no slip of the pen.
@@ -175,7 +194,9 @@ impl Channel {
         let (low, high) = match self {
             Channel::Twist => (-180.0, 180.0),
             Channel::TwistRate => (-1000.0, 1000.0),
-            Channel::Deflection => (-1e5, 1e5),
+            Channel::Deflection | Channel::ChordwiseDisplacement | Channel::SpanwiseDisplacement => {
+                (-1e5, 1e5)
+            }
             Channel::Lift | Channel::Drag | Channel::Power => (-1e9, 1e9),
             Channel::Frequency => (0.0, 1e6),
             _ => (0.0, 1000.0),
@@ -226,7 +247,7 @@ impl Measurement {
 
     /// Reads a measurement from its text.
     pub fn from_csv(text: &str, file_name: &str) -> Result<Measurement, InputError> {
-        let table = Table::parse(file_name, text, &COLUMNS)?;
+        let table = Table::parse(file_name, text, &COLUMNS, &OPTIONAL_COLUMNS)?;
         let mut rows: Vec<Row> = Vec::new();
         let mut seen = HashMap::new();
         for record in &table.records {

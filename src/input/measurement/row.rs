@@ -19,6 +19,7 @@ pub(super) fn read_row(record: &Record) -> Result<Row, InputError> {
     let instrument = read_instrument(record, channel)?;
     let washout = read_sign(record, channel)?;
     let (r_mm, r_to_mm) = read_station(record, channel)?;
+    let chord_fraction = read_chord_fraction(record, channel)?;
     let cure = format!("Give the value in {}, e.g. 12.5", unit_words(channel));
     let value = record.number_in("value", channel.range(), &cure)?;
     let sigma_cure = "Give the standard deviation of the value in its unit; if the source states none, assume one \
@@ -52,6 +53,7 @@ pub(super) fn read_row(record: &Record) -> Result<Row, InputError> {
         run: record.text("run").to_string(),
         r_mm,
         r_to_mm,
+        chord_fraction,
         value: if washout { value } else { -value },
         sigma,
         sigma_kind,
@@ -165,9 +167,37 @@ fn read_station(record: &Record, channel: Channel) -> Result<(Option<f64>, Optio
     Ok((Some(r_mm), Some(r_to_mm)))
 }
 
+/// Where on the chord a displacement was read; the leading edge where nothing is said.
+fn read_chord_fraction(record: &Record, channel: Channel) -> Result<Option<f64>, InputError> {
+    let column = "chord_fraction";
+    match (channel.is_displacement(), record.text(column)) {
+        (true, "") => Ok(Some(0.0)),
+        (true, _) => {
+            let range = Range {
+                low: 0.0,
+                high: 1.0,
+                open: false,
+                unit: "",
+            };
+            let cure =
+                "Give the place as a fraction of the chord, 0 at the leading edge, 1 at the trailing edge";
+            record.number_in(column, range, cure).map(Some)
+        }
+        (false, "") => Ok(None),
+        (false, _) => {
+            let message = format!(
+                "only displacements have a place on the chord, not {}",
+                channel.name()
+            );
+            Err(record.conflict(column, message, &["channel"], "Leave it empty"))
+        }
+    }
+}
+
 /// What two rows must not share: they would be one number stated twice.
-pub(super) fn identity(row: &Row) -> (String, Channel, Option<bool>, String, [Option<u64>; 2]) {
+pub(super) fn identity(row: &Row) -> (String, Channel, Option<bool>, String, [Option<u64>; 3]) {
     let camera = row.instrument.map(|instrument| instrument == Instrument::Camera);
-    let place = [row.r_mm, row.r_to_mm].map(|station| station.map(|mm| (mm + 0.0).to_bits()));
+    let place =
+        [row.r_mm, row.r_to_mm, row.chord_fraction].map(|station| station.map(|mm| (mm + 0.0).to_bits()));
     (row.case.clone(), row.channel, camera, row.run.clone(), place)
 }

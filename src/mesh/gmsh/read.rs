@@ -231,6 +231,7 @@ impl File<'_> {
             let before = match *part {
                 BeamPart::Rod(index) => index.checked_sub(1).map(BeamPart::Rod),
                 BeamPart::Spar(index) => index.checked_sub(1).map(BeamPart::Spar),
+                BeamPart::Rib(index) => index.checked_sub(1).map(BeamPart::Rib),
             };
             if let Some(before) = before.filter(|before| !beams.contains_key(before)) {
                 return missing(None, before);
