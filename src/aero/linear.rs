@@ -20,7 +20,7 @@ use nalgebra::Vector3;
 use super::coefficients::CoefficientLaw;
 use super::law::AirLaw;
 use super::number::Number;
-use super::strip::{SectionAir, StripForce};
+use super::strip::{SectionAir, SectionChange, StripForce};
 
 /// Angle of attack to first order in the shape, rad: `velocity` of the air in m/s, `chord` the moved chord vector
 /// in m, `span` the leading-edge tangent per unit rest length, wing frame at rest, `chord_rest_m` along ŷ.
@@ -43,25 +43,26 @@ pub fn alpha_linear<D: Number>(
 }
 
 /// The force on a strip at the angle of attack `alpha` (rad) in linear kinematics, per length; `velocity` of the
-/// air in m/s, wing frame at rest.
+/// air in m/s, wing frame at rest; `change`: what acts besides the laws.
 pub fn strip_force_linear<D: Number>(
     law: &AirLaw,
     velocity: &Vector3<f64>,
     alpha: D,
     chord_rest_m: f64,
+    change: &impl SectionChange<D>,
 ) -> StripForce<D> {
     let (zero, one) = (D::from(0.0), D::from(1.0));
-    let air = SectionAir {
+    let mut air = SectionAir {
         alpha,
         speed_squared: D::from(velocity.y * velocity.y + velocity.z * velocity.z),
         normal: Vector3::new(zero, zero, one),
         chord: Vector3::new(zero, one, zero),
     };
-    let (cl, cd) = law.coefficients.lift_and_drag(alpha);
-    let centre_of_pressure = law.centre_of_pressure.fraction(alpha);
-    let mut force = air.force(law.density_kg_m3, chord_rest_m, cl, cd, centre_of_pressure);
+    let now = law.section(&mut air, change);
+    let mut force = air.force(law.density_kg_m3, chord_rest_m, &now);
     if matches!(law.coefficients, CoefficientLaw::ThinAirfoil { .. }) {
-        force.normal_n_per_m = air.speed_squared * (0.5 * law.density_kg_m3 * chord_rest_m) * cl;
+        force.normal_n_per_m =
+            air.speed_squared * (0.5 * law.density_kg_m3 * chord_rest_m) * now.cl + now.normal_n_per_m;
         force.tangential_n_per_m = zero;
         force.force_n_per_m = air.normal * force.normal_n_per_m;
     }
@@ -129,7 +130,7 @@ mod tests {
             lift_slope_per_rad: std::f64::consts::TAU,
         });
         let velocity = Vector3::new(0.0, 20.0, 0.0);
-        let force = strip_force_linear(&law, &velocity, 0.3, 0.2);
+        let force = strip_force_linear(&law, &velocity, 0.3, 0.2, &());
         let expected = 0.5 * 1.225 * 400.0 * 0.2 * std::f64::consts::TAU * 0.3;
         assert!((force.normal_n_per_m - expected).abs() < 1e-12 * expected);
         assert_eq!(force.tangential_n_per_m, 0.0);
@@ -141,9 +142,9 @@ mod tests {
         let velocity = Vector3::new(0.0, 6.0, 6.0);
         let chord = Vector3::new(0.0, 0.02, 0.0);
         let law = law(CoefficientLaw::Dickinson);
-        let exact = strip_force(&law, &velocity, &chord, &Vector3::x(), 0.02);
+        let exact = strip_force(&law, &velocity, &chord, &Vector3::x(), 0.02, &());
         let alpha = alpha_linear(&velocity, &chord, &Vector3::x(), 0.02);
-        let linear = strip_force_linear(&law, &velocity, alpha, 0.02);
+        let linear = strip_force_linear(&law, &velocity, alpha, 0.02, &());
         assert!((exact.force_n_per_m - linear.force_n_per_m).norm() < 1e-13);
         assert!((exact.speed - linear.speed).abs() < 1e-13);
     }
@@ -172,7 +173,7 @@ mod tests {
         let bend = |twist: f64| {
             let chord = Vector3::new(0.0, 0.2, 0.2 * twist);
             let alpha = alpha_linear(&velocity, &chord, &Vector3::x(), 0.2);
-            0.05 * strip_force_linear(&law, &velocity, alpha, 0.2).normal_n_per_m / 10.0
+            0.05 * strip_force_linear(&law, &velocity, alpha, 0.2, &()).normal_n_per_m / 10.0
         };
         let shoot = |rate: f64| {
             let (mut y, h) = ([0.0, rate], 1e-3);

@@ -31,4 +31,4 @@ pub use law::AirLaw;
 pub use linear::{alpha_linear, strip_force_linear};
 pub use number::Number;
 pub use pressure::{pressure_density, pressure_weights};
-pub use strip::{SectionAir, StripForce, section_air, strip_force};
+pub use strip::{SectionAir, SectionChange, SectionCoefficients, StripForce, section_air, strip_force};

@@ -35,6 +35,8 @@ pub struct StripForce<D> {
     pub cd: D,
     /// Centre of pressure, fraction of the chord from the leading edge.
     pub centre_of_pressure: D,
+    /// Moment about the span besides that of the pressure, N·m/m, positive: washout.
+    pub moment_n: D,
     /// Force along the unit normal, N/m.
     pub normal_n_per_m: D,
     /// Force along the unit chord toward the trailing edge, N/m.
@@ -45,6 +47,37 @@ pub struct StripForce<D> {
     pub chord: Vector3<D>,
     /// Force vector, N/m, wing frame.
     pub force_n_per_m: Vector3<D>,
+}
+
+/// Coefficients of a section, and what acts on it besides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SectionCoefficients<D> {
+    /// Lift coefficient.
+    pub cl: D,
+    /// Drag coefficient.
+    pub cd: D,
+    /// Centre of pressure, fraction of the chord from the leading edge.
+    pub centre_of_pressure: D,
+    /// Force along the normal that is added, N/m, spread like the pressure.
+    pub normal_n_per_m: D,
+    /// Moment about the span that is added, N·m/m, positive: washout.
+    pub moment_n: D,
+}
+
+/// Physics besides the laws: may change how a section meets the air, and what the laws give for it.
+pub trait SectionChange<D> {
+    /// Changes angle and speed.
+    fn flow(&self, air: &mut SectionAir<D>);
+
+    /// Changes coefficients, or adds force and moment.
+    fn coefficients(&self, air: &SectionAir<D>, now: &mut SectionCoefficients<D>);
+}
+
+/// Nothing besides.
+impl<D> SectionChange<D> for () {
+    fn flow(&self, _air: &mut SectionAir<D>) {}
+
+    fn coefficients(&self, _air: &SectionAir<D>, _now: &mut SectionCoefficients<D>) {}
 }
 
 /// How a section meets the air: `velocity` of the air (m/s), `chord` from leading to trailing edge and `span`
@@ -83,39 +116,59 @@ pub fn section_air<D: Number>(velocity: &Vector3<D>, chord: &Vector3<D>, span: &
 /// The force of the air on a strip of rest chord `chord_rest_m` (m), for the arguments of [`section_air`].
 ///
 /// Normal ½ρU²c (C_L cos α + C_D sin α), tangential ½ρU²c (C_D cos α − C_L sin α): lift across the stream,
-/// drag along it.
+/// drag along it. `change`: what acts besides the laws.
 pub fn strip_force<D: Number>(
     law: &AirLaw,
     velocity: &Vector3<D>,
     chord: &Vector3<D>,
     span: &Vector3<D>,
     chord_rest_m: f64,
+    change: &impl SectionChange<D>,
 ) -> StripForce<D> {
-    let air = section_air(velocity, chord, span);
-    let (cl, cd) = law.coefficients.lift_and_drag(air.alpha);
-    air.force(
-        law.density_kg_m3,
-        chord_rest_m,
-        cl,
-        cd,
-        law.centre_of_pressure.fraction(air.alpha),
-    )
+    let mut air = section_air(velocity, chord, span);
+    let coefficients = law.section(&mut air, change);
+    air.force(law.density_kg_m3, chord_rest_m, &coefficients)
+}
+
+impl AirLaw {
+    /// What the laws give for a section, and `change` makes of it.
+    pub(super) fn section<D: Number>(
+        &self,
+        air: &mut SectionAir<D>,
+        change: &impl SectionChange<D>,
+    ) -> SectionCoefficients<D> {
+        change.flow(air);
+        let (cl, cd) = self.coefficients.lift_and_drag(air.alpha);
+        let mut now = SectionCoefficients {
+            cl,
+            cd,
+            centre_of_pressure: self.centre_of_pressure.fraction(air.alpha),
+            normal_n_per_m: D::from(0.0),
+            moment_n: D::from(0.0),
+        };
+        change.coefficients(air, &mut now);
+        now
+    }
 }
 
 impl<D: Number> SectionAir<D> {
-    /// The force for given coefficients and centre of pressure: what [`strip_force`] does after the laws, open to
-    /// effects that change a coefficient.
-    pub fn force(
+    /// The force for given coefficients: what [`strip_force`] does after the laws.
+    pub(super) fn force(
         &self,
         density_kg_m3: f64,
         chord_rest_m: f64,
-        cl: D,
-        cd: D,
-        centre_of_pressure: D,
+        now: &SectionCoefficients<D>,
     ) -> StripForce<D> {
+        let SectionCoefficients {
+            cl,
+            cd,
+            centre_of_pressure,
+            moment_n,
+            ..
+        } = *now;
         let load = self.speed_squared * (0.5 * density_kg_m3 * chord_rest_m);
         let (sin, cos) = self.alpha.sin_cos();
-        let normal_n_per_m = load * (cl * cos + cd * sin);
+        let normal_n_per_m = load * (cl * cos + cd * sin) + now.normal_n_per_m;
         let tangential_n_per_m = load * (cd * cos - cl * sin);
         StripForce {
             alpha: self.alpha,
@@ -123,6 +176,7 @@ impl<D: Number> SectionAir<D> {
             cl,
             cd,
             centre_of_pressure,
+            moment_n,
             normal_n_per_m,
             tangential_n_per_m,
             normal: self.normal,
@@ -177,6 +231,7 @@ mod tests {
                 &chord_at(degrees.to_radians()),
                 &Vector3::x(),
                 0.02,
+                &(),
             );
             assert!((strip.alpha.to_degrees() - (45.0 - degrees)).abs() < 1e-12);
             assert!((strip.speed - 9.0).abs() < 1e-12);
@@ -188,7 +243,7 @@ mod tests {
     fn force_at_45_degrees_by_hand() {
         // ½ · 1.2 · 81 · 0.02 = 0.972 N/m; C_L 1.804561, C_D 1.703746; along and across the stream.
         let velocity = Vector3::new(0.0, 0.5_f64.sqrt(), 0.5_f64.sqrt()) * 9.0;
-        let strip = strip_force(&law(), &velocity, &chord_at(0.0), &Vector3::x(), 0.02);
+        let strip = strip_force(&law(), &velocity, &chord_at(0.0), &Vector3::x(), 0.02, &());
         let stream = velocity / 9.0;
         let lift = Vector3::new(0.0, -stream.z, stream.y);
         assert!((strip.force_n_per_m.dot(&lift) - 0.972 * 1.804561).abs() < 1e-6);
@@ -220,7 +275,7 @@ mod tests {
             (velocity, chord, chord),
         ] {
             let still = v.map(|part| Dual64::new(part, 0.0));
-            let strip = strip_force(&law(), &still, &dual(c), &dual(s), 0.02);
+            let strip = strip_force(&law(), &still, &dual(c), &dual(s), 0.02, &());
             assert_eq!(strip.force_n_per_m.map(|part| part.re), nil);
             assert!(
                 strip.force_n_per_m.iter().all(|part| part.eps.is_finite()) && strip.speed.eps.is_finite()
@@ -243,7 +298,7 @@ mod tests {
     /// Normal and tangential force and the force vector from one vector of velocity, chord and span.
     fn outputs<D: DualNum<Primitive = f64> + Copy>(x: &SVector<D, 9>) -> [D; 6] {
         let vector = |at: usize| Vector3::new(x[at], x[at + 1], x[at + 2]);
-        let strip = strip_force(&law(), &vector(0), &vector(3), &vector(6), 0.02);
+        let strip = strip_force(&law(), &vector(0), &vector(3), &vector(6), 0.02, &());
         let force = strip.force_n_per_m;
         [
             strip.normal_n_per_m,

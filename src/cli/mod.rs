@@ -27,6 +27,8 @@ pub mod init;
 
 pub mod schema;
 
+pub mod effects;
+
 pub mod diff;
 
 pub mod verify;
@@ -86,6 +88,8 @@ pub enum Verb {
     Init(init::Init),
     /// Print the JSON schema of a file or of an output
     Schema(schema::Schema),
+    /// List the physics that can be added to a design, or print the card of one
+    Effects(effects::ListEffects),
     /// Compare two runs: inputs, results, twist
     Diff(diff::Diff),
     /// Run the published cases that say how far to trust the solver
@@ -108,6 +112,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Mesh(verb) => verb.run(&console),
         Verb::Init(verb) => verb.run(&console),
         Verb::Schema(verb) => verb.run(&console),
+        Verb::Effects(verb) => verb.run(&console),
         Verb::Diff(verb) => verb.run(&console),
         Verb::Verify(verb) => verb.run(&console),
     };

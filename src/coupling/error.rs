@@ -1,6 +1,7 @@
 //! Why a coupled solve gives no solution.
 
 use crate::aero::AeroError;
+use crate::effects::EffectError;
 use crate::input::InputError;
 use crate::mesh::MeshError;
 use crate::progress::Cancelled;
@@ -12,6 +13,9 @@ pub enum CouplingError {
     /// The air cannot be set up.
     #[error(transparent)]
     Air(#[from] AeroError),
+    /// An effect's table is at fault.
+    #[error(transparent)]
+    Effect(#[from] EffectError),
     /// The structure cannot be set up, or finds no equilibrium.
     #[error(transparent)]
     Structure(StructureError),
@@ -110,7 +114,7 @@ impl CouplingError {
                     StructureError::NoEquilibrium { .. } | StructureError::Singular { .. }
                 )
             }
-            CouplingError::Air(_) | CouplingError::Interrupted(_) => false,
+            CouplingError::Air(_) | CouplingError::Effect(_) | CouplingError::Interrupted(_) => false,
         }
     }
 }

@@ -2,6 +2,8 @@
 
 pub mod accelerate;
 
+pub mod air;
+
 pub mod engineering;
 
 pub mod error;
@@ -30,6 +32,7 @@ use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::Equilibrium;
 
+use air::Air;
 use fixed_point::Coupled;
 use solution::{Solution, SolveReport};
 use wing::Wing;
@@ -61,7 +64,7 @@ pub fn solve(
     )?;
     coupled.newton_steps += steps;
     let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false);
-    if let Some((law, _)) = &wing.air {
+    if let Some(Air { law, .. }) = &wing.air {
         for strip in &air {
             law.check(strip.force.alpha)?;
         }

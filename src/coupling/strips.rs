@@ -6,14 +6,14 @@
 //! with the film's edges, each a linear interpolation of two nodes. The same weights carry shape one way and force the
 //! other, so force, moment and virtual work are kept for every shape.
 
-use nalgebra::{SMatrix, SVector, Vector3};
-use num_dual::DualSVec64;
-
+use super::air::Air;
 use crate::aero::{
-    AirLaw, Flow, Number, StripForce, alpha_linear, pressure_weights, strip_force, strip_force_linear,
+    Number, SectionChange, StripForce, alpha_linear, pressure_weights, strip_force, strip_force_linear,
 };
+use crate::effects::Dual;
 use crate::mesh::{ChordLines, ChordPoint, Mesh};
 use crate::structure::state::State;
+use nalgebra::{SMatrix, SVector, Vector3};
 
 /// What a strip sees of the shape: chord vector from leading to trailing edge (m) and leading-edge tangent (per rest
 /// length), wing frame.
@@ -57,6 +57,8 @@ pub struct StripAir {
     pub total_n: Vector3<f64>,
     /// Share of each point.
     pub weights: Vec<f64>,
+    /// Force on the last point, and against it on the first, that makes the moment besides the pressure's, N.
+    pub couple_n: Vector3<f64>,
     /// Derivative of each point's force (3) with the strip's shape (6), if asked for.
     pub by_shape: Vec<SMatrix<f64, 3, 6>>,
 }
@@ -106,6 +108,16 @@ impl Strips {
         }
     }
 
+    /// Span position of the outer end of the last strip, m; 0 without strips.
+    pub fn tip_m(&self) -> f64 {
+        // the last two strips share an element, at a ± h/√3 from its middle
+        match self.strips.as_slice() {
+            [.., inner, outer] => 0.5 * (inner.r_m + outer.r_m) + outer.width_m,
+            [only] => only.r_m + 0.5 * only.width_m,
+            [] => 0.0,
+        }
+    }
+
     /// Shapes of all strips, six values each.
     pub fn shapes(&self, state: &State) -> Vec<f64> {
         self.strips
@@ -139,62 +151,77 @@ impl Strip {
     }
 
     /// The air's force in a shape.
-    pub fn air(&self, law: &AirLaw, flow: &Flow, linear: bool, shape: &StripShape) -> StripAir {
-        let (force, weights) = self.force(law, flow, linear, shape);
-        StripAir {
-            total_n: force.force_n_per_m * self.width_m,
-            force,
-            weights,
-            by_shape: Vec::new(),
+    pub fn air(&self, air: &Air, shape: &StripShape) -> StripAir {
+        match air.acting(self) {
+            None => self.valued(&self.force(air, shape, &())),
+            Some(acting) => self.valued(&self.force(air, &shape.map(Dual::from), &acting).real()),
         }
     }
 
     /// The same with derivatives.
-    pub fn air_and_derivative(
-        &self,
-        law: &AirLaw,
-        flow: &Flow,
-        linear: bool,
-        shape: &StripShape,
-    ) -> StripAir {
-        let seeded =
-            SVector::<DualSVec64<6>, 6>::from_fn(|i, _| DualSVec64::<6>::from_re(shape[i]).derivative(i));
-        let (force, weights) = self.force(law, flow, linear, &seeded);
-        let total = force.force_n_per_m.map(|f| f * self.width_m);
-        let by_shape = weights.iter().map(|weight| {
-            let point = total.map(|f| f * *weight);
+    pub fn air_and_derivative(&self, air: &Air, shape: &StripShape) -> StripAir {
+        let seeded = SVector::<Dual, 6>::from_fn(|i, _| Dual::from_re(shape[i]).derivative(i));
+        let force = match air.acting(self) {
+            None => self.force(air, &seeded, &()),
+            Some(acting) => self.force(air, &seeded, &acting),
+        };
+        let by_shape = |point: Vector3<Dual>| {
             SMatrix::<f64, 3, 6>::from_fn(|i, j| {
                 point[i]
                     .eps
                     .unwrap_generic(nalgebra::Const::<6>, nalgebra::Const::<1>)[j]
             })
-        });
+        };
         StripAir {
-            by_shape: by_shape.collect(),
-            weights: weights.iter().map(|w| w.re).collect(),
-            total_n: total.map(|f| f.re),
-            force: real(&force),
+            by_shape: (0..force.weights.len()).map(|k| by_shape(force.at(k))).collect(),
+            ..self.valued(&force.real())
+        }
+    }
+
+    fn valued(&self, force: &Spread<f64>) -> StripAir {
+        StripAir {
+            force: force.section,
+            total_n: force.total_n,
+            weights: force.weights.clone(),
+            couple_n: force.couple_n,
+            by_shape: Vec::new(),
         }
     }
 
     fn force<D: Number>(
         &self,
-        law: &AirLaw,
-        flow: &Flow,
-        linear: bool,
+        air: &Air,
         shape: &SVector<D, 6>,
-    ) -> (StripForce<D>, Vec<D>) {
-        let velocity = flow.velocity(self.r_m);
+        change: &impl SectionChange<D>,
+    ) -> Spread<D> {
+        let velocity = air.flow.velocity(self.r_m);
         let chord = Vector3::new(shape[0], shape[1], shape[2]);
         let span = Vector3::new(shape[3], shape[4], shape[5]);
-        let force = if linear {
+        let section = if air.linear {
             let alpha = alpha_linear(&velocity, &chord, &span, self.chord_m);
-            strip_force_linear(law, &velocity, alpha, self.chord_m)
+            strip_force_linear(&air.law, &velocity, alpha, self.chord_m, change)
         } else {
-            strip_force(law, &velocity.map(D::from), &chord, &span, self.chord_m)
+            strip_force(
+                &air.law,
+                &velocity.map(D::from),
+                &chord,
+                &span,
+                self.chord_m,
+                change,
+            )
         };
-        let weights = pressure_weights(force.centre_of_pressure, &self.eta);
-        (force, weights)
+        let lever = if air.linear {
+            D::from(self.chord_m)
+        } else {
+            chord.dot(&chord).sqrt()
+        };
+        let pair = section.moment_n * self.width_m / lever;
+        Spread {
+            weights: pressure_weights(section.centre_of_pressure, &self.eta),
+            total_n: section.force_n_per_m.map(|f| f * self.width_m),
+            couple_n: section.normal.map(|n| n * pair),
+            section,
+        }
     }
 
     /// Hands the forces of the points to the nodes: `take(node, share of the point, point)`.
@@ -209,13 +236,58 @@ impl Strip {
     }
 }
 
-fn real(force: &StripForce<DualSVec64<6>>) -> StripForce<f64> {
+/// Force of a strip before it is spread over its points.
+struct Spread<D> {
+    section: StripForce<D>,
+    total_n: Vector3<D>,
+    weights: Vec<D>,
+    couple_n: Vector3<D>,
+}
+
+impl<D: Number> Spread<D> {
+    /// Force on a point, N.
+    fn at(&self, point: usize) -> Vector3<D> {
+        let force = self.total_n.map(|f| f * self.weights[point]);
+        on_point(force, self.couple_n, point, self.weights.len())
+    }
+}
+
+impl StripAir {
+    /// Force on a point, N.
+    pub fn on_point_n(&self, point: usize) -> Vector3<f64> {
+        let force = self.total_n * self.weights[point];
+        on_point(force, self.couple_n, point, self.weights.len())
+    }
+}
+
+/// A point's share of the force, with its part of the couple between the first point and the last.
+fn on_point<D: Number>(force: Vector3<D>, couple: Vector3<D>, point: usize, points: usize) -> Vector3<D> {
+    match point {
+        0 => force - couple,
+        _ if point + 1 == points => force + couple,
+        _ => force,
+    }
+}
+
+impl Spread<Dual> {
+    fn real(&self) -> Spread<f64> {
+        Spread {
+            section: real(&self.section),
+            total_n: self.total_n.map(|f| f.re),
+            weights: self.weights.iter().map(|w| w.re).collect(),
+            couple_n: self.couple_n.map(|f| f.re),
+        }
+    }
+}
+
+fn real(force: &StripForce<Dual>) -> StripForce<f64> {
     StripForce {
         alpha: force.alpha.re,
         speed: force.speed.re,
         cl: force.cl.re,
         cd: force.cd.re,
         centre_of_pressure: force.centre_of_pressure.re,
+        moment_n: force.moment_n.re,
         normal_n_per_m: force.normal_n_per_m.re,
         tangential_n_per_m: force.tangential_n_per_m.re,
         normal: force.normal.map(|x| x.re),

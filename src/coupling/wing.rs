@@ -2,11 +2,13 @@
 
 use nalgebra::Vector3;
 
+use super::air::Air;
 use super::error::CouplingError;
 use super::fixed_point::Coupled;
 use super::solution::StripLoad;
 use super::strips::{StripAir, StripShape, Strips};
-use crate::aero::{AirLaw, Flow, pressure_density};
+use crate::aero::pressure_density;
+use crate::effects::{Structure, bind};
 use crate::input::design::{Design, Kinematics};
 use crate::mesh::Mesh;
 use crate::structure::state::State;
@@ -22,7 +24,7 @@ pub struct Wing {
     /// Bench loads and gravity.
     pub bench: Loads,
     /// The air, if there is any.
-    pub air: Option<(AirLaw, Flow)>,
+    pub air: Option<Air>,
     /// Small rotations about the wing at rest.
     pub linear: bool,
 }
@@ -33,17 +35,25 @@ impl Wing {
     /// # Errors
     /// If design and mesh do not belong together, or the air's laws cannot be set up.
     pub fn new(design: &Design, mesh: &Mesh, air_table: Option<&[[f64; 3]]>) -> Result<Self, CouplingError> {
-        let model = wing_model(design, mesh)?;
-        let bench = bench_loads(design, mesh, &model);
-        let air = match Flow::from_design(design) {
-            Some(flow) => Some((AirLaw::from_design(design, air_table)?, flow)),
-            None => None,
+        let effects = bind(design)?;
+        let mut model = wing_model(design, mesh)?;
+        let mut structure = Structure {
+            design,
+            mesh,
+            model: &mut model,
         };
-        let strips = if air.is_some() {
-            Strips::new(mesh)
-        } else {
-            Strips::default()
-        };
+        for bound in &effects {
+            bound.effect.structure(&bound.values, &mut structure)?;
+        }
+        let mut bench = bench_loads(design, mesh, structure.model);
+        for bound in &effects {
+            bound.effect.load(&bound.values, &structure, &mut bench);
+        }
+        let mut strips = Strips::new(mesh);
+        let air = Air::new(design, &strips, &effects, air_table)?;
+        if air.is_none() {
+            strips = Strips::default();
+        }
         let linear = design.structure.kinematics == Kinematics::Linear;
         Ok(Wing {
             model,
@@ -61,7 +71,7 @@ impl Wing {
 
     /// Air on each strip in the given shapes (six values a strip).
     pub fn strip_air(&self, shapes: &[f64], derivative: bool) -> Vec<StripAir> {
-        let Some((law, flow)) = &self.air else {
+        let Some(air) = &self.air else {
             return Vec::new();
         };
         let strips = self.strips.strips.iter().zip(shapes.chunks_exact(6));
@@ -69,9 +79,9 @@ impl Wing {
             .map(|(strip, shape)| {
                 let shape = StripShape::from_column_slice(shape);
                 if derivative {
-                    strip.air_and_derivative(law, flow, self.linear, &shape)
+                    strip.air_and_derivative(air, &shape)
                 } else {
-                    strip.air(law, flow, self.linear, &shape)
+                    strip.air(air, &shape)
                 }
             })
             .collect()
@@ -81,7 +91,7 @@ impl Wing {
     pub fn air_force(&self, air: &[StripAir]) -> Vec<Vector3<f64>> {
         let mut force = vec![Vector3::zeros(); self.model.nodes.len()];
         for (strip, air) in self.strips.strips.iter().zip(air) {
-            strip.spread(|node, share, point| force[node] += air.total_n * (air.weights[point] * share));
+            strip.spread(|node, share, point| force[node] += air.on_point_n(point) * share);
         }
         force
     }

@@ -1,1 +1,76 @@
-//! Physical effects that can be added to the base model, one file each.
+//! Physics that a model may lack: one file per effect, each off until it is added.
+//!
+//! An effect is a card ([`Card`]) and a function at one of a few seams. Its first number is its strength: 0 is off, bit
+//! for bit. It adds or scales, and never overwrites. To add one: write its file, and name it in [`ALL`].
+
+pub mod bind;
+
+pub mod card;
+
+pub mod error;
+
+pub mod seam;
+
+pub mod centre_of_pressure_shift;
+
+pub mod centrifugal_load;
+
+pub mod rod_shear_modulus;
+
+pub mod tip_loss_prandtl;
+
+pub use bind::{Bound, Values, bind, is_applicable};
+pub use card::{Card, Need, Parameter, Seam};
+pub use error::EffectError;
+pub use seam::{Dual, StripPlace, Structure};
+
+use crate::aero::{SectionAir, SectionCoefficients};
+use crate::structure::{Loads, StructureError};
+
+/// One effect. Each acts at the one seam that its card names; the other methods stay as they are.
+pub trait Effect: Sync + Send + std::fmt::Debug {
+    /// What it says about itself.
+    fn card(&self) -> Card<'_>;
+
+    /// Changes sections, sheets, joints or supports.
+    ///
+    /// # Errors
+    /// If a changed section is none.
+    fn structure(&self, _values: &Values, _wing: &mut Structure) -> Result<(), StructureError> {
+        Ok(())
+    }
+
+    /// Changes the angle and the speed at which a strip meets the air.
+    fn flow(&self, _values: &Values, _place: &StripPlace, _air: &mut SectionAir<Dual>) {}
+
+    /// Changes the coefficients, the centre of pressure, or adds force and moment.
+    fn coefficients(
+        &self,
+        _values: &Values,
+        _place: &StripPlace,
+        _air: &SectionAir<Dual>,
+        _now: &mut SectionCoefficients<Dual>,
+    ) {
+    }
+
+    /// Adds loads to nodes.
+    fn load(&self, _values: &Values, _wing: &Structure, _loads: &mut Loads) {}
+
+    /// Share of large rotation in a linear model.
+    fn kinematics(&self, _values: &Values) -> Option<f64> {
+        None
+    }
+}
+
+/// Every effect, in the order in which they act.
+pub static ALL: &[&dyn Effect] = &[
+    &rod_shear_modulus::RodShearModulus,
+    &centre_of_pressure_shift::CentreOfPressureShift,
+    &tip_loss_prandtl::TipLossPrandtl,
+    &centrifugal_load::CentrifugalLoad,
+];
+
+/// The effect of a name.
+pub fn named(name: &str) -> Option<&'static dyn Effect> {
+    ALL.iter().copied().find(|effect| effect.card().name == name)
+}

@@ -147,7 +147,7 @@ mod tests {
                 let r_m = (f64::from(i) + 0.5) * width_m;
                 let (chord_m, twist) = (planform.chord_m(r_m), paper::twist_v1().twist_rad(r_m));
                 let chord = Vector3::new(0.0, twist.cos(), twist.sin()) * chord_m;
-                let force = strip_force(&law, &flow.velocity(r_m), &chord, &Vector3::x(), chord_m);
+                let force = strip_force(&law, &flow.velocity(r_m), &chord, &Vector3::x(), chord_m, &());
                 StripLoad {
                     r_m,
                     width_m,

@@ -131,13 +131,18 @@ impl<'m> Equilibrium<'m> {
     }
 
     /// Linear answer to `loads` of a structure that stands in equilibrium without them at `about`: small rotations about that
-    /// shape. The tangent there is factorized once, as long as nothing else is solved between.
+    /// shape. The tangent there, with that of the linear forces among the loads, is factorized once, as long as nothing else is solved
+    /// between.
     ///
     /// # Errors
     /// If it is singular.
     pub fn solve_linear(&mut self, about: &State, loads: &Loads) -> Result<State, StructureError> {
         if !self.is_linear {
-            self.factorize(about, &Loads::none(self.model.nodes.len()))?;
+            let growing = Loads {
+                linear: loads.linear.clone(),
+                ..Loads::none(self.model.nodes.len())
+            };
+            self.factorize(about, &growing)?;
             self.is_linear = true;
         }
         let mut step = self.model.residual(&self.pattern, about, loads);

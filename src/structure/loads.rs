@@ -1,6 +1,6 @@
 //! Loads on the nodes: dead forces, dead moments, and dead forces on rigid arms.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::pattern::Pattern;
 use super::rotation::skew;
@@ -15,6 +15,19 @@ pub struct Loads {
     pub moment_n_m: Vec<Vector3<f64>>,
     /// Forces on rigid arms, which turn with their node.
     pub arms: Vec<ArmForce>,
+    /// Forces that grow with the displacement of their node.
+    pub linear: Vec<LinearForce>,
+}
+
+/// A force F + G u that is linear in the displacement u of its node, with a symmetric G, so that it has a potential.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LinearForce {
+    /// The node.
+    pub node: usize,
+    /// Force at rest, N.
+    pub force_n: Vector3<f64>,
+    /// Change of the force with the displacement, N/m.
+    pub gradient_n_m: Matrix3<f64>,
 }
 
 /// A dead force at the end of a rigid arm.
@@ -35,10 +48,12 @@ impl Loads {
             force_n: vec![Vector3::zeros(); nodes],
             moment_n_m: vec![Vector3::zeros(); nodes],
             arms: Vec::new(),
+            linear: Vec::new(),
         }
     }
 
-    /// A share of the loads between `from` and these: 0 gives `from`, 1 these. The arms must be the same.
+    /// A share of the loads between `from` and these: 0 gives `from`, 1 these. Arms and linear
+    /// forces must stand at the same nodes.
     pub fn between(&self, from: &Loads, share: f64) -> Loads {
         let mix = |to: &[Vector3<f64>], from: &[Vector3<f64>]| {
             to.iter()
@@ -53,7 +68,18 @@ impl Loads {
                 ..*to
             }
         };
+        let linear = |(index, to): (usize, &LinearForce)| {
+            let nothing = (Vector3::zeros(), Matrix3::zeros());
+            let from = from.linear.get(index);
+            let (force, gradient) = from.map_or(nothing, |from| (from.force_n, from.gradient_n_m));
+            LinearForce {
+                node: to.node,
+                force_n: force + share * (to.force_n - force),
+                gradient_n_m: gradient + share * (to.gradient_n_m - gradient),
+            }
+        };
         Loads {
+            linear: self.linear.iter().enumerate().map(linear).collect(),
             force_n: mix(&self.force_n, &from.force_n),
             moment_n_m: mix(&self.moment_n_m, &from.moment_n_m),
             arms: self.arms.iter().enumerate().map(arm).collect(),
@@ -68,7 +94,12 @@ impl Loads {
             .iter()
             .chain(arms().map(|arm| &arm.force_n))
             .map(Vector3::norm_squared)
-            .sum::<f64>();
+            .sum::<f64>()
+            + self
+                .linear
+                .iter()
+                .map(|linear| linear.at(state).norm_squared())
+                .sum::<f64>();
         let turned = arms().map(|arm| {
             (state.rotation[arm.node] * arm.arm_m)
                 .cross(&arm.force_n)
@@ -97,10 +128,23 @@ impl Loads {
                 &(state.rotation[arm.node] * arm.arm_m).cross(&arm.force_n),
             );
         }
+        for linear in &self.linear {
+            take(linear.node, &linear.at(state), &Vector3::zeros());
+        }
     }
 
-    /// Adds the (symmetrised) stiffness that forces on arms bring.
+    /// Adds the stiffness that linear forces and (symmetrised) forces on arms bring.
     pub fn add_tangent(&self, pattern: &Pattern, state: &State, values: &mut [f64]) {
+        for linear in &self.linear {
+            let k = linear.gradient_n_m;
+            pattern.add_node(
+                values,
+                linear.node,
+                |i, j| {
+                    if i < 3 && j < 3 { -k[(i, j)] } else { 0.0 }
+                },
+            );
+        }
         for arm in &self.arms {
             let turned = state.rotation[arm.node] * arm.arm_m;
             // residual −(a × F); a changes by δθ × a, so its derivative is −S(F) S(a)
@@ -110,5 +154,12 @@ impl Loads {
                 if i >= 3 && j >= 3 { k[(i - 3, j - 3)] } else { 0.0 }
             });
         }
+    }
+}
+
+impl LinearForce {
+    /// The force in a state, N.
+    fn at(&self, state: &State) -> Vector3<f64> {
+        self.force_n + self.gradient_n_m * state.displacement[self.node]
     }
 }

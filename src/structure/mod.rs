@@ -51,7 +51,7 @@ pub mod wing;
 pub use beam::Beam;
 pub use equilibrium::Equilibrium;
 pub use error::StructureError;
-pub use loads::{ArmForce, Loads};
+pub use loads::{ArmForce, LinearForce, Loads};
 pub use mass::{MassProperties, mass_matrix};
 pub use model::{Model, PointMass, Spring};
 pub use modes::{Mode, Vibration, lowest_modes};

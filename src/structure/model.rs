@@ -124,6 +124,43 @@ impl Model {
         self.hold(node, [true; 6]);
     }
 
+    /// Gives one beam element a section of its own, made from that which it has.
+    ///
+    /// # Errors
+    /// If the new section is none.
+    pub fn change_section(
+        &mut self,
+        beam: usize,
+        change: impl FnOnce(&mut Section),
+    ) -> Result<(), StructureError> {
+        let mut section = self.sections[self.beams[beam].section].clone();
+        change(&mut section);
+        let index = self.add_section(section);
+        let old = &self.beams[beam];
+        let ends = old.nodes.map(|node| self.nodes[node]);
+        let normal = old.axes().column(2).into_owned();
+        self.beams[beam] = Beam::new(old.nodes, ends, &normal, index, &self.sections[index])?;
+        Ok(())
+    }
+
+    /// Mass of each node when every element hands its mass to its nodes in equal parts, and every point mass to its own, kg.
+    pub fn lumped_mass_kg(&self) -> Vec<f64> {
+        let mut lumped = vec![0.0; self.nodes.len()];
+        for beam in &self.beams {
+            let half = 0.5 * self.sections[beam.section].mass_kg_m * beam.length_m();
+            beam.nodes.into_iter().for_each(|node| lumped[node] += half);
+        }
+        for shell in &self.shells {
+            let sheet = &self.sheets[shell.sheet];
+            let third = sheet.density_kg_m3 * sheet.thickness_m * shell.area_m2() / 3.0;
+            shell.nodes.into_iter().for_each(|node| lumped[node] += third);
+        }
+        for mass in &self.masses {
+            lumped[mass.node] += mass.mass_kg;
+        }
+        lumped
+    }
+
     /// Number of freedoms that are not held.
     pub fn free_freedoms(&self) -> usize {
         self.held.iter().flatten().filter(|held| !**held).count()

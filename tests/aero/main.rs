@@ -121,7 +121,14 @@ fn both_air_rooms_agree_on_a_blade_element() {
         let chord_m = wing.planform.chord_m(r_m);
         let velocity = wing.flow.velocity(r_m);
         let chord = nalgebra::Vector3::new(0.0, cos, sin) * chord_m;
-        let force = strip_force(&wing.law, &velocity, &chord, &nalgebra::Vector3::x(), chord_m);
+        let force = strip_force(
+            &wing.law,
+            &velocity,
+            &chord,
+            &nalgebra::Vector3::x(),
+            chord_m,
+            &(),
+        );
         lift_n += force.force_n_per_m.dot(&wing.flow.lift_direction()) * width_m;
         drag_n += force.force_n_per_m.dot(&velocity.normalize()) * width_m;
         power_w += force.force_n_per_m.dot(&velocity) * width_m;

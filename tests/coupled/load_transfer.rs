@@ -6,6 +6,7 @@
 
 use nalgebra::{DMatrix, Vector3};
 use washout::aero::{AirLaw, Flow};
+use washout::coupling::air::Air;
 use washout::coupling::strips::{Strip, Strips};
 use washout::input::design::{CentreOfPressure, Coefficients};
 
@@ -60,11 +61,12 @@ fn by_hand(
 
 /// Largest relative errors of force, moment and work over all strips of a wing in random shapes.
 fn worst(wing: &Wing, seed: u64) -> [f64; 3] {
-    let law = AirLaw::from_design(&wing.design, None).unwrap();
-    let flow = Flow::from_design(&wing.design).unwrap();
+    let strips = Strips::new(&wing.mesh);
+    let air_around = Air::new(&wing.design, &strips, &[], None).unwrap().unwrap();
+    let (law, flow) = (&air_around.law, &air_around.flow);
     let mut noise = Noise(seed);
     let mut worst = [0.0_f64; 3];
-    for strip in &Strips::new(&wing.mesh).strips {
+    for strip in &strips.strips {
         let nodes = interpolation(strip).0;
         let edge_at = |x: usize| Vector3::from(wing.mesh.nodes[x]);
         // a chord of any direction, half to twice as long, anywhere within a decimetre
@@ -76,8 +78,8 @@ fn worst(wing: &Wing, seed: u64) -> [f64; 3] {
             displacement[node] = Vector3::from_fn(|k, _| places[(row, k)]) - edge_at(node);
         }
         let [a, b] = strip.edge.map(|node| edge_at(node) + displacement[node]);
-        let air = strip.air(&law, &flow, false, &strip.shape(&displacement));
-        let (force_n, x_cp) = by_hand(strip, &law, &flow, chord, b - a);
+        let air = strip.air(&air_around, &strip.shape(&displacement));
+        let (force_n, x_cp) = by_hand(strip, law, flow, chord, b - a);
         let (field_a, field_b) = (noise.vector(), noise.vector());
         let field = linear_across(strip, field_a, field_b, &mut noise);
         let (mut force, mut moment, mut work) = (Vector3::zeros(), Vector3::zeros(), 0.0);
@@ -126,7 +128,7 @@ fn force_and_moment_on_a_stretched_and_turned_wing_are_the_sums_over_its_strips(
     for name in ["rigid", "twist-v1", "twist-v2"] {
         let wing = shipped(name, &[]);
         let coupled = washout::coupling::wing::Wing::new(&wing.design, &wing.mesh, None).unwrap();
-        let (law, flow) = coupled.air.clone().unwrap();
+        let Air { law, flow, .. } = coupled.air.clone().unwrap();
         let mut noise = Noise(7);
         let stretch = nalgebra::Matrix3::from_fn(|_, _| noise.number());
         let mut state = washout::structure::state::State::at_rest(wing.mesh.nodes.len());

@@ -1,6 +1,7 @@
 //! The coupled tangent K − A S and the air's derivatives against differences of what they differentiate.
 
 use washout::aero::{AirLaw, Flow};
+use washout::coupling::air::Air;
 use washout::coupling::feedback::Feedback;
 use washout::coupling::strips::{StripShape, Strips};
 use washout::coupling::wing::Wing;
@@ -65,20 +66,21 @@ fn solves_with_the_coupled_tangent_agree_with_differences_of_the_coupled_residua
 #[test]
 fn forces_of_the_points_differentiate_exactly_for_random_shapes() {
     let wing = shipped("twist-v2", &["mesh.refine=0.5"]);
-    let law = AirLaw::from_design(&wing.design, None).unwrap();
-    let flow = Flow::from_design(&wing.design).unwrap();
+    let strips = Strips::new(&wing.mesh);
+    let mut air = Air::new(&wing.design, &strips, &[], None).unwrap().unwrap();
     let mut noise = Noise(3);
     let mut worst = 0.0_f64;
     for linear in [false, true] {
-        for strip in &Strips::new(&wing.mesh).strips {
+        air.linear = linear;
+        for strip in &strips.strips {
             let mut shape = StripShape::zeros();
             let chord = noise.vector().normalize() * strip.chord_m;
             let edge = noise.vector().normalize();
             shape.fixed_rows_mut::<3>(0).copy_from(&chord);
             shape.fixed_rows_mut::<3>(3).copy_from(&edge);
-            let exact = strip.air_and_derivative(&law, &flow, linear, &shape);
+            let exact = strip.air_and_derivative(&air, &shape);
             let force = |shape: &StripShape| {
-                let air = strip.air(&law, &flow, linear, shape);
+                let air = strip.air(&air, shape);
                 air.weights.iter().map(|w| air.total_n * *w).collect::<Vec<_>>()
             };
             for k in 0..6 {

@@ -109,7 +109,7 @@ const ROOMS: &[(&str, &[&str])] = &[
 ];
 
 /// Files of the `effects` room that are not effects.
-const NOT_EFFECTS: &[&str] = &["mod", "error", "card", "seam"];
+const NOT_EFFECTS: &[&str] = &["mod", "bind", "error", "card", "seam"];
 
 fn sources() -> Vec<(PathBuf, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");

@@ -1,0 +1,109 @@
+//! The air that strips meet: its laws, its flow, and the effects that act on both.
+
+use super::strips::{Strip, Strips};
+use crate::aero::{AeroError, AirLaw, Flow, SectionAir, SectionChange, SectionCoefficients};
+use crate::effects::{Bound, Dual, Seam, StripPlace};
+use crate::input::design::{Design, Kinematics};
+
+/// The air that strips meet.
+#[derive(Debug, Clone)]
+pub struct Air {
+    /// Density and laws.
+    pub law: AirLaw,
+    /// The flow; a bench has still air.
+    pub flow: Flow,
+    /// Small turns about the wing at rest.
+    pub linear: bool,
+    acting: Option<Acting>,
+}
+
+/// Effects at the seam of the air, and what they need to know.
+#[derive(Debug, Clone)]
+struct Acting {
+    effects: Vec<Bound>,
+    design: Design,
+    flow: Option<Flow>,
+    tip_m: f64,
+    mean_chord_m: f64,
+}
+
+impl Air {
+    /// The air of a design; none without flow, unless an effect acts on the strips all the same.
+    ///
+    /// # Errors
+    /// If its laws cannot be set up.
+    pub fn new(
+        design: &Design,
+        strips: &Strips,
+        effects: &[Bound],
+        air_table: Option<&[[f64; 3]]>,
+    ) -> Result<Option<Air>, AeroError> {
+        let flow = Flow::from_design(design);
+        let at_air = |bound: &&Bound| bound.effect.card().seam == Seam::Air;
+        let effects: Vec<Bound> = effects.iter().filter(at_air).cloned().collect();
+        if flow.is_none() && effects.is_empty() {
+            return Ok(None);
+        }
+        let still = Flow::Steady {
+            speed_m_s: 0.0,
+            root_angle_rad: 0.0,
+            sweep_rad: 0.0,
+        };
+        let span = strips.strips.iter();
+        let (width, area) = span.fold((0.0, 0.0), |(width, area), strip| {
+            (width + strip.width_m, area + strip.width_m * strip.chord_m)
+        });
+        let acting = Acting {
+            effects,
+            design: design.clone(),
+            flow,
+            tip_m: strips.tip_m(),
+            mean_chord_m: if width > 0.0 { area / width } else { 0.0 },
+        };
+        Ok(Some(Air {
+            law: AirLaw::from_design(design, air_table)?,
+            flow: flow.unwrap_or(still),
+            linear: design.structure.kinematics == Kinematics::Linear,
+            acting: (!acting.effects.is_empty()).then_some(acting),
+        }))
+    }
+
+    /// The effects at a strip; none if there are none.
+    pub(super) fn acting<'a>(&'a self, strip: &Strip) -> Option<ActingOnStrip<'a>> {
+        let acting = self.acting.as_ref()?;
+        Some(ActingOnStrip {
+            effects: &acting.effects,
+            place: StripPlace {
+                design: &acting.design,
+                flow: acting.flow.as_ref(),
+                r_m: strip.r_m,
+                tip_m: acting.tip_m,
+                chord_m: strip.chord_m,
+                mean_chord_m: acting.mean_chord_m,
+                density_kg_m3: acting.flow.map_or(0.0, |_| self.law.density_kg_m3),
+                root_angle_rad: acting.flow.map_or(0.0, |flow| flow.root_angle_rad()),
+            },
+        })
+    }
+}
+
+/// The effects that act on one strip.
+#[derive(Debug)]
+pub(super) struct ActingOnStrip<'a> {
+    effects: &'a [Bound],
+    place: StripPlace<'a>,
+}
+
+impl SectionChange<Dual> for ActingOnStrip<'_> {
+    fn flow(&self, air: &mut SectionAir<Dual>) {
+        for bound in self.effects {
+            bound.effect.flow(&bound.values, &self.place, air);
+        }
+    }
+
+    fn coefficients(&self, air: &SectionAir<Dual>, now: &mut SectionCoefficients<Dual>) {
+        for bound in self.effects {
+            bound.effect.coefficients(&bound.values, &self.place, air, now);
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! From the raw tables `[effects.NAME]` of a design to effects with checked numbers.
+
+use super::card::{Card, Need};
+use super::error::EffectError;
+use super::{ALL, Effect, named};
+use crate::input::design::{Design, Kinematics, Section};
+
+/// The numbers of an effect, in the order of its card.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Values(pub Vec<f64>);
+
+impl Values {
+    /// The strength.
+    pub fn strength(&self) -> f64 {
+        self.0[0]
+    }
+
+    /// The number at a place of the card.
+    pub fn at(&self, place: usize) -> f64 {
+        self.0[place]
+    }
+}
+
+/// An effect that is on.
+#[derive(Debug, Clone)]
+pub struct Bound {
+    /// The effect.
+    pub effect: &'static dyn Effect,
+    /// Its numbers.
+    pub values: Values,
+}
+
+/// The effects of a design whose strength is not 0, in the order of [`ALL`] whatever the order in the file.
+///
+/// # Errors
+/// If a table names no effect, a number is unknown, missing, no number or out of range, or the design lacks what the
+/// effect acts on.
+pub fn bind(design: &Design) -> Result<Vec<Bound>, EffectError> {
+    for name in design.effects.keys() {
+        if named(name).is_none() {
+            return Err(unknown(name));
+        }
+    }
+    let mut bound = Vec::new();
+    for effect in ALL {
+        let card = effect.card();
+        let Some(table) = design.effects.get(card.name) else {
+            continue;
+        };
+        let values = read(&card, table)?;
+        if values.strength() == 0.0 {
+            continue;
+        }
+        if let Some(reason) = lacks(&card, design) {
+            let name = card.name.to_string();
+            return Err(EffectError::NotApplicable { name, reason });
+        }
+        bound.push(Bound {
+            effect: *effect,
+            values,
+        });
+    }
+    Ok(bound)
+}
+
+/// Whether an effect has something to act on in a design.
+pub fn is_applicable(card: &Card, design: &Design) -> bool {
+    lacks(card, design).is_none()
+}
+
+fn unknown(name: &str) -> EffectError {
+    let names: Vec<&str> = ALL.iter().map(|effect| effect.card().name).collect();
+    EffectError::Unknown {
+        name: name.to_string(),
+        cure: format!("there are {} (washout effects)", names.join(", ")),
+    }
+}
+
+fn read(card: &Card, table: &toml::Table) -> Result<Values, EffectError> {
+    let name = card.name.to_string();
+    let known = |key: &String| card.parameters.iter().any(|parameter| parameter.name == key);
+    if let Some(key) = table.keys().find(|key| !known(key)) {
+        let known: Vec<&str> = card.parameters.iter().map(|parameter| parameter.name).collect();
+        return Err(EffectError::UnknownKey {
+            name,
+            key: key.clone(),
+            known: known.join(", "),
+        });
+    }
+    let mut values = Vec::new();
+    for (place, parameter) in card.parameters.iter().enumerate() {
+        let [low, high] = parameter.range;
+        let value = match table.get(parameter.name) {
+            Some(value) => number(value).ok_or_else(|| EffectError::NoNumber {
+                name: name.clone(),
+                key: parameter.name.to_string(),
+                value: value.to_string(),
+                meaning: parameter.meaning.to_string(),
+                example: parameter.scale(),
+            })?,
+            None if place == 0 => {
+                return Err(EffectError::NoStrength {
+                    name,
+                    meaning: parameter.meaning.to_string(),
+                    example: parameter.scale(),
+                });
+            }
+            None => parameter.default,
+        };
+        if !(low <= value && value <= high) {
+            return Err(EffectError::OutOfRange {
+                name,
+                key: parameter.name.to_string(),
+                value,
+                low,
+                high,
+                unit: if parameter.unit == "1" { "" } else { parameter.unit }.to_string(),
+                meaning: parameter.meaning.to_string(),
+            });
+        }
+        values.push(value);
+    }
+    Ok(Values(values))
+}
+
+/// A number as a design states it, or assumes it.
+fn number(value: &toml::Value) -> Option<f64> {
+    let plain = |value: &toml::Value| value.as_float().or(value.as_integer().map(|whole| whole as f64));
+    plain(value).or_else(|| plain(value.get("assumed")?))
+}
+
+fn lacks(card: &Card, design: &Design) -> Option<String> {
+    let lacking = |need: &Need| {
+        let (has, words) = match need {
+            Need::Flow => (
+                design.flapping.is_some() || design.steady.is_some(),
+                "there is no air in this design",
+            ),
+            Need::Flapping => (design.flapping.is_some(), "the wing does not flap"),
+            Need::Film => (design.film.is_some(), "the wing has no film"),
+            Need::Spars => (!design.spar.is_empty(), "the wing has no spars"),
+            Need::HalfRound => (
+                (design.rod.iter()).any(|rod| matches!(rod.section, Section::HalfRound { .. })),
+                "the wing has no half-round rod",
+            ),
+            Need::Linear => (
+                design.structure.kinematics == Kinematics::Linear,
+                "the model has large rotation already (structure.kinematics is not linear)",
+            ),
+            Need::Gravity => (design.gravity.is_some(), "there is no gravity in this design"),
+        };
+        (!has).then(|| words.to_string())
+    };
+    card.needs.iter().find_map(lacking)
+}

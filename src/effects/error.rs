@@ -1,0 +1,76 @@
+//! What is wrong with an effect's table.
+
+use thiserror::Error;
+
+/// What is wrong with an effect's table.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum EffectError {
+    /// No effect has this name.
+    #[error("effects.{name}: there is no such effect; {cure}")]
+    Unknown {
+        /// Name in the design.
+        name: String,
+        /// What to do.
+        cure: String,
+    },
+    /// The effect has no such number.
+    #[error("effects.{name}.{key}: {name} has no such number; it has {known}")]
+    UnknownKey {
+        /// Name of the effect.
+        name: String,
+        /// Key in its table.
+        key: String,
+        /// Its numbers.
+        known: String,
+    },
+    /// Not a number.
+    #[error("effects.{name}.{key} = {value}: must be a number ({meaning}), e.g. {key} = {example}")]
+    NoNumber {
+        /// Name of the effect.
+        name: String,
+        /// Key in its table.
+        key: String,
+        /// What stands there.
+        value: String,
+        /// What the number is.
+        meaning: String,
+        /// A number that would do.
+        example: f64,
+    },
+    /// Outside of what the effect accepts.
+    #[error("effects.{name}.{key} = {value}: must lie in {low} … {high} {unit}; it is {meaning}")]
+    OutOfRange {
+        /// Name of the effect.
+        name: String,
+        /// Key in its table.
+        key: String,
+        /// What stands there.
+        value: f64,
+        /// Smallest value.
+        low: f64,
+        /// Largest value.
+        high: f64,
+        /// Unit.
+        unit: String,
+        /// What the number is.
+        meaning: String,
+    },
+    /// No strength.
+    #[error("effects.{name}: give its strength, e.g. strength = {example} ({meaning})")]
+    NoStrength {
+        /// Name of the effect.
+        name: String,
+        /// What the strength is.
+        meaning: String,
+        /// A number that would do.
+        example: f64,
+    },
+    /// The design lacks what the effect acts on.
+    #[error("effects.{name}: {reason}; delete the table, or set its strength to 0")]
+    NotApplicable {
+        /// Name of the effect.
+        name: String,
+        /// What is lacking.
+        reason: String,
+    },
+}

@@ -1,0 +1,72 @@
+//! Tip loss by Prandtl's factor: the load falls to nothing at the tip, where the air flows around it.
+
+use super::card::{Card, Need, Parameter, Seam};
+use super::{Dual, Effect, StripPlace, Values};
+use crate::aero::{Flow, SectionAir, SectionCoefficients};
+use crate::input::measurement::Channel;
+
+/// See the module.
+#[derive(Debug)]
+pub struct TipLossPrandtl;
+
+const CARD: Card = Card {
+    name: "tip-loss-prandtl",
+    family: "tip-loss",
+    summary: "Air flows around the tip, so that the load falls to nothing there.",
+    formula: "C' = C (1 − s (1 − F)), F = (2/π) acos(exp(−(B/2) (R − r) / (r' sin φ))), r' = r + r₀, B = 2, tan φ = λ = 0.2",
+    source: "Prandtl 1919, appendix to Betz; B = 2 half-strokes as blades, inflow ratio as for a hovering wing",
+    when_right: "a hovering or turning wing; prefer tip-loss-exponential for a wing in a straight stream",
+    gets_wrong: "the strength of the leading-edge vortex near the tip; the inflow ratio is fixed",
+    case: "prandtl_factor_scales_the_load_of_every_strip",
+    seam: Seam::Air,
+    parameters: &[Parameter {
+        name: "strength",
+        unit: "1",
+        meaning: "share of Prandtl's loss that acts: 1 is his whole factor",
+        default: 0.0,
+        range: [0.0, 1.0],
+        plausible: [0.0, 1.0],
+    }],
+    channels: &[
+        Channel::Twist,
+        Channel::TwistRate,
+        Channel::Lift,
+        Channel::Drag,
+        Channel::Power,
+    ],
+    needs: &[Need::Flow],
+    has_switch: false,
+};
+
+/// Blades over two, and the sine of the inflow angle at an inflow ratio of 0.2.
+const HALF_BLADES: f64 = 1.0;
+const SINE: f64 = 0.196_116;
+
+impl Effect for TipLossPrandtl {
+    fn card(&self) -> Card<'_> {
+        CARD
+    }
+
+    fn coefficients(
+        &self,
+        values: &Values,
+        place: &StripPlace,
+        _air: &SectionAir<Dual>,
+        now: &mut SectionCoefficients<Dual>,
+    ) {
+        let factor = 1.0 - values.strength() * (1.0 - prandtl(place));
+        now.cl *= factor;
+        now.cd *= factor;
+    }
+}
+
+/// Prandtl's factor at a strip.
+pub fn prandtl(place: &StripPlace) -> f64 {
+    let offset_m = match place.flow {
+        Some(Flow::Flapping { root_offset_m, .. }) => *root_offset_m,
+        _ => 0.0,
+    };
+    let arm_m = place.r_m + offset_m;
+    let exponent = -HALF_BLADES * (place.tip_m - place.r_m).max(0.0) / (arm_m * SINE);
+    exponent.exp().acos() * std::f64::consts::FRAC_2_PI
+}

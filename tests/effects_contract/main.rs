@@ -1,0 +1,284 @@
+//! What every effect in `effects::ALL` promises, tried on every one of them: a new effect is tested before its author
+//! writes a test.
+
+mod closed_forms;
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use washout::aero::Flow;
+use washout::coupling::sensitivity::Nearby;
+use washout::coupling::wing::Wing;
+use washout::coupling::{self, Sensitivity};
+use washout::effects::{ALL, Card, Effect, Seam, bind, is_applicable};
+use washout::geometry::Planform;
+use washout::input::design::Design;
+use washout::mesh::{Mesh, for_design};
+use washout::observation::twist_at;
+use washout::progress::Progress;
+
+/// Wings on which an effect may act; the first on which it can is used. The plate has no switches; a film that wrinkles has
+/// many, and its rates hold between them.
+fn wings() -> Vec<(Design, f64)> {
+    let plate = "[film]\nmaterial = 'steel'\nthickness_mm = 0.15\nresidual_compression = 1.0\n\
+                 [flapping]\nfrequency_hz = 20.0\nhalf_amplitude_deg = 30.0\n\
+                 [[spar]]\nat_mm = 50.0\nmaterial = 'steel'\nsection = { shape = 'rectangle', width_mm = 1.0, thickness_mm = 0.3 }\n";
+    let film = |sets: &[&str]| (design("twist-v2", sets), 2e-4);
+    vec![
+        (closed_forms::rectangle(plate), 1e-5),
+        film(&[]),
+        film(&["gravity.acceleration_m_s2=[0.0, 6.934, -6.934]"]),
+        film(&["structure.kinematics=linear", "film.pretension_n_per_m=74"]),
+    ]
+}
+
+const COARSE: [&str; 3] = [
+    "mesh.refine=0.5",
+    "coupling.twist_tolerance_deg=2e-8",
+    "coupling.residual_tolerance=1e-8",
+];
+
+fn design(name: &str, sets: &[&str]) -> Design {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("designs")
+        .join(format!("{name}.toml"));
+    let sets: Vec<String> = COARSE.iter().chain(sets).map(|set| set.to_string()).collect();
+    Design::load(&path, &sets)
+        .unwrap_or_else(|error| panic!("{error}"))
+        .design
+}
+
+/// A design on which the effect can act, and how well its rates must hold there.
+fn base(card: &Card) -> (Design, f64) {
+    let mut able = wings()
+        .into_iter()
+        .filter(|(design, _)| is_applicable(card, design));
+    able.next()
+        .unwrap_or_else(|| panic!("{} acts on none of the wings", card.name))
+}
+
+fn with(base: &Design, card: &Card, strength: f64) -> Design {
+    let mut design = base.clone();
+    let key = format!("effects.{}.strength", card.name);
+    design
+        .set(&key, strength)
+        .unwrap_or_else(|error| panic!("{error}"));
+    design
+}
+
+fn mesh(design: &Design) -> (Planform, Mesh) {
+    for_design(design, None).unwrap()
+}
+
+fn solve(design: &Design) -> Nearby {
+    let (planform, mesh) = mesh(design);
+    let solution = coupling::solve(design, &planform, &mesh, None, &Progress::quiet())
+        .unwrap_or_else(|error| panic!("{:?}: {error}", design.effects));
+    Nearby {
+        design: design.clone(),
+        planform,
+        solution,
+    }
+}
+
+/// Twist at three stations (rad) and the force across the stream (N).
+fn readings(solved: &Nearby) -> Vec<f64> {
+    let length_m = solved.planform.length_m();
+    let twist = |share: f64| {
+        twist_at(
+            &solved.design,
+            &solved.planform,
+            &solved.solution,
+            share * length_m,
+        )
+    };
+    let mut values: Vec<f64> = [0.3, 0.6, 0.97].into_iter().filter_map(twist).collect();
+    let flow = Flow::from_design(&solved.design).unwrap();
+    let lift = flow.lift_direction();
+    values.push(
+        solved
+            .solution
+            .air_force_n
+            .iter()
+            .map(|f| f[1] * lift.y + f[2] * lift.z)
+            .sum(),
+    );
+    values
+}
+
+#[test]
+fn names_are_those_of_the_files_and_every_card_is_complete() {
+    let mut names = BTreeSet::new();
+    for effect in ALL {
+        let card = effect.card();
+        assert!(names.insert(card.name), "{} stands twice", card.name);
+        let file = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("src/effects")
+            .join(format!("{}.rs", card.name.replace('-', "_")));
+        assert!(file.is_file(), "{} is not in a file of its name", card.name);
+        for (what, text) in [
+            ("family", card.family),
+            ("summary", card.summary),
+            ("formula", card.formula),
+            ("source", card.source),
+            ("when_right", card.when_right),
+            ("gets_wrong", card.gets_wrong),
+            ("case", card.case),
+        ] {
+            assert!(!text.trim().is_empty(), "{}: {what} is empty", card.name);
+        }
+        assert!(card.summary.ends_with('.'), "{}", card.name);
+        assert!(!card.channels.is_empty(), "{}", card.name);
+        let strength = card
+            .parameters
+            .first()
+            .unwrap_or_else(|| panic!("{} has no strength", card.name));
+        assert_eq!(
+            (strength.name, strength.default),
+            ("strength", 0.0),
+            "{}",
+            card.name
+        );
+        for parameter in card.parameters {
+            let ([low, high], [from, to]) = (parameter.range, parameter.plausible);
+            let sound = low <= from
+                && from < to
+                && to <= high
+                && low <= parameter.default
+                && parameter.default <= high;
+            assert!(sound, "{}.{}: ranges", card.name, parameter.name);
+            assert!(
+                parameter.scale() > 0.0 && !parameter.meaning.is_empty(),
+                "{}",
+                card.name
+            );
+        }
+    }
+}
+
+#[test]
+fn every_case_that_a_card_names_is_a_test() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/effects_contract");
+    let files = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| std::fs::read_to_string(entry.unwrap().path()).unwrap());
+    let tests: String = files.collect();
+    for effect in ALL {
+        let card = effect.card();
+        assert!(
+            tests.contains(&format!("fn {}()", card.case)),
+            "{}: no test {}",
+            card.name,
+            card.case
+        );
+    }
+}
+
+#[test]
+fn off_is_bit_for_bit_off() {
+    let base = design("twist-v2", &[]);
+    let expected = solve(&base);
+    let mut all_off = base.clone();
+    for effect in ALL {
+        all_off = with(&all_off, &effect.card(), 0.0);
+    }
+    assert_eq!(all_off.effects.len(), ALL.len());
+    let found = solve(&all_off);
+    assert_eq!(found.solution.state, expected.solution.state);
+    assert_eq!(found.solution.air_force_n, expected.solution.air_force_n);
+}
+
+#[test]
+fn effects_act_in_the_order_of_the_list_whatever_the_order_in_the_file() {
+    let base = design("twist-v2", &[]);
+    let able: Vec<Card> = ALL
+        .iter()
+        .map(|e| e.card())
+        .filter(|card| is_applicable(card, &base))
+        .collect();
+    let mut forward = base.clone();
+    for card in &able {
+        forward = with(&forward, card, 0.1 * card.parameters[0].scale());
+    }
+    let names = |design: &Design| -> Vec<String> {
+        bind(design)
+            .unwrap()
+            .iter()
+            .map(|bound| bound.effect.card().name.to_string())
+            .collect()
+    };
+    let expected: Vec<String> = able.iter().map(|card| card.name.to_string()).collect();
+    assert_eq!(names(&forward), expected);
+}
+
+/// With the shape frozen, an effect changes the residual directly at its own seam and nowhere else.
+#[test]
+fn with_the_shape_frozen_an_effect_acts_at_its_seam_alone() {
+    for effect in ALL {
+        let card = effect.card();
+        let (base, _) = base(&card);
+        let on = with(&base, &card, 0.5 * card.parameters[0].scale());
+        let (_, mesh) = mesh(&base);
+        let [off, on] = [&base, &on].map(|design| Wing::new(design, &mesh, None).unwrap());
+        let structure_changed = format!("{:?}", off.model.beams) != format!("{:?}", on.model.beams)
+            || off.model.sheets != on.model.sheets
+            || off.model.springs != on.model.springs
+            || off.model.held != on.model.held
+            || format!("{:?}", off.model.shells) != format!("{:?}", on.model.shells);
+        let loads_changed = off.bench != on.bench;
+        let shapes = off
+            .strips
+            .shapes(&washout::structure::state::State::at_rest(mesh.nodes.len()));
+        let force = |wing: &Wing| wing.air_force(&wing.strip_air(&shapes, false));
+        let air_changed = force(&off) != force(&on);
+        // a changed structure weighs and hangs differently; that is the structure's doing
+        let found = (
+            structure_changed,
+            loads_changed && !structure_changed,
+            air_changed,
+        );
+        let expected = match card.seam {
+            Seam::Structure => (true, false, false),
+            Seam::Load => (false, true, false),
+            Seam::Air => (false, false, true),
+            Seam::Kinematics => (false, false, false),
+        };
+        assert_eq!(found, expected, "{}: structure, loads, air", card.name);
+    }
+}
+
+#[test]
+fn coupled_an_effect_changes_the_wing_and_its_rate_is_that_of_wings_solved_again() {
+    for effect in ALL {
+        check_rate(*effect);
+    }
+}
+
+fn check_rate(effect: &dyn Effect) {
+    let card = effect.card();
+    let strength = card.parameters[0];
+    // away from the ends of the range and from switches
+    let [from, to] = strength.plausible;
+    let middle = 0.5 * (from.max(0.0) + to);
+    let step = 0.01 * (to - from);
+    let (base, tolerance) = base(&card);
+    let at = |value: f64| solve(&with(&base, &card, value));
+    let here = at(middle);
+    let wing = Wing::new(&here.design, &here.solution.mesh, None).unwrap();
+    let remesh = |design: &Design| for_design(design, None);
+    let mut sensitivity = Sensitivity::new(&here.design, &wing, None, &here.solution, &remesh).unwrap();
+    let rate = sensitivity
+        .rate(&format!("effects.{}.strength", card.name))
+        .unwrap();
+    let rates = sensitivity.read(&rate, readings).unwrap();
+    // fourth-order difference
+    let values = [-2.0, -1.0, 1.0, 2.0].map(|k: f64| readings(&at(middle + k * step)));
+    let largest = rates.iter().map(|r| r.abs()).fold(0.0, f64::max);
+    assert!(largest > 0.0, "{} changes nothing", card.name);
+    for (k, rate) in rates.iter().enumerate() {
+        let slope = (values[0][k] - 8.0 * values[1][k] + 8.0 * values[2][k] - values[3][k]) / (12.0 * step);
+        let error = (rate - slope).abs() / largest.max(f64::MIN_POSITIVE);
+        println!("{:28} {k}: {rate:.6e} {slope:.6e} {error:.1e}", card.name);
+        assert!(error < tolerance, "{} reading {k}: {rate} {slope}", card.name);
+    }
+}
