@@ -158,6 +158,7 @@ mod tests {
             &still,
             Dual64::new(alpha, 1.0),
             0.02,
+            &(),
         );
         assert_eq!(force.force_n_per_m.map(|part| part.re), Vector3::zeros());
         assert!(force.speed.eps.is_finite());

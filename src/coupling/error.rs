@@ -15,7 +15,7 @@ pub enum CouplingError {
     Air(#[from] AeroError),
     /// An effect's table is at fault.
     #[error(transparent)]
-    Effect(#[from] EffectError),
+    Effect(Box<EffectError>),
     /// The structure cannot be set up, or finds no equilibrium.
     #[error(transparent)]
     Structure(StructureError),
@@ -91,6 +91,12 @@ pub enum SensitivityError {
 impl From<StructureError> for SensitivityError {
     fn from(error: StructureError) -> Self {
         SensitivityError::Coupling(error.into())
+    }
+}
+
+impl From<EffectError> for CouplingError {
+    fn from(error: EffectError) -> Self {
+        CouplingError::Effect(Box::new(error))
     }
 }
 
