@@ -17,6 +17,12 @@ pub mod grid;
 
 pub mod answer;
 
+pub mod strip_wing;
+
+pub mod buckling;
+
+pub mod cantilever;
+
 pub mod judge;
 
 pub mod run;

@@ -2,20 +2,131 @@
 
 use super::Case;
 
+pub mod beam_frequencies;
+
+pub mod bend_45_degrees;
+
+pub mod cantilever_plate_frequencies;
+
+pub mod circular_plate;
+
+pub mod clamped_strip_torsion;
+
 pub mod cook_membrane;
+
+pub mod curved_beam;
+
+pub mod drum;
 
 pub mod elastica;
 
+pub mod euler_column;
+
+pub mod goland_wing;
+
+pub mod half_round_section;
+
+pub mod hemisphere;
+
+pub mod hemisphere_with_hole;
+
 pub mod hencky_membrane;
 
+pub mod inflated_membrane;
+
+pub mod lateral_buckling;
+
+pub mod morley_skew_plate;
+
+pub mod pinched_cylinder;
+
+pub mod princeton_beam;
+
+pub mod raasch_hook;
+
+pub mod rectangle_torsion;
+
+pub mod rectangular_plate;
+
+pub mod roll_up;
+
 pub mod scordelis_lo_roof;
+
+pub mod straight_beam;
+
+pub mod supported_plate_frequencies;
+
+pub mod swept_wing_divergence;
+
+pub mod sze_end_moment;
+
+pub mod sze_end_shear;
+
+pub mod sze_pull_out;
+
+pub mod sze_slit_ring;
+
+pub mod taut_rectangle;
+
+pub mod tension_field;
+
+pub mod thick_cantilever;
+
+pub mod thin_twisted_beam;
+
+pub mod twisted_beam;
+
+pub mod typical_section;
+
+pub mod uniform_wing_divergence;
+
+pub mod uniform_wing_twist;
+
+pub mod uniform_wing_washout;
 
 /// Every case.
 pub const ALL: &[&Case] = &[
     &scordelis_lo_roof::CASE,
+    &pinched_cylinder::CASE,
+    &hemisphere_with_hole::CASE,
+    &hemisphere::CASE,
+    &twisted_beam::CASE,
+    &thin_twisted_beam::CASE,
+    &straight_beam::CASE,
+    &curved_beam::CASE,
+    &raasch_hook::CASE,
     &cook_membrane::CASE,
+    &rectangular_plate::CASE,
+    &circular_plate::CASE,
+    &morley_skew_plate::CASE,
+    &sze_end_shear::CASE,
+    &sze_end_moment::CASE,
+    &sze_slit_ring::CASE,
+    &sze_pull_out::CASE,
     &elastica::CASE,
+    &roll_up::CASE,
+    &bend_45_degrees::CASE,
+    &thick_cantilever::CASE,
+    &princeton_beam::CASE,
+    &lateral_buckling::CASE,
+    &euler_column::CASE,
     &hencky_membrane::CASE,
+    &inflated_membrane::CASE,
+    &taut_rectangle::CASE,
+    &tension_field::CASE,
+    &half_round_section::CASE,
+    &rectangle_torsion::CASE,
+    &clamped_strip_torsion::CASE,
+    &typical_section::CASE,
+    &uniform_wing_twist::CASE,
+    &uniform_wing_divergence::CASE,
+    &uniform_wing_washout::CASE,
+    &swept_wing_divergence::CASE,
+    &goland_wing::CASE,
+    &beam_frequencies::CASE,
+    &cantilever_plate_frequencies::CASE,
+    &supported_plate_frequencies::CASE,
+    &drum::CASE,
 ];
 
 /// The case of a name; `_` may stand for `-`.
