@@ -14,6 +14,7 @@ use washout::mesh::{Mesh, generate};
 use washout::progress::Progress;
 use washout::structure::Equilibrium;
 use washout::structure::factor::Factor;
+use washout::verify::{ALL, Extent, run};
 
 #[global_allocator]
 static MEMORY: AllocProfiler = AllocProfiler::system();
@@ -127,4 +128,11 @@ mod newton_step {
         assert_eq!(pivots, 0, "{name} is stable");
         measure(&wing, &solution, &mut equilibrium);
     }
+}
+
+/// `washout verify`: every published case on three meshes, on all cores.
+#[divan::bench(sample_count = 1, sample_size = 1)]
+fn verification() -> usize {
+    let outcomes = run(ALL, Extent::Full, &Progress::quiet()).expect("nobody stops it");
+    outcomes.len()
 }

@@ -38,6 +38,8 @@ pub struct StripWing {
     pub ei_n_m2: f64,
     /// Shear stiffness of the rod, N.
     pub shear_n: f64,
+    /// Bending and torsional stiffness of the ribs, N·m².
+    pub rib_n_m2: f64,
     /// Elastic axis behind the leading edge, m.
     pub axis_m: f64,
     /// Centre of pressure, fraction of the chord.
@@ -63,6 +65,7 @@ impl StripWing {
         gj_n_m2: 10.0,
         ei_n_m2: 10.0,
         shear_n: 1000.0,
+        rib_n_m2: 1e4,
         axis_m: 0.1,
         centre: 0.25,
         sweep_deg: 0.0,
@@ -168,7 +171,7 @@ impl StripWing {
             1e4 * self.ei_n_m2,
             self.shear_n,
         );
-        let rib = 1e3 * self.gj_n_m2;
+        let rib = self.rib_n_m2;
         for column in 0..=self.columns {
             let at_mm = length_mm * column as f64 / self.columns as f64;
             text += &format!(

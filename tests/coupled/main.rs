@@ -6,6 +6,5 @@ mod load_transfer;
 mod mesh_study;
 mod sensitivity;
 mod support;
-mod swept_wing;
 mod tangent;
 mod uniform_wing;

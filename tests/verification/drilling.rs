@@ -11,9 +11,10 @@
 
 use nalgebra::Vector3;
 use washout::structure::section::BeamMaterial;
-use washout::structure::{Compression, Loads, Section, Sheet};
+use washout::structure::{Compression, Section, Sheet};
+use washout::verify::grid::{Grid, plate};
 
-use crate::support::{Grid, off, plate, solve};
+use crate::support::{off, solve};
 
 /// Deflection (m) of the middle of the film and twist (rad) of the rod's tip.
 fn answers(drilling_factor: f64) -> [f64; 2] {
@@ -26,7 +27,7 @@ fn answers(drilling_factor: f64) -> [f64; 2] {
         ..plate(2.5e9, 0.34, 6e-6)
     };
     let count = [20, 8];
-    let mut grid = Grid::new(count, sheet, |xi, eta| Vector3::new(0.05 * xi, 0.015 * eta, 0.0));
+    let mut grid = Grid::new(count, sheet, |xi, eta| Vector3::new(0.05 * xi, 0.015 * eta, 0.0)).unwrap();
     let carbon = BeamMaterial {
         e_pa: 120e9,
         g_pa: 4e9,
@@ -49,14 +50,7 @@ fn answers(drilling_factor: f64) -> [f64; 2] {
     for node in grid.side(false) {
         grid.model.clamp(node);
     }
-    let mut loads = Loads::none(grid.model.nodes.len());
-    for shell in &grid.model.shells {
-        for node in shell.nodes {
-            loads.force_n[node].z += 15.0 * shell.area_m2() / 3.0;
-        }
-    }
-    let (state, report) = solve(&grid.model, &loads, 1);
-    println!("drilling × {drilling_factor}: {report:?}");
+    let state = solve(&grid.model, &grid.pressure(15.0 * Vector3::z()));
     let tip = grid.node([count[0], 0]);
     [
         state.displacement[grid.node([10, 4])].z,

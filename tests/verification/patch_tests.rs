@@ -18,8 +18,10 @@
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use washout::structure::state::State;
 use washout::structure::{Equilibrium, Loads, Model, Sheet};
+use washout::verify::chain::section;
+use washout::verify::grid::{Grid, film, plate};
 
-use crate::support::{Grid, big_turn, film, off, plate, section};
+use crate::support::{big_turn, off};
 
 const POISSON: f64 = 0.3;
 const E_T: [f64; 2] = [1e6, 0.01];
@@ -77,7 +79,8 @@ fn prism(directions: [f64; 4], distortion: f64, sheet: Sheet) -> Prism {
     let grid = Grid::new(count, sheet, |xi, eta| {
         let p = place(xi, eta);
         attitude * Vector3::new(p.x, p.section.x, p.section.y)
-    });
+    })
+    .unwrap();
     let mut outer = vec![false; grid.model.nodes.len()];
     for node in [
         grid.side(false),
@@ -342,7 +345,7 @@ fn beams_pass_in_stretching_torsion_and_both_bendings() {
     let attitude = UnitQuaternion::new(Vector3::new(-0.4, 0.7, 0.3));
     let along = [0.0, 0.21, 0.27, 0.6, 0.93, 1.3];
     let mut model = Model::new(along.map(|x| attitude * Vector3::new(x, 0.0, 0.0)).to_vec());
-    let section = model.add_section(section(stiffness));
+    let section = model.add_section(section(stiffness).unwrap());
     for i in 0..5 {
         model
             .add_beam([i, i + 1], &(attitude * Vector3::z()), section)

@@ -9,16 +9,21 @@
 use nalgebra::Vector3;
 use washout::structure::state::State;
 use washout::structure::{Equilibrium, Loads, Model, Sheet};
+use washout::verify::chain::section;
+use washout::verify::grid::{Grid, film, plate};
 
-use crate::support::{Grid, big_turn, film, plate, section};
+use crate::support::big_turn;
 
 fn panel(sheet: Sheet) -> Model {
     let count = [8, 6];
     let mut grid = Grid::new(count, sheet, |xi, eta| {
         let height = 0.2 * (3.0 * xi).sin() + 0.15 * eta * eta - 0.1 * xi * eta;
         Vector3::new(xi + 0.03 * (9.0 * eta).sin(), 0.7 * eta, height)
-    });
-    let stiff = grid.model.add_section(section([1e4, 1e3, 1e3, 0.02, 0.05, 0.07]));
+    })
+    .unwrap();
+    let stiff = grid
+        .model
+        .add_section(section([1e4, 1e3, 1e3, 0.02, 0.05, 0.07]).unwrap());
     let spar: Vec<usize> = (0..=count[0]).map(|i| grid.node([i, 3])).collect();
     for line in [grid.edge(false), grid.edge(true), grid.side(false), spar] {
         for pair in line.windows(2) {

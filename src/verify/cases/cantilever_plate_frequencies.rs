@@ -69,7 +69,7 @@ pub const CASE: Case = Case {
             ..PART
         },
     ],
-    short: Level::Middle,
+    short: Level::Fine,
     run,
 };
 

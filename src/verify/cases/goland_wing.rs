@@ -55,6 +55,7 @@ fn run(level: Level, progress: &Progress) -> Result<Answer, VerifyError> {
         gj_n_m2: 0.987_581e6,
         ei_n_m2: 9.77e6,
         shear_n: 1e8,
+        rib_n_m2: 1e9,
         axis_m: 0.33 * 1.8288,
         q_pa: 20_000.0,
         ..StripWing::WORKED

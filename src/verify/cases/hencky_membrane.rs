@@ -75,7 +75,7 @@ pub const CASE: Case = Case {
             ..PART
         },
     ],
-    short: Level::Middle,
+    short: Level::Fine,
     run,
 };
 

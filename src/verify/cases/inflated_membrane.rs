@@ -36,7 +36,7 @@ pub const CASE: Case = Case {
         order: Order::Theory(2.0),
         ..Quantity::BLANK
     }],
-    short: Level::Middle,
+    short: Level::Fine,
     run,
 };
 

@@ -49,7 +49,7 @@ pub const CASE: Case = Case {
             ..PART
         },
     ],
-    short: Level::Middle,
+    short: Level::Fine,
     run,
 };
 

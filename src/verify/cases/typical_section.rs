@@ -4,7 +4,7 @@
 //! spring stands on the leading edge, ahead of the centre of pressure: e and q_D are negative and the section washes out.
 //!
 //! ```text
-//!    spring ○──────────   K = 0.5 N·m/rad, S = 0.2 m², e = −c/4 = −0.05 m, a = 2π: q_D = −7.958 Pa
+//!    spring ○──────────   K = 0.05 N·m/rad, S = 0.2 m², e = −c/4 = −0.05 m, a = 2π: q_D = −0.7958 Pa; GJ = 100 N·m²
 //!               ↑ lift at c/4
 //! ```
 
@@ -15,7 +15,7 @@ use crate::verify::{Answer, Case, Kind, Level, Order, Quantity, VerifyError};
 /// q/|q_D|.
 const RATIOS: [f64; 5] = [0.1, 0.25, 0.5, 1.0, 2.0];
 
-const STIFFNESS_N_M_PER_RAD: f64 = 0.5;
+const STIFFNESS_N_M_PER_RAD: f64 = 0.05;
 
 /// The case.
 pub const CASE: Case = Case {
@@ -38,9 +38,8 @@ fn run(level: Level, progress: &Progress) -> Result<Answer, VerifyError> {
     let columns = level.times(4);
     let rigid = StripWing {
         columns,
-        gj_n_m2: 1e4,
-        ei_n_m2: 1e4,
-        shear_n: 1e7,
+        gj_n_m2: 100.0,
+        rib_n_m2: 1e3,
         axis_m: 0.0,
         pitch_stiffness_n_m_per_rad: Some(STIFFNESS_N_M_PER_RAD),
         ..StripWing::WORKED

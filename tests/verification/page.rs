@@ -1,0 +1,30 @@
+//! docs/how-far-to-trust-washout.md says what the cases give now.
+
+use std::path::Path;
+
+use washout::export::trust::trust_page;
+
+use crate::cases::FOUND;
+
+/// Words must be the same; numbers, of which two digits count, may differ by one in the second.
+fn near(shown: &str, found: &str) -> bool {
+    let (Ok(a), Ok(b)) = (shown.parse::<f64>(), found.parse::<f64>()) else {
+        return shown == found;
+    };
+    (a - b).abs() <= 0.12 * b.abs()
+}
+
+#[test]
+fn the_page_of_documentation_says_what_the_cases_give_now() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/how-far-to-trust-washout.md");
+    let page = std::fs::read_to_string(path).expect("the page");
+    let now = trust_page(&FOUND);
+    let renew = "run `washout verify --page docs/how-far-to-trust-washout.md`";
+    assert_eq!(page.lines().count(), now.lines().count(), "{renew}");
+    for (shown, found) in page.lines().zip(now.lines()) {
+        let (before, after) = (shown.split_whitespace(), found.split_whitespace());
+        let same = before.clone().count() == after.clone().count()
+            && before.zip(after).all(|(before, after)| near(before, after));
+        assert!(same, "{shown}\nis now\n{found}\n{renew}");
+    }
+}
