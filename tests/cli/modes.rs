@@ -64,7 +64,7 @@ fn a_clamped_plate_has_its_ritz_frequencies_and_its_second_mode_twists() {
                  [film]\nmaterial = \"steel\"\nthickness_mm = 0.1\ncompression = \"carries\"\n";
     let said = modes(plate, &["--count", "4"]);
     let found = column(&said, "frequency_hz");
-    // λ = ω a² √(ρ t/D) of a square plate, ν = 0.3: the Ritz solution of tests/verification/natural_frequencies.rs
+    // λ = ω a² √(ρ t/D) of a square plate, ν = 0.3: the Ritz solution of verify::cases::cantilever_plate_frequencies
     let speed = (200e9 / 7800.0 / 12.0 / 0.91_f64).sqrt() * 1e-4;
     for (found, lambda) in found.iter().zip([3.4710, 8.5065, 21.285, 27.199]) {
         let exact = lambda * speed / (2.0 * PI * 0.04 * 0.04);
