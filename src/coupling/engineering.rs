@@ -31,7 +31,7 @@ pub struct Engineering {
     pub inertia_pitch_g_mm2: Option<f64>,
     /// Lowest natural frequencies about the loaded shape, without air.
     pub natural_frequencies_hz: Vec<f64>,
-    /// The same with the mass of air that moves with the film (ρ π/4 c per area, spread evenly); empty without flow.
+    /// The same with the mass of air that moves with the film (ρ π/4 c per area, spread evenly); empty without flow or film.
     pub natural_frequencies_in_air_hz: Vec<f64>,
     /// Directions in which the loaded shape would run away, so that it has no natural frequencies; 0: it is stable.
     pub unstable_directions: usize,
@@ -156,11 +156,13 @@ impl Engineering {
         };
         (self.natural_frequencies_hz, self.unstable_directions) = frequencies(&standing)?;
         let flow = Flow::from_design(design);
-        if flow.is_some() {
+        // only a film moves air
+        if flow.is_some() && !standing.model.shells.is_empty() {
             (self.natural_frequencies_in_air_hz, _) = frequencies(&standing.with_air(design, planform))?;
         }
         if let Some(Flow::Flapping { frequency_hz, .. }) = flow {
-            let lowest = self.natural_frequencies_in_air_hz.first();
+            let in_air = self.natural_frequencies_in_air_hz.first();
+            let lowest = in_air.or(self.natural_frequencies_hz.first());
             self.frequency_ratio = lowest.map(|lowest| lowest / frequency_hz);
         }
         Ok(())
