@@ -1,0 +1,220 @@
+//! The model as it is: fitted, with the scatter that the data show, and every direction in which it could be wrong.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::progress::Progress;
+use crate::study::{Fit, Forward};
+
+use super::data::{Data, Scatter};
+use super::draws::Draws;
+use super::error::DiagnoseError;
+use super::evidence::Likelihood;
+use super::fields::{Field, Law, fields};
+use super::novel::seen;
+use super::null::{NullTest, Scale, Significance};
+use super::robust::outlier_widening;
+use super::rough::{FEWEST, Smooth};
+use super::screening::{Directions, is_one_sided, slopes_of_missing};
+use super::settings::Settings;
+use super::whitened::{Local, Whitened};
+
+/// Size of the fields that count as smooth when the noise is judged, over that of the prediction.
+const SMOOTH_AMPLITUDE: f64 = 0.3;
+/// Rounds in which the scale of the noise settles.
+const ROUNDS: usize = 3;
+
+/// The model as it is, seen in the data.
+pub struct Baseline<'a> {
+    /// The model.
+    pub forward: &'a dyn Forward,
+    /// What the user said.
+    pub settings: &'a Settings,
+    /// What is fitted.
+    pub data: Data,
+    /// Predictions at the prior means.
+    pub raw: DVector<f64>,
+    /// Predictions by which the admitted error is scaled.
+    pub value: DVector<f64>,
+    /// Scatter that the data show.
+    pub scatter: Scatter,
+    /// The fit.
+    pub fit: Fit,
+    /// The data about it.
+    pub local: Local,
+    /// The same, whitened.
+    pub whitened: Whitened,
+    /// Derivatives with the missing effects, per prior standard deviation.
+    pub slopes: DMatrix<f64>,
+    /// Directions of the missing effects.
+    pub directions: Directions,
+    /// Fields that have no name.
+    pub fields: Vec<Field>,
+    /// Their columns, whitened.
+    pub seen: Vec<DMatrix<f64>>,
+    /// How the noise enters.
+    pub likelihood: Likelihood,
+}
+
+impl<'a> Baseline<'a> {
+    /// Fits the model and looks around.
+    ///
+    /// # Errors
+    /// If there is nothing to fit, a result is not finite, or the user asked to stop.
+    pub fn new(
+        forward: &'a dyn Forward,
+        settings: &'a Settings,
+        progress: &Progress,
+    ) -> Result<Baseline<'a>, DiagnoseError> {
+        settings.check()?;
+        let data = Data::new(forward)?;
+        let size = data.rows.len();
+        let means: Vec<f64> = forward.unknowns().iter().map(|unknown| unknown.mean).collect();
+        progress.say("fitting the model as it is");
+        let raw = forward.predict(&means)?;
+        if raw.iter().any(|value| !value.is_finite()) {
+            return Err(DiagnoseError::NotFinite {
+                what: "the prior means".into(),
+            });
+        }
+        let stated = Scatter::new(forward, &data, &raw, settings, 1.0, vec![1.0; size])?;
+        let first = stated.fit(forward, &data, &data.model, &means)?;
+        progress.check()?;
+        progress.say("derivatives with every effect");
+        let slopes = slopes_of_missing(forward, &data, &first.at, settings)?;
+        let moment = forward.moment_response(&first.at, settings.stations)?;
+        progress.check()?;
+        let value = first.predicted.clone();
+        let fields = fields(forward, &data, &moment, &value);
+        let local = Local::about(&first, forward, &stated.noise);
+        let widening = outliers(forward, &data, &first, &local, &slopes, &fields);
+        let scatter = settle(forward, &data, settings, &local, &slopes, &fields, &value, widening)?;
+        progress.say("fitting the model with the scatter that the data show");
+        let fit = scatter.fit(forward, &data, &data.model, &first.at)?;
+        let local = Local::about(&fit, forward, &scatter.noise);
+        let whitened = Whitened::new(&local, &scatter.noise)?;
+        let directions = Directions::new(&data, &slopes, &whitened);
+        let seen = seen(&fields, &whitened);
+        let likelihood = Likelihood::of(size, settings);
+        Ok(Baseline {
+            forward,
+            settings,
+            data,
+            raw,
+            value,
+            scatter,
+            fit,
+            local,
+            whitened,
+            slopes,
+            directions,
+            fields,
+            seen,
+            likelihood,
+        })
+    }
+
+    /// Whether the scale of the noise is taken on trust, for want of numbers.
+    pub fn on_trust(&self) -> bool {
+        self.settings.noise_scale.is_none() && self.data.rows.len() < FEWEST
+    }
+
+    /// Significance of the residual about a fit, against these directions and all fields.
+    pub fn significance(&self, whitened: &Whitened, directions: &Directions) -> Significance {
+        let fields = seen(&self.fields, whitened);
+        let scale = if self.settings.noise_scale.is_some() {
+            Scale::Known
+        } else if self.on_trust() {
+            Scale::Trusted(self.settings.noise_trust)
+        } else {
+            let columns = smooth_columns(&self.fields, &fields, &directions.columns);
+            Scale::Estimated(self.settings.noise_trust, Smooth::new(whitened, &columns))
+        };
+        let unknowns = self.forward.unknowns();
+        let one_sided: Vec<bool> = directions.unknowns.iter().map(|&i| is_one_sided(&unknowns[i])).collect();
+        NullTest::new(&directions.columns, &one_sided, &fields, scale).significance(
+            &whitened.residual,
+            Draws::new(self.settings.seed),
+            self.settings.draws,
+        )
+    }
+}
+
+/// Everything smooth, of unit prior variance.
+fn smooth_columns(fields: &[Field], seen: &[DMatrix<f64>], directions: &DMatrix<f64>) -> DMatrix<f64> {
+    let smooth = fields.iter().zip(seen).filter(|(field, _)| is_smooth(field.law));
+    let parts: Vec<DMatrix<f64>> = smooth
+        .map(|(_, columns)| columns * SMOOTH_AMPLITUDE)
+        .chain([directions.clone()])
+        .collect();
+    side_by_side(&parts)
+}
+
+fn is_smooth(law: Law) -> bool {
+    matches!(law, Law::Free | Law::Sensor | Law::Compliance)
+}
+
+fn side_by_side(parts: &[DMatrix<f64>]) -> DMatrix<f64> {
+    let rows = parts.first().map_or(0, |part| part.nrows());
+    let columns: Vec<DVector<f64>> = parts
+        .iter()
+        .flat_map(|part| part.column_iter().map(|column| column.into_owned()).collect::<Vec<_>>())
+        .collect();
+    if columns.is_empty() {
+        return DMatrix::zeros(rows, 0);
+    }
+    DMatrix::from_columns(&columns)
+}
+
+/// Factors for numbers that are far from what all the others tell, whatever is missing.
+fn outliers(
+    forward: &dyn Forward,
+    data: &Data,
+    fit: &Fit,
+    local: &Local,
+    slopes: &DMatrix<f64>,
+    fields: &[Field],
+) -> Vec<f64> {
+    if data.rows.len() < FEWEST {
+        return vec![1.0; data.rows.len()];
+    }
+    let inverse = data.rows.iter().map(|&row| 1.0 / forward.observables()[row].sigma);
+    let inverse = DVector::from_iterator(data.rows.len(), inverse);
+    let errors = data.rows.iter().map(|&row| {
+        let observable = &forward.observables()[row];
+        crate::study::calibrate::misfit(observable, fit.predicted[row])
+    });
+    let residual = DVector::from_iterator(data.rows.len(), errors).component_mul(&inverse);
+    let mut parts = vec![local.slopes.clone(), slopes.select_rows(data.rows.iter())];
+    let smooth = fields.iter().filter(|field| is_smooth(field.law));
+    parts.extend(smooth.map(|field| &field.columns * SMOOTH_AMPLITUDE));
+    let columns = DMatrix::from_diagonal(&inverse) * side_by_side(&parts);
+    outlier_widening(&residual, &columns)
+}
+
+/// The scatter whose scale agrees with the rough part of the residual.
+#[allow(clippy::too_many_arguments)]
+fn settle(
+    forward: &dyn Forward,
+    data: &Data,
+    settings: &Settings,
+    local: &Local,
+    slopes: &DMatrix<f64>,
+    fields: &[Field],
+    value: &DVector<f64>,
+    widening: Vec<f64>,
+) -> Result<Scatter, DiagnoseError> {
+    let mut scale = settings.noise_scale.unwrap_or(1.0);
+    let is_estimated = settings.noise_scale.is_none() && data.rows.len() >= FEWEST;
+    let rounds = if is_estimated { ROUNDS } else { 0 };
+    for _ in 0..rounds {
+        let scatter = Scatter::new(forward, data, value, settings, scale, widening.clone())?;
+        let whitened = Whitened::new(local, &scatter.noise)?;
+        let directions = Directions::new(data, slopes, &whitened);
+        let columns = smooth_columns(fields, &seen(fields, &whitened), &directions.columns);
+        let smooth = Smooth::new(&whitened, &columns);
+        let residual = DMatrix::from_column_slice(whitened.residual.len(), 1, whitened.residual.as_slice());
+        let rough = smooth.rough_squares(&residual)[0] * scale * scale;
+        scale = smooth.variance(rough, settings.noise_trust).sqrt();
+    }
+    Scatter::new(forward, data, value, settings, scale, widening)
+}

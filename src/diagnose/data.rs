@@ -1,0 +1,152 @@
+//! What is fitted, what may move, what may be added; in an order that does not depend on that of the files.
+
+use std::cmp::Ordering;
+
+use nalgebra::DVector;
+
+use crate::study::{Fit, Forward, Noise, Observable, Task, Unknown, UnknownKind, calibrate};
+
+use super::error::DiagnoseError;
+use super::settings::Settings;
+
+/// Indices of what a diagnosis works with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Data {
+    /// Observables that are fitted, sorted by what they are.
+    pub rows: Vec<usize>,
+    /// Observables that are kept out of every fit.
+    pub held_out: Vec<usize>,
+    /// Unknowns that the model has: inputs, ruler, effects that were added.
+    pub model: Vec<usize>,
+    /// Strengths of effects that the model lacks.
+    pub missing: Vec<usize>,
+}
+
+/// Whether an unknown is the strength of an effect that the model lacks: its prior is centred at none.
+pub fn is_missing(unknown: &Unknown) -> bool {
+    matches!(unknown.kind, UnknownKind::Effect { .. }) && unknown.mean == 0.0
+}
+
+impl Data {
+    /// Of a model.
+    ///
+    /// # Errors
+    /// If there is nothing to fit or no effect to try.
+    pub fn new(forward: &dyn Forward) -> Result<Data, DiagnoseError> {
+        let (observables, conditions) = (forward.observables(), forward.conditions());
+        let order = |&a: &usize, &b: &usize| compare(forward, a, b);
+        let (mut held_out, mut rows): (Vec<usize>, Vec<usize>) =
+            (0..observables.len()).partition(|&row| conditions[observables[row].condition].is_held_out);
+        rows.sort_by(order);
+        held_out.sort_by(order);
+        let unknowns = forward.unknowns();
+        let (missing, model): (Vec<usize>, Vec<usize>) =
+            (0..unknowns.len()).partition(|&i| is_missing(&unknowns[i]));
+        if rows.is_empty() {
+            return Err(DiagnoseError::NoData);
+        }
+        if missing.is_empty() {
+            return Err(DiagnoseError::NoEffects);
+        }
+        Ok(Data {
+            rows,
+            held_out,
+            model,
+            missing,
+        })
+    }
+
+    /// Conditions that are fitted, each with the positions of its observables in [`Data::rows`].
+    pub fn conditions(&self, forward: &dyn Forward) -> Vec<(usize, Vec<usize>)> {
+        let mut found: Vec<(usize, Vec<usize>)> = Vec::new();
+        for (position, &row) in self.rows.iter().enumerate() {
+            let condition = forward.observables()[row].condition;
+            match found.iter_mut().find(|(known, _)| *known == condition) {
+                Some((_, positions)) => positions.push(position),
+                None => found.push((condition, vec![position])),
+            }
+        }
+        found
+    }
+}
+
+fn compare(forward: &dyn Forward, a: usize, b: usize) -> Ordering {
+    let key = |row: usize| {
+        let observable = &forward.observables()[row];
+        let condition = &forward.conditions()[observable.condition];
+        let numbers = [
+            condition.length_m,
+            condition.frequency_hz.unwrap_or(-1.0),
+            condition.half_amplitude_deg.unwrap_or(-1.0),
+            condition.dynamic_pressure_pa,
+            observable.r_mm.unwrap_or(-1.0),
+            observable.r_to_mm.unwrap_or(-1.0),
+            observable.value,
+            observable.sigma,
+        ];
+        (observable.channel, numbers)
+    };
+    let ((channel_a, numbers_a), (channel_b, numbers_b)) = (key(a), key(b));
+    let numbers = numbers_a.iter().zip(&numbers_b);
+    channel_a
+        .cmp(&channel_b)
+        .then_with(|| numbers.map(|(x, y)| x.total_cmp(y)).fold(Ordering::Equal, Ordering::then))
+}
+
+/// The scatter that is assumed of the fitted observables.
+#[derive(Debug, Clone)]
+pub struct Scatter {
+    /// Factor on the stated standard deviations.
+    pub scale: f64,
+    /// Further factor for each fitted observable: larger than 1 for outliers.
+    pub widening: Vec<f64>,
+    /// Covariance.
+    pub noise: Noise,
+}
+
+impl Scatter {
+    /// Stated standard deviations times `scale` times `widening`, and the admitted error of a model that predicts
+    /// `value`.
+    ///
+    /// # Errors
+    /// If a standard deviation is not positive.
+    pub fn new(
+        forward: &dyn Forward,
+        data: &Data,
+        value: &DVector<f64>,
+        settings: &Settings,
+        scale: f64,
+        widening: Vec<f64>,
+    ) -> Result<Scatter, DiagnoseError> {
+        let mut observables: Vec<Observable> = forward.observables().to_vec();
+        for (&row, wider) in data.rows.iter().zip(&widening) {
+            observables[row].sigma *= scale * wider;
+        }
+        let noise = Noise::new(&observables, forward.conditions(), &data.rows, value, settings.slop)?;
+        Ok(Scatter {
+            scale,
+            widening,
+            noise,
+        })
+    }
+
+    /// Fits `free` from `start`.
+    ///
+    /// # Errors
+    /// If the model has no solution there or the search does not settle.
+    pub fn fit(&self, forward: &dyn Forward, data: &Data, free: &[usize], start: &[f64]) -> Result<Fit, DiagnoseError> {
+        let task = Task {
+            rows: &data.rows,
+            noise: &self.noise,
+            free,
+            start,
+        };
+        let fit = calibrate(forward, &task)?;
+        if fit.q.is_finite() && fit.slopes.iter().all(|slope| slope.is_finite()) {
+            return Ok(fit);
+        }
+        Err(DiagnoseError::NotFinite {
+            what: "the fitted unknowns".into(),
+        })
+    }
+}

@@ -1,0 +1,48 @@
+//! Why there is no diagnosis.
+
+use thiserror::Error;
+
+use crate::progress::Cancelled;
+use crate::study::StudyError;
+
+/// Why there is no diagnosis.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum DiagnoseError {
+    /// Nothing to fit.
+    #[error("the study has no measured number outside its held-out cases: add a measurement, or hold out less")]
+    NoData,
+    /// No effect to try.
+    #[error("the study offers no effect that the model lacks: name some under [effects], or allow them all")]
+    NoEffects,
+    /// A setting out of range.
+    #[error("{name} = {value} is out of range: {cure}")]
+    BadSetting {
+        /// Name of the setting.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What to give instead.
+        cure: &'static str,
+    },
+    /// Something that should be finite is not.
+    #[error("the model's answer to {what} is not a finite number: check its input and its plausible range")]
+    NotFinite {
+        /// Unknown or result.
+        what: String,
+    },
+    /// The study has no result.
+    #[error(transparent)]
+    Study(StudyError),
+    /// The user asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+impl From<StudyError> for DiagnoseError {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::Cancelled(cancelled) => DiagnoseError::Cancelled(cancelled),
+            other => DiagnoseError::Study(other),
+        }
+    }
+}

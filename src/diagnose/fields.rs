@@ -1,0 +1,275 @@
+//! What might be missing that has no name: smooth fields along the span, as Gaussian processes, by how they scale.
+
+use nalgebra::{Cholesky, DMatrix, DVector};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::input::measurement::Channel;
+use crate::study::{Condition, Forward};
+
+use super::data::Data;
+
+/// Correlation length of a missing field, over the length of the wing.
+const SPAN_LENGTH: f64 = 0.2;
+/// Correlation of a free field between conditions.
+const FREE_CORRELATION: f64 = 0.6;
+
+/// How a missing field enters and scales.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case", tag = "kind")]
+pub enum Law {
+    /// A moment per length m(x) (f/f₁)^a (Φ/Φ₁)^b; index 1: the largest of the study.
+    Load {
+        /// a.
+        frequency_power: f64,
+        /// b.
+        amplitude_power: f64,
+    },
+    /// A moment per length of its own in every condition.
+    Free,
+    /// A moment per length −b(x) θ.
+    Spring,
+    /// A twist rate β(x) dθ/dx: the wing is softer than modelled.
+    Compliance,
+    /// An error of the reading, the same in all conditions.
+    Sensor,
+}
+
+/// A Gaussian field with columns of unit prior variance.
+#[derive(Debug, Clone)]
+pub struct Field {
+    /// How it enters and scales.
+    pub law: Law,
+    /// Response of the fitted observables, in their units, when the response is as large as the prediction itself.
+    pub columns: DMatrix<f64>,
+    /// From the columns' weights to the field at the stations, for each condition or for all.
+    pub profiles: Vec<(Option<usize>, DMatrix<f64>)>,
+}
+
+/// Fields to try: `moment` is the response of all observables to a moment at each station, `value` the prediction.
+pub fn fields(forward: &dyn Forward, data: &Data, moment: &DMatrix<f64>, value: &DVector<f64>) -> Vec<Field> {
+    let stations = moment.ncols();
+    let root = smooth_root(stations);
+    let moment = moment.select_rows(data.rows.iter());
+    let place = Places::new(forward, data, value, stations);
+    let mut found = load_fields(forward, data, &place, &moment, &root);
+    found.push(free_field(forward, data, &place, &moment, &root));
+    let others = [
+        (Law::Spring, -moment.component_mul(&place.twist_at_stations)),
+        (Law::Compliance, place.compliance.clone()),
+        (Law::Sensor, place.hats.clone()),
+    ];
+    for (law, response) in others {
+        found.extend(place.scaled(law, &(response * &root), &root));
+    }
+    found
+}
+
+fn load_fields(
+    forward: &dyn Forward,
+    data: &Data,
+    place: &Places,
+    moment: &DMatrix<f64>,
+    root: &DMatrix<f64>,
+) -> Vec<Field> {
+    let conditions = forward.conditions();
+    let largest = |of: fn(&Condition) -> Option<f64>| {
+        conditions.iter().filter_map(of).fold(f64::MIN_POSITIVE, f64::max)
+    };
+    let (f1, a1) = (largest(|c| c.frequency_hz), largest(|c| c.half_amplitude_deg));
+    let mut found: Vec<Field> = Vec::new();
+    let mut laws: Vec<DVector<f64>> = Vec::new();
+    for (a, b) in [(0, 0), (1, 0), (0, 1), (1, 1), (2, 0), (0, 2), (2, 1), (1, 2), (2, 2)] {
+        let factor = data.rows.iter().map(|&row| {
+            let condition = &conditions[forward.observables()[row].condition];
+            power(condition.frequency_hz, f1, a) * power(condition.half_amplitude_deg, a1, b)
+        });
+        let factor = DVector::from_iterator(data.rows.len(), factor);
+        let size = factor.amax().max(f64::MIN_POSITIVE);
+        if laws.iter().any(|known| (known - &factor / size).amax() < 1e-9) {
+            continue;
+        }
+        laws.push(&factor / size);
+        let law = Law::Load {
+            frequency_power: f64::from(a),
+            amplitude_power: f64::from(b),
+        };
+        let response = DMatrix::from_diagonal(&factor) * moment * root;
+        found.extend(place.scaled(law, &response, root));
+    }
+    found
+}
+
+/// (x/x₁)^p; a bench load without x has no part in a law that needs it.
+fn power(value: Option<f64>, largest: f64, power: i32) -> f64 {
+    match (value, power) {
+        (_, 0) => 1.0,
+        (Some(value), power) => (value / largest).powi(power),
+        (None, _) => 0.0,
+    }
+}
+
+fn free_field(
+    forward: &dyn Forward,
+    data: &Data,
+    place: &Places,
+    moment: &DMatrix<f64>,
+    root: &DMatrix<f64>,
+) -> Field {
+    let conditions = data.conditions(forward);
+    let (size, width) = (data.rows.len(), root.ncols());
+    let response = moment * root;
+    let mut columns = DMatrix::zeros(size, width * (1 + conditions.len()));
+    let mut profiles = Vec::new();
+    let (shared, own) = (FREE_CORRELATION.sqrt(), (1.0 - FREE_CORRELATION).sqrt());
+    for (index, (condition, positions)) in conditions.iter().enumerate() {
+        let factor = place.factor(&response, positions).unwrap_or(0.0);
+        for &position in positions {
+            let row = response.row(position) * factor;
+            columns.view_mut((position, 0), (1, width)).copy_from(&(&row * shared));
+            let first = width * (1 + index);
+            columns.view_mut((position, first), (1, width)).copy_from(&(&row * own));
+        }
+        let mut profile = DMatrix::zeros(root.nrows(), columns.ncols());
+        profile.columns_mut(0, width).copy_from(&(root * (factor * shared)));
+        profile.columns_mut(width * (1 + index), width).copy_from(&(root * (factor * own)));
+        profiles.push((Some(*condition), profile));
+    }
+    Field {
+        law: Law::Free,
+        columns,
+        profiles,
+    }
+}
+
+/// Square root of the covariance of a smooth field at evenly spaced stations.
+fn smooth_root(stations: usize) -> DMatrix<f64> {
+    let step = 1.0 / (stations.max(2) - 1) as f64;
+    let covariance = DMatrix::from_fn(stations, stations, |i, j| {
+        let apart = (i as f64 - j as f64) * step / SPAN_LENGTH;
+        (-0.5 * apart * apart).exp() + if i == j { 1e-6 } else { 0.0 }
+    });
+    Cholesky::new(covariance).map_or_else(|| DMatrix::identity(stations, stations), |factor| factor.unpack())
+}
+
+/// Where the fitted observables lie, and how the predicted twist runs there.
+struct Places {
+    /// Prediction and stated standard deviation.
+    value: DVector<f64>,
+    sigma: DVector<f64>,
+    /// Hat functions of the stations at the observables that read twist.
+    hats: DMatrix<f64>,
+    /// Predicted twist of the observable's condition at the stations (for all channels).
+    twist_at_stations: DMatrix<f64>,
+    /// ∫ hat · dθ from base to the observable.
+    compliance: DMatrix<f64>,
+}
+
+impl Places {
+    fn new(forward: &dyn Forward, data: &Data, value: &DVector<f64>, stations: usize) -> Places {
+        let observables = forward.observables();
+        let size = data.rows.len();
+        let mut places = Places {
+            value: DVector::from_iterator(size, data.rows.iter().map(|&row| value[row])),
+            sigma: DVector::from_iterator(size, data.rows.iter().map(|&row| observables[row].sigma)),
+            hats: DMatrix::zeros(size, stations),
+            twist_at_stations: DMatrix::zeros(size, stations),
+            compliance: DMatrix::zeros(size, stations),
+        };
+        for (condition, positions) in data.conditions(forward) {
+            let length_mm = 1e3 * forward.conditions()[condition].length_m;
+            let at = |position: usize| {
+                let observable = &observables[data.rows[position]];
+                (observable.channel == Channel::Twist).then_some(observable.r_mm.unwrap_or(0.0) / length_mm)
+            };
+            let mut line: Vec<[f64; 2]> = positions
+                .iter()
+                .filter_map(|&position| Some([at(position)?, places.value[position]]))
+                .collect();
+            line.push([0.0, 0.0]);
+            line.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            line.dedup_by(|a, b| (a[0] - b[0]).abs() < 1e-12);
+            let twist: Vec<f64> = (0..stations)
+                .map(|j| along(&line, j as f64 / (stations - 1) as f64))
+                .collect();
+            for &position in &positions {
+                for (j, twist) in twist.iter().enumerate() {
+                    places.twist_at_stations[(position, j)] = *twist;
+                }
+                let Some(x) = at(position) else { continue };
+                for j in 0..stations {
+                    places.hats[(position, j)] = hat(x, j, stations);
+                }
+                let steps = 200;
+                for step in 0..steps {
+                    let (x0, x1) = (x * f64::from(step) / f64::from(steps), x * f64::from(step + 1) / f64::from(steps));
+                    let rise = along(&line, x1) - along(&line, x0);
+                    for j in 0..stations {
+                        places.compliance[(position, j)] += rise * hat(0.5 * (x0 + x1), j, stations);
+                    }
+                }
+            }
+        }
+        places
+    }
+
+    /// What makes the response at `positions` as large as the prediction there; none if there is none.
+    fn factor(&self, response: &DMatrix<f64>, positions: &[usize]) -> Option<f64> {
+        let (mut predicted, mut responded) = (0.0, 0.0);
+        for &position in positions {
+            let weight = self.sigma[position].powi(-2);
+            predicted += weight * self.value[position].powi(2);
+            responded += weight * response.row(position).norm_squared();
+        }
+        (responded > 0.0 && predicted > 0.0).then(|| (predicted / responded).sqrt())
+    }
+
+    fn scaled(&self, law: Law, response: &DMatrix<f64>, root: &DMatrix<f64>) -> Option<Field> {
+        let all: Vec<usize> = (0..self.value.len()).collect();
+        let factor = self.factor(response, &all)?;
+        Some(Field {
+            law,
+            columns: response * factor,
+            profiles: vec![(None, root * factor)],
+        })
+    }
+}
+
+fn hat(x: f64, station: usize, stations: usize) -> f64 {
+    (1.0 - (x * (stations - 1) as f64 - station as f64).abs()).max(0.0)
+}
+
+/// Value at `x` of the broken line through `points`, constant beyond its ends.
+fn along(points: &[[f64; 2]], x: f64) -> f64 {
+    let after = points.partition_point(|point| point[0] < x);
+    let Some(right) = points.get(after) else {
+        return points.last().map_or(0.0, |point| point[1]);
+    };
+    let Some(left) = after.checked_sub(1).and_then(|before| points.get(before)) else {
+        return right[1];
+    };
+    left[1] + (right[1] - left[1]) * (x - left[0]) / (right[0] - left[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_broken_line_is_met_at_its_corners_and_held_beyond() {
+        let line = [[0.0, 0.0], [0.5, 2.0], [1.0, 3.0]];
+        assert_eq!([along(&line, 0.25), along(&line, 0.5), along(&line, 0.75)], [1.0, 2.0, 2.5]);
+        assert_eq!([along(&line, 2.0), along(&line, 0.0)], [3.0, 0.0]);
+    }
+
+    #[test]
+    fn hats_sum_to_one_and_the_smooth_root_gives_unit_variance() {
+        for x in [0.0, 0.13, 0.5, 1.0] {
+            assert!(((0..7).map(|j| hat(x, j, 7)).sum::<f64>() - 1.0).abs() < 1e-12);
+        }
+        let root = smooth_root(9);
+        let covariance = &root * root.transpose();
+        assert!((covariance[(4, 4)] - 1.0).abs() < 1e-5);
+        assert!((covariance[(4, 5)] - (-0.5 * (0.125f64 / 0.2).powi(2)).exp()).abs() < 1e-9);
+    }
+}

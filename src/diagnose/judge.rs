@@ -1,0 +1,355 @@
+//! Singles, pairs and unnamed fields against one another: refits of the best, conditional scores, probabilities.
+
+use crate::progress::Progress;
+
+use super::baseline::Baseline;
+use super::error::DiagnoseError;
+use super::evidence::{LinearEvidence, ln_sum, of_one};
+use super::library::{Family, Scales, Trial, families, heaviest};
+use super::novel::{Weighed, weigh};
+use super::null::Significance;
+use super::posterior::{Belief, Case, Weight, beliefs, class_around, level_class};
+use super::refit::{Explanation, Refits};
+use super::screening::{Directions, is_one_sided, slopes_of_missing};
+use super::whitened::Whitened;
+
+/// Explanations this much below the best in ln(prior × evidence) of the linear model are not fitted anew.
+const HOPELESS: f64 = 25.0;
+/// Pairs are fitted anew only if the linear model puts one this close to the best single effect.
+const PAIR_CHANCE: f64 = 8.0;
+/// Misfit of the best known explanation less probable than this: it is no explanation.
+const INADEQUATE: f64 = 1e-3;
+/// Odds from which on an unnamed field is preferred to an adequate known explanation.
+const NOVEL_ODDS: f64 = 3.0;
+
+/// Everything that was weighed.
+pub struct Judgement {
+    /// Significance of the misfit of the model as it is.
+    pub significance: Significance,
+    /// Families of the missing effects.
+    pub families: Vec<Family>,
+    /// Explanations by one family.
+    pub singles: Vec<Trial>,
+    /// Explanations by two.
+    pub pairs: Vec<Trial>,
+    /// Those fitted anew, with the index of their trial: singles first, then pairs (counted from the end of the singles).
+    pub refits: Vec<(usize, Explanation)>,
+    /// Evidence of each trial (singles, then pairs), with refits where there are.
+    pub ln_evidence: Vec<f64>,
+    /// Unnamed fields.
+    pub weighed: Weighed,
+    /// Hypotheses with probabilities, most probable first.
+    pub beliefs: Vec<Belief>,
+    /// Significance of what the best single effect leaves.
+    pub after_best: Option<Significance>,
+    /// Significance of what the best known explanation leaves.
+    pub after_known: Option<Significance>,
+    /// Whether the best pair may be named.
+    pub pair_is_accepted: bool,
+    /// Whether the unnamed fields win.
+    pub is_novel: bool,
+}
+
+impl Judgement {
+    /// The trial of that index: singles, then pairs.
+    pub fn trial(&self, index: usize) -> &Trial {
+        self.singles.get(index).unwrap_or_else(|| &self.pairs[index - self.singles.len()])
+    }
+
+    /// The heaviest trial of `families` and, if it was fitted anew, its explanation.
+    pub fn best_of(&self, families: &[usize]) -> Option<(usize, Option<&Explanation>)> {
+        let count = self.singles.len() + self.pairs.len();
+        let own = (0..count).filter(|&index| self.trial(index).families == families);
+        let weight = |index: usize| self.trial(index).ln_prior + self.ln_evidence[index];
+        let refitted = self.refits.iter().filter(|(index, _)| self.trial(*index).families == families);
+        let best_refit = refitted.max_by(|a, b| weight(a.0).total_cmp(&weight(b.0)));
+        if let Some((index, explanation)) = best_refit {
+            return Some((*index, Some(explanation)));
+        }
+        own.max_by(|&a, &b| weight(a).total_cmp(&weight(b))).map(|index| (index, None))
+    }
+
+    /// Distance between the best explanations by two families, in standard deviations: how far the data tell them apart
+    /// at the strength found.
+    pub fn distance(&self, baseline: &Baseline, a: usize, b: usize) -> f64 {
+        let (Some((trial_a, fit_a)), Some((trial_b, fit_b))) = (self.best_of(&[a]), self.best_of(&[b])) else {
+            return f64::INFINITY;
+        };
+        if let (Some(a), Some(b)) = (fit_a, fit_b) {
+            return between_fits(baseline, a, b);
+        }
+        let (a, b) = (self.trial(trial_a).members[0], self.trial(trial_b).members[0]);
+        let directions = &baseline.directions;
+        let (stronger, other) = if directions.scores[a].abs() >= directions.scores[b].abs() { (a, b) } else { (b, a) };
+        let unknown = &baseline.forward.unknowns()[baseline.data.missing[other]];
+        let cosine = directions.cosine(a, b);
+        let is_wrong_sign = is_one_sided(unknown) && cosine * directions.scores[stronger] < 0.0;
+        let apart = if is_wrong_sign { 1.0 } else { (1.0 - cosine * cosine).max(0.0).sqrt() };
+        directions.scores[stronger].abs() * apart
+    }
+}
+
+fn between_fits(baseline: &Baseline, a: &Explanation, b: &Explanation) -> f64 {
+    let (Some(a), Some(b)) = (&a.fit, &b.fit) else { return f64::INFINITY };
+    let unknowns = baseline.forward.unknowns();
+    let apart = (&a.residual - &b.residual).norm_squared();
+    let pulls: f64 = baseline
+        .data
+        .model
+        .iter()
+        .map(|&i| ((a.at[i] - b.at[i]) / unknowns[i].sigma).powi(2))
+        .sum();
+    (apart + pulls).sqrt()
+}
+
+/// Weighs everything against everything.
+///
+/// # Errors
+/// If a derivative is not finite, or the user asked to stop.
+pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, DiagnoseError> {
+    let (settings, data, forward) = (baseline.settings, &baseline.data, baseline.forward);
+    let significance = baseline.significance(&baseline.whitened, &baseline.directions);
+    let is_null = significance.p_null > settings.significance;
+    let families = families(forward, data);
+    let scales = Scales {
+        forward,
+        data,
+        directions: &baseline.directions,
+        likelihood: baseline.likelihood,
+        q0: baseline.whitened.q(),
+    };
+    let singles = scales.singles(&families, settings.prior.one);
+    let pairs = scales.pairs(&families, settings.prior.two);
+    let ln_nothing = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
+    let ln_evidence = singles.iter().chain(&pairs).map(|trial| ln_nothing + trial.linear.ln_gain).collect();
+    let weighed = weigh(&baseline.fields, &baseline.seen, &baseline.whitened, baseline.likelihood);
+    let mut judgement = Judgement {
+        significance,
+        families,
+        singles,
+        pairs,
+        refits: Vec::new(),
+        ln_evidence,
+        weighed,
+        beliefs: Vec::new(),
+        after_best: None,
+        after_known: None,
+        pair_is_accepted: false,
+        is_novel: false,
+    };
+    let refits = Refits {
+        forward,
+        data,
+        scatter: &baseline.scatter,
+        baseline: &baseline.fit,
+        slopes: &baseline.slopes,
+        likelihood: baseline.likelihood,
+    };
+    let count = if is_null { 2.min(settings.refits) } else { settings.refits };
+    refit_singles(&mut judgement, &refits, count, progress)?;
+    if !is_null {
+        refit_pairs(&mut judgement, baseline, &refits, progress)?;
+    }
+    conclude(&mut judgement, baseline, ln_nothing);
+    if !is_null {
+        gate(&mut judgement, baseline)?;
+    }
+    Ok(judgement)
+}
+
+fn refit_singles(
+    judgement: &mut Judgement,
+    refits: &Refits,
+    count: usize,
+    progress: &Progress,
+) -> Result<(), DiagnoseError> {
+    let chosen = heaviest(&judgement.singles, count, 2);
+    let Some(&first) = chosen.first() else { return Ok(()) };
+    let mut offsets = Vec::new();
+    for index in chosen {
+        progress.check()?;
+        let trial = &judgement.singles[index];
+        if trial.ln_weight() < judgement.singles[first].ln_weight() - HOPELESS {
+            break;
+        }
+        progress.say(format_args!("refit {} of {count}", judgement.refits.len() + 1));
+        let estimates = &trial.linear.estimate[..trial.members.len()];
+        if let Some(explanation) = refits.refit(&trial.members, estimates)? {
+            offsets.push(explanation.ln_evidence - judgement.ln_evidence[index]);
+            judgement.ln_evidence[index] = explanation.ln_evidence;
+            judgement.refits.push((index, explanation));
+        }
+    }
+    // what the linear model promised too much, it promised the others too
+    offsets.sort_by(f64::total_cmp);
+    let offset = offsets.get(offsets.len() / 2).copied().unwrap_or(0.0).min(0.0);
+    for index in 0..judgement.ln_evidence.len() {
+        if !judgement.refits.iter().any(|(known, _)| *known == index) {
+            judgement.ln_evidence[index] += offset;
+        }
+    }
+    Ok(())
+}
+
+/// Scores of all others with the best single effect in the model; then the best pairs anew.
+fn refit_pairs(
+    judgement: &mut Judgement,
+    baseline: &Baseline,
+    refits: &Refits,
+    progress: &Progress,
+) -> Result<(), DiagnoseError> {
+    let weight = |judgement: &Judgement, index: usize| judgement.trial(index).ln_prior + judgement.ln_evidence[index];
+    let best = judgement
+        .refits
+        .iter()
+        .max_by(|a, b| weight(judgement, a.0).total_cmp(&weight(judgement, b.0)));
+    let Some((best_index, explanation)) = best.cloned() else { return Ok(()) };
+    let (Some(fit), Some(local)) = (&explanation.fit, &explanation.local) else { return Ok(()) };
+    progress.say("derivatives with every effect, the best one in the model");
+    let slopes = slopes_of_missing(baseline.forward, &baseline.data, &fit.at, baseline.settings)?;
+    let whitened = Whitened::new(local, &baseline.scatter.noise)?;
+    let mut directions = Directions::new(&baseline.data, &slopes, &whitened);
+    let family = judgement.singles[best_index].families[0];
+    for &k in &judgement.families[family].members {
+        directions.columns.column_mut(k).fill(0.0);
+    }
+    judgement.after_best = Some(baseline.significance(&whitened, &directions));
+    let unknowns = baseline.forward.unknowns();
+    let first = judgement.singles.len();
+    let mut starts: Vec<Option<(Vec<usize>, Vec<f64>)>> = vec![None; judgement.pairs.len()];
+    for (pair, start) in starts.iter_mut().enumerate() {
+        let trial = &judgement.pairs[pair];
+        if !trial.families.contains(&family) {
+            continue;
+        }
+        let Some(&second) = trial.members.iter().find(|k| !judgement.families[family].members.contains(k)) else {
+            continue;
+        };
+        if !trial.members.iter().any(|k| explanation.members.contains(k)) {
+            continue;
+        }
+        let dot = directions.scores[second] * directions.lengths[second];
+        let one_sided = is_one_sided(&unknowns[baseline.data.missing[second]]);
+        let square = directions.gram[(second, second)];
+        let gain: LinearEvidence = of_one(baseline.likelihood, whitened.q(), square, dot, one_sided);
+        judgement.ln_evidence[first + pair] = explanation.ln_evidence + gain.ln_gain;
+        let mut members = explanation.members.clone();
+        members.push(second);
+        let sigma = |k: usize| unknowns[baseline.data.missing[k]].sigma;
+        let mut estimates: Vec<f64> =
+            explanation.members.iter().zip(&explanation.strength).map(|(&k, s)| s / sigma(k)).collect();
+        estimates.push(gain.estimate[0]);
+        *start = Some((members, estimates));
+    }
+    let scored: Vec<Trial> = judgement
+        .pairs
+        .iter()
+        .enumerate()
+        .map(|(pair, trial)| {
+            let mut scored = trial.clone();
+            scored.linear.ln_gain = judgement.ln_evidence[first + pair];
+            scored
+        })
+        .collect();
+    for pair in heaviest(&scored, baseline.settings.pair_refits, 1) {
+        progress.check()?;
+        if scored[pair].ln_weight() < weight(judgement, best_index) - PAIR_CHANCE {
+            break;
+        }
+        progress.say("refit of a pair");
+        let trial = &judgement.pairs[pair];
+        let (members, estimates) = starts[pair]
+            .clone()
+            .unwrap_or_else(|| (trial.members.clone(), trial.linear.estimate.to_vec()));
+        if let Some(explanation) = refits.refit(&members, &estimates)? {
+            judgement.ln_evidence[first + pair] = explanation.ln_evidence;
+            judgement.refits.push((first + pair, explanation));
+        }
+    }
+    Ok(())
+}
+
+/// Probabilities.
+fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64) {
+    let prior = baseline.settings.prior;
+    let weight_of = |families: &[usize]| {
+        let trials = judgement.singles.iter().chain(&judgement.pairs).enumerate();
+        let own: Vec<f64> = trials
+            .filter(|(_, trial)| trial.families == families)
+            .map(|(index, trial)| trial.ln_prior + judgement.ln_evidence[index])
+            .collect();
+        ln_sum(own.iter().copied())
+    };
+    let ln_likelihood = |families: &[usize]| match judgement.best_of(families) {
+        Some((_, Some(explanation))) => baseline.likelihood.ln(explanation.q),
+        Some((index, None)) => baseline.likelihood.ln(judgement.trial(index).linear.q),
+        None => f64::NEG_INFINITY,
+    };
+    let count = judgement.families.len();
+    let mut weights: Vec<Weight> = (0..count)
+        .map(|family| Weight {
+            case: Case::One(family),
+            ln_weight: weight_of(&[family]),
+            ln_likelihood: ln_likelihood(&[family]),
+        })
+        .collect();
+    let heaviest_family = (0..count).max_by(|&a, &b| weights[a].ln_weight.total_cmp(&weights[b].ln_weight));
+    if let Some(first) = heaviest_family {
+        let near: Vec<usize> = (0..count)
+            .filter(|&k| weights[k].ln_weight > weights[first].ln_weight - 7.0)
+            .collect();
+        let place = near.iter().position(|&k| k == first).unwrap_or(0);
+        let class = class_around(place, near.len(), &|a, b| judgement.distance(baseline, near[a], near[b]));
+        let class: Vec<usize> = class.into_iter().map(|k| near[k]).collect();
+        level_class(&mut weights, &class);
+    }
+    for a in 0..count {
+        for b in a + 1..count {
+            weights.push(Weight {
+                case: Case::Two(a, b),
+                ln_weight: weight_of(&[a, b]),
+                ln_likelihood: f64::NEG_INFINITY,
+            });
+        }
+    }
+    for (case, prior, ln_gain) in [
+        (Case::Nothing, prior.nothing, 0.0),
+        (Case::Novel, prior.novel, judgement.weighed.ln_gain),
+    ] {
+        weights.push(Weight {
+            case,
+            ln_weight: prior.ln() + ln_nothing + ln_gain,
+            ln_likelihood: f64::NEG_INFINITY,
+        });
+    }
+    judgement.beliefs = beliefs(&weights, baseline.settings.tempering);
+}
+
+/// Is the best known explanation one at all? May the best pair be named?
+fn gate(judgement: &mut Judgement, baseline: &Baseline) -> Result<(), DiagnoseError> {
+    let of = |case: &Case| judgement.beliefs.iter().find(|belief| belief.case == *case).map_or(0.0, |b| b.probability);
+    let known = judgement.beliefs.iter().find(|b| matches!(b.case, Case::One(_) | Case::Two(..)));
+    let Some(known) = known.cloned() else { return Ok(()) };
+    let members = match known.case {
+        Case::Two(a, b) => vec![a, b],
+        Case::One(a) => vec![a],
+        Case::Nothing | Case::Novel => Vec::new(),
+    };
+    let local = judgement.best_of(&members).and_then(|(_, explanation)| explanation?.local.clone());
+    let mut inadequate = false;
+    if let Some(local) = local {
+        let whitened = Whitened::new(&local, &baseline.scatter.noise)?;
+        let none = Directions::none(&whitened);
+        let left = baseline.significance(&whitened, &none);
+        inadequate = 2.0 * left.p_misfit.min(left.p_field) < INADEQUATE;
+        judgement.after_known = Some(left);
+    }
+    let odds = of(&Case::Novel) / known.probability.max(f64::MIN_POSITIVE);
+    let first_is_novel = judgement.beliefs.first().is_some_and(|b| b.case == Case::Novel);
+    judgement.is_novel = inadequate || (odds >= NOVEL_ODDS && first_is_novel);
+    let needs_second = judgement
+        .after_best
+        .is_some_and(|left| left.p_null < baseline.settings.significance);
+    judgement.pair_is_accepted = matches!(known.case, Case::Two(..)) && needs_second && !judgement.is_novel;
+    Ok(())
+}

@@ -1,0 +1,100 @@
+//! Watch the error fall: raw, calibrated, with each effect, down to the noise; in the fit, left out, held out.
+
+use nalgebra::DVector;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::input::measurement::Channel;
+use crate::study::calibrate::misfit;
+
+use super::baseline::Baseline;
+use super::held_out::{by_condition, leave_out};
+use super::refit::Explanation;
+use super::whitened::Local;
+
+/// One rung.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Rung {
+    /// `raw`, `calibrated`, `+ effect`, `noise`.
+    pub name: String,
+    /// Channel of the root mean squares: the one with the most numbers.
+    pub channel: Channel,
+    /// Root mean square error of what was fitted, in the unit of the channel.
+    pub in_sample: f64,
+    /// The same for each condition predicted from the others.
+    pub left_out: Option<f64>,
+    /// The same for held-out cases.
+    pub held_out: Option<f64>,
+}
+
+/// The rungs; `explanations` are fitted with more and more effects, each with its name.
+pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> Vec<Rung> {
+    let (forward, data) = (baseline.forward, &baseline.data);
+    let channel = main_channel(baseline);
+    let rms = |rows: &[usize], predicted: &DVector<f64>| {
+        let errors = rows.iter().filter_map(|&row| {
+            let observable = &forward.observables()[row];
+            (observable.channel == channel).then(|| misfit(observable, predicted[row]))
+        });
+        root_mean_square(errors.collect())
+    };
+    let left_out = |local: &Local| {
+        let groups = by_condition(forward, data);
+        if groups.len() < 2 {
+            return None;
+        }
+        let left = leave_out(local, &baseline.scatter.noise, &groups);
+        let errors = left.iter().flat_map(|left| left.positions.iter().zip(&left.errors)).filter_map(|(&p, &error)| {
+            (forward.observables()[data.rows[p]].channel == channel).then_some(error)
+        });
+        root_mean_square(errors.collect())
+    };
+    let rung = |name: &str, predicted: &DVector<f64>, local: Option<&Local>| Rung {
+        name: name.to_string(),
+        channel,
+        in_sample: rms(&data.rows, predicted).unwrap_or(0.0),
+        left_out: local.and_then(left_out),
+        held_out: rms(&data.held_out, predicted),
+    };
+    let mut rungs = vec![
+        rung("raw", &baseline.raw, None),
+        rung("calibrated", &baseline.fit.predicted, Some(&baseline.local)),
+    ];
+    for (name, explanation) in explanations {
+        if let Some(fit) = &explanation.fit {
+            rungs.push(rung(&format!("+ {name}"), &fit.predicted, explanation.local.as_ref()));
+        }
+    }
+    let noise = |rows: &[usize]| {
+        let sigmas = rows.iter().filter_map(|&row| {
+            let observable = &forward.observables()[row];
+            (observable.channel == channel).then_some(observable.sigma * baseline.scatter.scale)
+        });
+        root_mean_square(sigmas.collect())
+    };
+    rungs.push(Rung {
+        name: "noise".into(),
+        channel,
+        in_sample: noise(&data.rows).unwrap_or(0.0),
+        left_out: noise(&data.rows),
+        held_out: noise(&data.held_out),
+    });
+    rungs
+}
+
+fn main_channel(baseline: &Baseline) -> Channel {
+    let mut channels: Vec<Channel> = baseline
+        .data
+        .rows
+        .iter()
+        .map(|&row| baseline.forward.observables()[row].channel)
+        .collect();
+    channels.sort_unstable();
+    let count = |channel: Channel| channels.iter().filter(|other| **other == channel).count();
+    channels.iter().copied().rev().max_by_key(|&channel| count(channel)).unwrap_or(Channel::Twist)
+}
+
+fn root_mean_square(errors: Vec<f64>) -> Option<f64> {
+    let count = errors.len() as f64;
+    (!errors.is_empty()).then(|| (errors.iter().map(|error| error * error).sum::<f64>() / count).sqrt())
+}

@@ -1,0 +1,90 @@
+//! Which effect a model lacks, how sure that is, and what else it could be.
+
+pub mod added_variable;
+
+pub mod baseline;
+
+pub mod data;
+
+pub mod draws;
+
+pub mod error;
+
+pub mod evidence;
+
+pub mod fields;
+
+pub mod held_out;
+
+pub mod judge;
+
+pub mod ladder;
+
+pub mod library;
+
+pub mod misfit;
+
+pub mod next;
+
+pub mod novel;
+
+pub mod novel_words;
+
+pub mod null;
+
+pub mod posterior;
+
+pub mod refit;
+
+pub mod report;
+
+pub mod robust;
+
+pub mod rough;
+
+pub mod screening;
+
+pub mod settings;
+
+pub mod verdict;
+
+pub mod whitened;
+
+pub mod words;
+
+pub use error::DiagnoseError;
+pub use settings::{PriorOdds, Settings};
+pub use verdict::{Diagnosis, Verdict};
+
+use crate::progress::Progress;
+use crate::study::Forward;
+
+use baseline::Baseline;
+
+/// Finds what the model lacks.
+///
+/// # Errors
+/// If there is nothing to fit or no effect to try, a result is not finite, a fit does not settle, or the user asked
+/// to stop.
+pub fn diagnose(
+    forward: &dyn Forward,
+    settings: &Settings,
+    progress: &Progress,
+) -> Result<Diagnosis, DiagnoseError> {
+    diagnose_with(forward, None, settings, progress)
+}
+
+/// The same, and which of the conditions of `candidates` (a model with unknowns of the same names) to measure next.
+///
+/// # Errors
+/// As [`diagnose`].
+pub fn diagnose_with(
+    forward: &dyn Forward,
+    candidates: Option<&dyn Forward>,
+    settings: &Settings,
+    progress: &Progress,
+) -> Result<Diagnosis, DiagnoseError> {
+    let baseline = Baseline::new(forward, settings, progress)?;
+    let judgement = judge::judge(&baseline, progress)?;
+    report::report(&baseline, &judgement, candidates, progress)
+}

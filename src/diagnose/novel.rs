@@ -1,0 +1,256 @@
+//! None that is known: the missing load or compliance along the span, with its error and how it scales.
+
+use nalgebra::{Cholesky, DMatrix, DVector};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::study::Forward;
+
+use super::evidence::{Likelihood, Spectrum, ln_sum};
+use super::fields::{Field, Law};
+use super::whitened::Whitened;
+
+/// Amplitudes tried, as the size of the response over that of the prediction.
+pub const AMPLITUDES: [f64; 3] = [0.03, 0.1, 0.3];
+
+/// One law with its evidence.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LawRow {
+    /// How the missing field scales.
+    pub law: Law,
+    /// Logarithm of its evidence minus that of the best law.
+    pub delta_ln_evidence: f64,
+}
+
+/// Missing load or compliance at one place.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FieldPoint {
+    /// Place over the length of the wing.
+    pub r_over_length: f64,
+    /// Value in the unit of the field.
+    pub value: f64,
+    /// Its standard deviation.
+    pub standard_deviation: f64,
+}
+
+/// The missing field in one condition, or at the largest frequency and amplitude of the study.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FieldProfile {
+    /// Name of the condition; none if one law holds in all.
+    pub condition: Option<String>,
+    /// Along the span.
+    pub points: Vec<FieldPoint>,
+    /// Integral over r/length.
+    pub total: f64,
+    /// Centroid of its size over the length of the wing.
+    pub centroid: f64,
+}
+
+/// Powers by which a missing load scales.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Scaling {
+    /// Of the frequency, with standard deviation.
+    pub frequency: [f64; 2],
+    /// Of the amplitude, with standard deviation.
+    pub amplitude: [f64; 2],
+}
+
+/// A missing field without a name.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Reconstruction {
+    /// Best law.
+    pub law: Law,
+    /// All laws, best first.
+    pub laws: Vec<LawRow>,
+    /// Unit of the field: `N m/m` for loads, `N m/m/deg` for springs, `1` for compliances, that of the twist for readings.
+    pub unit: String,
+    /// The field along the span.
+    pub field: Vec<FieldProfile>,
+    /// How a load scales; none for other kinds.
+    pub scaling: Option<Scaling>,
+}
+
+/// Fields weighed against the data.
+#[derive(Debug, Clone)]
+pub struct Weighed {
+    /// ln Z of the mixture of all fields minus that of none.
+    pub ln_gain: f64,
+    /// ln Z of each field (amplitudes averaged) and its best amplitude.
+    pub each: Vec<(f64, f64)>,
+}
+
+/// Columns of unit covariance of each field, in the order given.
+pub fn seen(fields: &[Field], whitened: &Whitened) -> Vec<DMatrix<f64>> {
+    fields
+        .iter()
+        .map(|field| whitened.directions_of_rows(&field.columns))
+        .collect()
+}
+
+/// Weighs `fields`, whose columns are `seen`.
+pub fn weigh(fields: &[Field], seen: &[DMatrix<f64>], whitened: &Whitened, likelihood: Likelihood) -> Weighed {
+    let q0 = whitened.q();
+    let each: Vec<(f64, f64)> = seen
+        .iter()
+        .map(|columns| {
+            let spectrum = Spectrum::new(columns, &whitened.residual);
+            let gains: Vec<f64> = AMPLITUDES
+                .iter()
+                .map(|&amplitude| spectrum.ln_gain(likelihood, q0, amplitude).0)
+                .collect();
+            let best = (0..gains.len()).max_by(|&a, &b| gains[a].total_cmp(&gains[b]));
+            let mean = ln_sum(gains.iter().copied()) - (gains.len() as f64).ln();
+            (mean, AMPLITUDES[best.unwrap_or(0)])
+        })
+        .collect();
+    let ln_gain = ln_sum(fields.iter().zip(&each).map(|(field, (gain, _))| gain + share(field.law, fields).ln()));
+    Weighed { ln_gain, each }
+}
+
+/// Prior share of a law among the unnamed fields.
+fn share(law: Law, fields: &[Field]) -> f64 {
+    let same = |a: Law, b: Law| std::mem::discriminant(&a) == std::mem::discriminant(&b);
+    let rivals = fields.iter().filter(|field| same(field.law, law)).count() as f64;
+    let group = match law {
+        Law::Load { .. } => 0.45,
+        Law::Free => 0.15,
+        Law::Spring => 0.1,
+        Law::Compliance => 0.2,
+        Law::Sensor => 0.1,
+    };
+    group / rivals
+}
+
+/// The best of the weighed fields along the span. None if there is no field.
+pub fn reconstruct(
+    forward: &dyn Forward,
+    fields: &[Field],
+    seen: &[DMatrix<f64>],
+    weighed: &Weighed,
+    whitened: &Whitened,
+) -> Option<Reconstruction> {
+    let weight = |k: usize| weighed.each[k].0 + share(fields[k].law, fields).ln();
+    let mut order: Vec<usize> = (0..fields.len()).collect();
+    order.sort_by(|&a, &b| weight(b).total_cmp(&weight(a)).then(a.cmp(&b)));
+    let best = *order.first()?;
+    let amplitude = weighed.each[best].1;
+    let (mean, covariance) = weights_of(&(&seen[best] * amplitude), &whitened.residual)?;
+    let field = fields[best].profiles.iter().map(|(condition, map)| {
+        let map = map * amplitude;
+        let (value, spread) = (&map * &mean, &map * &covariance * map.transpose());
+        let name = condition.map(|condition| forward.conditions()[condition].name.clone());
+        profile(name, &value, &spread)
+    });
+    let field: Vec<FieldProfile> = field.collect();
+    let scaling = match fields[best].law {
+        Law::Load { .. } => Some(scaling_of_laws(fields, &weight)),
+        Law::Free => scaling_of_conditions(forward, &fields[best], &field),
+        _ => None,
+    };
+    let laws = order.iter().map(|&k| LawRow {
+        law: fields[k].law,
+        delta_ln_evidence: weight(k) - weight(best),
+    });
+    let unit = match fields[best].law {
+        Law::Load { .. } | Law::Free => "N m/m",
+        Law::Spring => "N m/m/deg",
+        Law::Compliance => "1",
+        Law::Sensor => "deg",
+    };
+    Some(Reconstruction {
+        law: fields[best].law,
+        laws: laws.collect(),
+        unit: unit.into(),
+        field,
+        scaling,
+    })
+}
+
+/// Mean and covariance of the weights v ~ N(0, I) of columns `x` given e = x v + N(0, I).
+fn weights_of(x: &DMatrix<f64>, residual: &DVector<f64>) -> Option<(DVector<f64>, DMatrix<f64>)> {
+    let size = x.ncols();
+    let factor = Cholesky::new(DMatrix::identity(size, size) + x.transpose() * x)?;
+    Some((factor.solve(&(x.transpose() * residual)), factor.inverse()))
+}
+
+fn profile(condition: Option<String>, value: &DVector<f64>, spread: &DMatrix<f64>) -> FieldProfile {
+    let last = (value.len().max(2) - 1) as f64;
+    let points: Vec<FieldPoint> = (0..value.len())
+        .map(|j| FieldPoint {
+            r_over_length: j as f64 / last,
+            value: value[j],
+            standard_deviation: spread[(j, j)].max(0.0).sqrt(),
+        })
+        .collect();
+    let trapezoid = |j: usize| if j == 0 || j + 1 == points.len() { 0.5 / last } else { 1.0 / last };
+    let sum = |of: &dyn Fn(&FieldPoint) -> f64| -> f64 {
+        points.iter().enumerate().map(|(j, point)| trapezoid(j) * of(point)).sum()
+    };
+    let total = sum(&|point| point.value);
+    let size = sum(&|point| point.value.powi(2));
+    let moment = sum(&|point| point.value.powi(2) * point.r_over_length);
+    FieldProfile {
+        condition,
+        total,
+        centroid: if size > 0.0 { moment / size } else { 0.5 },
+        points,
+    }
+}
+
+/// Powers averaged over the laws by their probability.
+fn scaling_of_laws(fields: &[Field], weight: &dyn Fn(usize) -> f64) -> Scaling {
+    let laws: Vec<(f64, f64, f64)> = (0..fields.len())
+        .filter_map(|k| match fields[k].law {
+            Law::Load {
+                frequency_power,
+                amplitude_power,
+            } => Some((weight(k), frequency_power, amplitude_power)),
+            _ => None,
+        })
+        .collect();
+    let total = ln_sum(laws.iter().map(|law| law.0));
+    let average = |of: &dyn Fn(&(f64, f64, f64)) -> f64| -> [f64; 2] {
+        let mean: f64 = laws.iter().map(|law| (law.0 - total).exp() * of(law)).sum();
+        let variance: f64 = laws.iter().map(|law| (law.0 - total).exp() * (of(law) - mean).powi(2)).sum();
+        // two powers a step of 1 apart: half a step is not told
+        [mean, (variance + 1.0 / 12.0).sqrt()]
+    };
+    Scaling {
+        frequency: average(&|law| law.1),
+        amplitude: average(&|law| law.2),
+    }
+}
+
+/// Powers from the sizes of a free field in every condition, by regression of logarithms weighted by their errors.
+fn scaling_of_conditions(forward: &dyn Forward, field: &Field, profiles: &[FieldProfile]) -> Option<Scaling> {
+    let mut rows: Vec<([f64; 3], f64, f64)> = Vec::new();
+    for ((condition, _), profile) in field.profiles.iter().zip(profiles) {
+        let condition = &forward.conditions()[(*condition)?];
+        let (Some(f), Some(phi)) = (condition.frequency_hz, condition.half_amplitude_deg) else { continue };
+        let count = profile.points.len() as f64;
+        let size = (profile.points.iter().map(|p| p.value.powi(2)).sum::<f64>() / count).sqrt();
+        let error = (profile.points.iter().map(|p| p.standard_deviation.powi(2)).sum::<f64>() / count).sqrt();
+        if size > 0.0 && f > 0.0 && phi > 0.0 {
+            rows.push(([1.0, f.ln(), phi.ln()], size.ln(), (error / size).max(0.05)));
+        }
+    }
+    if rows.len() < 3 {
+        return None;
+    }
+    let mut normal = DMatrix::from_diagonal(&DVector::from_vec(vec![1e-6, 0.25, 0.25]));
+    let mut right = DVector::from_vec(vec![0.0, 0.25, 0.25]);
+    for (row, value, error) in &rows {
+        for i in 0..3 {
+            right[i] += row[i] * value / (error * error);
+            for j in 0..3 {
+                normal[(i, j)] += row[i] * row[j] / (error * error);
+            }
+        }
+    }
+    let factor = Cholesky::new(normal)?;
+    let (best, covariance) = (factor.solve(&right), factor.inverse());
+    Some(Scaling {
+        frequency: [best[1], covariance[(1, 1)].sqrt()],
+        amplitude: [best[2], covariance[(2, 2)].sqrt()],
+    })
+}

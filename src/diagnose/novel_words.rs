@@ -1,0 +1,71 @@
+//! A missing field as a formula, to start an effect of one's own from.
+
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+use super::fields::Law;
+use super::novel::{FieldProfile, Reconstruction};
+use super::verdict::Draft;
+use super::words::short;
+
+/// Highest power of r/R in a draft.
+const POWERS: usize = 4;
+
+/// Draft of a reconstruction; none if it has no field.
+pub fn draft(reconstruction: &Reconstruction) -> Option<Draft> {
+    let largest = reconstruction
+        .field
+        .iter()
+        .max_by(|a, b| a.total.abs().total_cmp(&b.total.abs()))?;
+    let shape = polynomial(largest)?;
+    let place = format!("centred at {:.2} of the span", largest.centroid);
+    let (factor, what) = match (reconstruction.law, reconstruction.scaling) {
+        (Law::Load { .. } | Law::Free, Some(scaling)) => {
+            let ([a, da], [b, db]) = (scaling.frequency, scaling.amplitude);
+            (
+                format!(" * f^{a:.1} * phi^{b:.1}"),
+                format!(
+                    "a moment per length {place}, as frequency to the power {a:.1} ± {da:.1} and amplitude to the \
+                     power {b:.1} ± {db:.1}"
+                ),
+            )
+        }
+        (Law::Load { .. } | Law::Free, None) => {
+            (String::new(), format!("a moment per length {place}, different in every condition"))
+        }
+        (Law::Spring, _) => (" * -twist".into(), format!("a spring against twist {place}")),
+        (Law::Compliance, _) => (" * twist_rate".into(), format!("a softer (or stiffer) stretch {place}")),
+        (Law::Sensor, _) => (
+            String::new(),
+            format!("an error of the reading, the same in all conditions, {place}"),
+        ),
+    };
+    Some(Draft {
+        expression: format!("({shape}){factor}"),
+        what,
+    })
+}
+
+/// Polynomial in x = r/R through the field, weighted by its errors.
+fn polynomial(profile: &FieldProfile) -> Option<String> {
+    let size = POWERS + 1;
+    let largest = profile.points.iter().map(|p| p.value.abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let mut normal = DMatrix::identity(size, size) * 1e-9;
+    let mut right = DVector::zeros(size);
+    for point in &profile.points {
+        let weight = 1.0 / (point.standard_deviation / largest).max(0.01).powi(2);
+        let row = DVector::from_fn(size, |power, _| point.r_over_length.powi(power as i32));
+        normal += &row * row.transpose() * weight;
+        right += row * (weight * point.value / largest);
+    }
+    let best = Cholesky::new(normal)?.solve(&right) * largest;
+    let terms: Vec<String> = best
+        .iter()
+        .enumerate()
+        .map(|(power, value)| match power {
+            0 => short(*value),
+            1 => format!("{} * x", short(*value)),
+            _ => format!("{} * x^{power}", short(*value)),
+        })
+        .collect();
+    Some(terms.join(" + ").replace("+ -", "- "))
+}

@@ -1,0 +1,146 @@
+//! From evidence to probabilities: hypotheses, the 95 % set, and what cannot be told apart.
+
+use super::evidence::ln_sum;
+
+/// Probability that the set of hypotheses is to hold.
+const CREDIBLE: f64 = 0.95;
+/// Distance in standard deviations from which on two explanations are told apart.
+pub const SEPARATE: f64 = 3.0;
+
+/// What may be the case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Case {
+    /// Nothing is missing.
+    Nothing,
+    /// One family of effects.
+    One(usize),
+    /// Two families.
+    Two(usize, usize),
+    /// None that is known.
+    Novel,
+}
+
+/// A hypothesis with its logarithm of prior times evidence.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Weight {
+    /// What may be the case.
+    pub case: Case,
+    /// Logarithm of prior times evidence.
+    pub ln_weight: f64,
+    /// Logarithm of the likelihood of its best fit alone, prices of priors included.
+    pub ln_likelihood: f64,
+}
+
+/// A hypothesis with its probability.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Belief {
+    /// What may be the case.
+    pub case: Case,
+    /// Its probability.
+    pub probability: f64,
+    /// Whether it belongs to the smallest set that holds the truth with 95 %.
+    pub in_set: bool,
+}
+
+/// Hypotheses, most probable first. Evidence is raised to the power `tempering`; the priors stand in `ln_weight` already.
+pub fn beliefs(weights: &[Weight], tempering: f64) -> Vec<Belief> {
+    let total = ln_sum(weights.iter().map(|weight| tempering * weight.ln_weight));
+    let mut beliefs: Vec<Belief> = weights
+        .iter()
+        .map(|weight| Belief {
+            case: weight.case.clone(),
+            probability: (tempering * weight.ln_weight - total).exp(),
+            in_set: false,
+        })
+        .collect();
+    beliefs.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    let mut sum = 0.0;
+    for belief in &mut beliefs {
+        if sum >= CREDIBLE {
+            break;
+        }
+        belief.in_set = true;
+        sum += belief.probability;
+    }
+    beliefs
+}
+
+/// Shares the probability of explanations that the data cannot tell apart (`class`: positions in `weights`) by how
+/// well they fit, not by how wide their priors are: a plausible scale is known to a factor of a few at best.
+pub fn level_class(weights: &mut [Weight], class: &[usize]) {
+    if class.len() < 2 {
+        return;
+    }
+    let total = ln_sum(class.iter().map(|&k| weights[k].ln_weight));
+    let levelled: Vec<f64> = class
+        .iter()
+        .map(|&k| 0.5 * (weights[k].ln_weight + weights[k].ln_likelihood))
+        .collect();
+    let sum = ln_sum(levelled.iter().copied());
+    for (&k, level) in class.iter().zip(&levelled) {
+        weights[k].ln_weight = total + level - sum;
+    }
+}
+
+/// Members of the class around `first`: all that are linked to it by distances below [`SEPARATE`].
+pub fn class_around(first: usize, count: usize, distance: &dyn Fn(usize, usize) -> f64) -> Vec<usize> {
+    let mut class = vec![first];
+    let mut next = 0;
+    while next < class.len() {
+        let from = class[next];
+        for other in 0..count {
+            if !class.contains(&other) && distance(from, other) < SEPARATE {
+                class.push(other);
+            }
+        }
+        next += 1;
+    }
+    class
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn weight(case: Case, ln_weight: f64) -> Weight {
+        Weight {
+            case,
+            ln_weight,
+            ln_likelihood: 0.0,
+        }
+    }
+
+    #[test]
+    fn the_set_is_the_smallest_that_holds_95_percent() {
+        let weights = [
+            weight(Case::Nothing, 0.01f64.ln()),
+            weight(Case::One(0), 0.7f64.ln()),
+            weight(Case::One(1), 0.26f64.ln()),
+            weight(Case::Novel, 0.03f64.ln()),
+        ];
+        let beliefs = beliefs(&weights, 1.0);
+        let set: Vec<&Case> = beliefs.iter().filter(|b| b.in_set).map(|b| &b.case).collect();
+        assert_eq!(set, [&Case::One(0), &Case::One(1)]);
+        assert!((beliefs.iter().map(|b| b.probability).sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_class_keeps_its_probability_when_it_is_levelled() {
+        let mut weights = vec![
+            weight(Case::One(0), 0.0),
+            weight(Case::One(1), -4.0),
+            weight(Case::Novel, -1.0),
+        ];
+        let before = ln_sum([0.0, -4.0].into_iter());
+        level_class(&mut weights, &[0, 1]);
+        assert!((ln_sum([weights[0].ln_weight, weights[1].ln_weight].into_iter()) - before).abs() < 1e-12);
+        assert!((weights[0].ln_weight - weights[1].ln_weight - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn classes_are_linked_through_their_members() {
+        let place = [0.0f64, 2.0, 4.0, 9.0];
+        let class = class_around(0, 4, &|a, b| (place[a] - place[b]).abs());
+        assert_eq!(class, [0, 1, 2]);
+    }
+}

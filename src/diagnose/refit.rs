@@ -1,0 +1,147 @@
+//! Explanations: one or two effects fitted together with everything that the model has.
+
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+use crate::study::{Fit, Forward};
+
+use super::data::{Data, Scatter};
+use super::error::DiagnoseError;
+use super::evidence::{Likelihood, one_sided};
+use super::screening::is_one_sided;
+use super::whitened::Local;
+
+/// Largest step from zero at which a refit starts, in prior standard deviations.
+const LONGEST_START: f64 = 2.0;
+
+/// One or two effects that may be what is missing.
+#[derive(Debug, Clone)]
+pub struct Explanation {
+    /// Positions of their strengths among the missing effects.
+    pub members: Vec<usize>,
+    /// Logarithm of the evidence, on a scale common to all explanations of the same data.
+    pub ln_evidence: f64,
+    /// Least Q.
+    pub q: f64,
+    /// Strengths, in their units.
+    pub strength: Vec<f64>,
+    /// Their standard errors.
+    pub standard_error: Vec<f64>,
+    /// The fit; none if only the linear model was asked.
+    pub fit: Option<Fit>,
+    /// The data about the fit.
+    pub local: Option<Local>,
+}
+
+/// What is common to all refits of one study.
+pub struct Refits<'a> {
+    /// The model.
+    pub forward: &'a dyn Forward,
+    /// What is fitted.
+    pub data: &'a Data,
+    /// Its scatter.
+    pub scatter: &'a Scatter,
+    /// The fit without any missing effect.
+    pub baseline: &'a Fit,
+    /// Derivatives of all observables with the missing effects, per prior standard deviation.
+    pub slopes: &'a DMatrix<f64>,
+    /// How the noise enters.
+    pub likelihood: Likelihood,
+}
+
+impl Refits<'_> {
+    /// Fits the effects `members` with the model, from `estimates` (in prior standard deviations). None if no fit settles below
+    /// the misfit without them.
+    ///
+    /// # Errors
+    /// If the user asked to stop.
+    pub fn refit(&self, members: &[usize], estimates: &[f64]) -> Result<Option<Explanation>, DiagnoseError> {
+        let effects: Vec<usize> = members.iter().map(|&k| self.data.missing[k]).collect();
+        let mut free = self.data.model.clone();
+        free.extend(&effects);
+        let most = self.baseline.q + 1e-6 * (1.0 + self.baseline.q);
+        for start in [self.start(members, estimates), self.cautious_start(&effects, estimates)] {
+            let fit = match self.scatter.fit(self.forward, self.data, &free, &start) {
+                Ok(fit) => fit,
+                Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),
+                Err(_) => continue,
+            };
+            if fit.q <= most {
+                return Ok(Some(self.explanation(members, fit)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The explanation by a fit in which `members` were free.
+    fn explanation(&self, members: &[usize], fit: Fit) -> Explanation {
+        let unknowns = self.forward.unknowns();
+        let first = self.data.model.len();
+        let size = fit.slopes.ncols();
+        let curvature = DMatrix::identity(size, size) + fit.slopes.transpose() * &fit.slopes;
+        let mut ln_evidence = self.likelihood.ln(fit.q) - 0.5 * ln_determinant(curvature);
+        let variance = self.likelihood.variance(fit.q);
+        let (mut strength, mut standard_error) = (Vec::new(), Vec::new());
+        for position in 0..members.len() {
+            let unknown = fit.free[first + position];
+            let error = (variance * fit.covariance[(first + position, first + position)]).sqrt();
+            if is_one_sided(&unknowns[unknown]) {
+                ln_evidence += one_sided(fit.at[unknown] / error);
+            }
+            strength.push(fit.at[unknown]);
+            standard_error.push(error);
+        }
+        Explanation {
+            members: members.to_vec(),
+            ln_evidence,
+            q: fit.q,
+            strength,
+            standard_error,
+            local: Some(Local::about(&fit, self.forward, &self.scatter.noise)),
+            fit: Some(fit),
+        }
+    }
+
+    /// Strengths of the linear model, and the other unknowns where they then are best.
+    fn start(&self, members: &[usize], estimates: &[f64]) -> Vec<f64> {
+        let unknowns = self.forward.unknowns();
+        let mut at = self.baseline.at.clone();
+        let mut pushed = DVector::zeros(self.data.rows.len());
+        for (&member, &estimate) in members.iter().zip(estimates) {
+            let effect = self.data.missing[member];
+            let [low, high] = unknowns[effect].range;
+            let step = estimate.clamp(-LONGEST_START, LONGEST_START) * unknowns[effect].sigma;
+            at[effect] = step.clamp(low, high);
+            let column = self.slopes.column(member).select_rows(self.data.rows.iter());
+            pushed += self.scatter.noise.whiten(&column) * (at[effect] / unknowns[effect].sigma);
+        }
+        let slopes = &self.baseline.slopes;
+        let size = slopes.ncols();
+        let curvature = DMatrix::identity(size, size) + slopes.transpose() * slopes;
+        if let Some(factor) = Cholesky::new(curvature) {
+            let back = factor.solve(&(slopes.transpose() * pushed));
+            for (&i, back) in self.baseline.free.iter().zip(back.iter()) {
+                let [low, high] = unknowns[i].range;
+                at[i] = (at[i] - back * unknowns[i].sigma).clamp(low, high);
+            }
+        }
+        at
+    }
+
+    /// The fit without the effects, and the effects a little off zero.
+    fn cautious_start(&self, effects: &[usize], estimates: &[f64]) -> Vec<f64> {
+        let unknowns = self.forward.unknowns();
+        let mut at = self.baseline.at.clone();
+        for (&effect, estimate) in effects.iter().zip(estimates) {
+            let [low, high] = unknowns[effect].range;
+            at[effect] = (0.05 * unknowns[effect].sigma * estimate.signum()).clamp(low, high);
+        }
+        at
+    }
+}
+
+/// Logarithm of the determinant of a positive definite matrix; 0 if it is none.
+fn ln_determinant(matrix: DMatrix<f64>) -> f64 {
+    Cholesky::new(matrix).map_or(0.0, |factor| {
+        2.0 * factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum::<f64>()
+    })
+}

@@ -1,0 +1,159 @@
+//! Every effect at one glance: its direction, its score, its strength by one step, and whether it could have been seen.
+
+use nalgebra::DMatrix;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use statrs::distribution::{ContinuousCDF, Normal};
+
+use crate::study::{Forward, Unknown, UnknownKind};
+
+use super::data::Data;
+use super::error::DiagnoseError;
+use super::settings::Settings;
+use super::whitened::Whitened;
+
+/// Power from which on an effect of its plausible size counts as detectable.
+pub const ENOUGH_POWER: f64 = 0.8;
+
+/// What one glance tells of an effect.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Sight {
+    /// Its score is beyond chance, judged alone.
+    Present,
+    /// It would have been seen if it had its plausible size, and was not.
+    Absent,
+    /// This campaign cannot tell.
+    Undecidable,
+}
+
+/// Directions of the effects that the model lacks.
+#[derive(Debug, Clone)]
+pub struct Directions {
+    /// The unknowns, in order of the columns.
+    pub unknowns: Vec<usize>,
+    /// Columns of unit covariance, per prior standard deviation.
+    pub columns: DMatrix<f64>,
+    /// Scores: products of the unit directions with the residual.
+    pub scores: Vec<f64>,
+    /// Lengths of the columns.
+    pub lengths: Vec<f64>,
+    /// Scalar products of the columns.
+    pub gram: DMatrix<f64>,
+}
+
+/// Effect, family, scale and one-sidedness of an unknown that is an effect.
+pub fn effect_of(unknown: &Unknown) -> Option<(&str, &str, f64, bool)> {
+    match &unknown.kind {
+        UnknownKind::Effect {
+            effect,
+            family,
+            scale,
+            one_sided,
+            ..
+        } => Some((effect, family, *scale, *one_sided)),
+        _ => None,
+    }
+}
+
+/// Whether only strengths of one sign make sense.
+pub fn is_one_sided(unknown: &Unknown) -> bool {
+    effect_of(unknown).is_some_and(|(_, _, _, one_sided)| one_sided)
+}
+
+/// Derivatives of all observables with the missing effects at `at`, one column each, per prior standard deviation.
+///
+/// An effect with a kink at zero is seen from a step.
+///
+/// # Errors
+/// If the model has no solution there, or a derivative is not finite.
+pub fn slopes_of_missing(
+    forward: &dyn Forward,
+    data: &Data,
+    at: &[f64],
+    settings: &Settings,
+) -> Result<DMatrix<f64>, DiagnoseError> {
+    let unknowns = forward.unknowns();
+    let names: Vec<&str> = data.missing.iter().map(|&i| unknowns[i].name.as_str()).collect();
+    let linear = forward.linearize(at, &|unknown| names.contains(&unknown.name.as_str()))?;
+    let mut slopes = linear.jacobian.select_columns(data.missing.iter());
+    for (k, &i) in data.missing.iter().enumerate() {
+        let switch = matches!(unknowns[i].kind, UnknownKind::Effect { has_switch: true, .. });
+        if let (true, Some(share), Some((_, _, scale, _))) = (switch, settings.switch_step, effect_of(&unknowns[i])) {
+            let mut stepped = at.to_vec();
+            stepped[i] += share * scale;
+            let moved = forward.predict(&stepped)?;
+            slopes.set_column(k, &((moved - &linear.value) / (share * scale)));
+        }
+        let mut column = slopes.column_mut(k);
+        column *= unknowns[i].sigma;
+        if column.iter().any(|slope| !slope.is_finite()) {
+            return Err(DiagnoseError::NotFinite {
+                what: unknowns[i].name.clone(),
+            });
+        }
+    }
+    Ok(slopes)
+}
+
+impl Directions {
+    /// From `slopes` of [`slopes_of_missing`], about what was fitted.
+    pub fn new(data: &Data, slopes: &DMatrix<f64>, whitened: &Whitened) -> Directions {
+        let columns = whitened.directions(slopes);
+        let gram = columns.transpose() * &columns;
+        let lengths: Vec<f64> = gram.diagonal().iter().map(|square| square.max(0.0).sqrt()).collect();
+        let dots = columns.transpose() * &whitened.residual;
+        let scores = dots
+            .iter()
+            .zip(&lengths)
+            .map(|(dot, length)| if *length > 1e-9 { dot / length } else { 0.0 })
+            .collect();
+        Directions {
+            unknowns: data.missing.clone(),
+            columns,
+            scores,
+            lengths,
+            gram,
+        }
+    }
+
+    /// No direction at all, about `whitened`.
+    pub fn none(whitened: &Whitened) -> Directions {
+        Directions {
+            unknowns: Vec::new(),
+            columns: DMatrix::zeros(whitened.residual.len(), 0),
+            scores: Vec::new(),
+            lengths: Vec::new(),
+            gram: DMatrix::zeros(0, 0),
+        }
+    }
+
+    /// Cosine between two directions.
+    pub fn cosine(&self, a: usize, b: usize) -> f64 {
+        let lengths = self.lengths[a] * self.lengths[b];
+        if lengths > 1e-18 { (self.gram[(a, b)] / lengths).clamp(-1.0, 1.0) } else { 0.0 }
+    }
+
+    /// Probability to see effect `k` at its plausible size with false alarms at `level`.
+    pub fn power(&self, k: usize, unknown: &Unknown, level: f64) -> f64 {
+        let Some((_, _, scale, one_sided)) = effect_of(unknown) else { return 0.0 };
+        let normal = Normal::standard();
+        let tail = if one_sided { level } else { 0.5 * level };
+        let distance = scale / unknown.sigma * self.lengths[k];
+        1.0 - normal.cdf(normal.inverse_cdf(1.0 - tail) - distance)
+    }
+
+    /// Verdict of one glance at effect `k`, judged alone at `level`.
+    pub fn sight(&self, k: usize, unknown: &Unknown, level: f64) -> Sight {
+        let one_sided = is_one_sided(unknown);
+        let score = if one_sided { self.scores[k] } else { self.scores[k].abs() };
+        let tail = if one_sided { level } else { 0.5 * level };
+        if score > Normal::standard().inverse_cdf(1.0 - tail) {
+            Sight::Present
+        } else if self.power(k, unknown, level) > ENOUGH_POWER {
+            Sight::Absent
+        } else {
+            Sight::Undecidable
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! What a diagnosis says, for people and programs.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::added_variable::AddedVariable;
+use super::ladder::Rung;
+use super::misfit::Misfit;
+use super::next::NextExperiment;
+use super::novel::Reconstruction;
+use super::null::Significance;
+use super::screening::Sight;
+
+/// The kind of answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// Nothing detectable is missing.
+    Nothing,
+    /// One effect is missing and may be named.
+    Effect,
+    /// One of several effects is missing.
+    Set,
+    /// Two effects are missing.
+    Pair,
+    /// Something is missing that no known effect is.
+    Novel,
+    /// This campaign cannot tell.
+    Undecidable,
+}
+
+/// The result of a diagnosis.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Diagnosis {
+    /// The answer in one plain sentence.
+    pub sentence: String,
+    /// Its kind.
+    pub verdict: Verdict,
+    /// Probability that nothing is missing.
+    pub p_nothing: f64,
+    /// How probable such a misfit is if nothing is missing.
+    pub significance: Significance,
+    /// The same after the best known explanation; none if none was fitted.
+    pub significance_after: Option<Significance>,
+    /// Scatter that the data show.
+    pub noise: NoiseFound,
+    /// What may be the case, most probable first; the tail below one in a thousand is left out.
+    pub hypotheses: Vec<Hypothesis>,
+    /// None that is known.
+    pub novel: Novel,
+    /// Every effect that the model lacks.
+    pub effects: Vec<EffectRow>,
+    /// Effects that this campaign could not have seen at their plausible size.
+    pub unseen: Vec<String>,
+    /// Where the model fails.
+    pub misfit: Misfit,
+    /// The best explanations against the residual.
+    pub added_variables: Vec<AddedVariable>,
+    /// The error from the model as it is to the noise.
+    pub ladder: Vec<Rung>,
+    /// What the best known explanation predicts for the held-out observables.
+    pub predictions: Vec<Prediction>,
+    /// What to measure next; none if no candidates were given.
+    pub next_experiment: Option<NextExperiment>,
+    /// What a reader must know besides.
+    pub notes: Vec<String>,
+}
+
+/// Scatter that the data show.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct NoiseFound {
+    /// Measured numbers that were fitted.
+    pub numbers: usize,
+    /// Factor on the stated standard deviations.
+    pub scale: f64,
+    /// Whether the stated noise is taken on trust, for want of numbers.
+    pub on_trust: bool,
+    /// Numbers that are far from what all the others tell, with the factor by which their error was widened.
+    pub outliers: Vec<Outlier>,
+}
+
+/// A number that is far from what all the others tell.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Outlier {
+    /// Name of its condition.
+    pub condition: String,
+    /// Line of the measurement file.
+    pub line: usize,
+    /// Factor on its standard deviation.
+    pub widening: f64,
+}
+
+/// What may be the case.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Hypothesis {
+    /// Effects that are missing: none (nothing is), one, two; `novel` for none that is known.
+    pub effects: Vec<String>,
+    /// Their families.
+    pub families: Vec<String>,
+    /// Strengths, with the unknowns that they are values of: two of one family mean a place between them.
+    pub strengths: Vec<Strength>,
+    /// Its probability.
+    pub probability: f64,
+    /// Strength of the first effect.
+    pub strength: Option<f64>,
+    /// Its standard error.
+    pub standard_error: Option<f64>,
+    /// Whether all strengths are plausible.
+    pub plausible: bool,
+    /// Whether it belongs to the smallest set that holds the truth with 95 %.
+    pub in_set: bool,
+    /// Whether the strengths are those of a nonlinear fit.
+    pub refitted: bool,
+    /// Gain in predicting left-out conditions, in ln of the density; a necessary sign, not a ranking.
+    pub gain_left_out_conditions: Option<f64>,
+    /// The same for left-out wings.
+    pub gain_left_out_wings: Option<f64>,
+}
+
+/// Strength of one effect.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Strength {
+    /// The effect.
+    pub effect: String,
+    /// The unknown.
+    pub unknown: String,
+    /// Its value.
+    pub value: f64,
+    /// Its standard error.
+    pub standard_error: f64,
+    /// Its unit.
+    pub unit: String,
+}
+
+/// None that is known.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Novel {
+    /// Probability.
+    pub probability: f64,
+    /// The missing load, compliance or error of reading; none if nothing is missing.
+    pub reconstruction: Option<Reconstruction>,
+    /// Known effects whose signature is nearest, with the cosine.
+    pub nearest: Vec<LookAlike>,
+    /// A formula to start an effect of one's own from; none if nothing is missing.
+    pub draft: Option<Draft>,
+}
+
+/// A formula to start an effect of one's own from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Draft {
+    /// Expression over x = r/R, f and phi (both over the largest of the study) in the unit of the field.
+    pub expression: String,
+    /// What it stands for.
+    pub what: String,
+}
+
+/// One effect that the model lacks.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct EffectRow {
+    /// The effect.
+    pub effect: String,
+    /// Its family.
+    pub family: String,
+    /// The unknown that is its strength.
+    pub unknown: String,
+    /// Unit of the strength.
+    pub unit: String,
+    /// Size of strength that is plausible.
+    pub scale: f64,
+    /// Score: distance from none in standard deviations, what the model can absorb left out.
+    pub score: f64,
+    /// Strength by one linear step.
+    pub one_step: f64,
+    /// Its standard error.
+    pub one_step_error: f64,
+    /// Strength by a nonlinear fit.
+    pub refitted: Option<f64>,
+    /// Its standard error.
+    pub refitted_error: Option<f64>,
+    /// Whether that strength (by one step, if not refitted) is plausible.
+    pub plausible: bool,
+    /// Distance from none, in standard deviations, that its plausible size would have; `length` times the scale.
+    pub detectability: f64,
+    /// Probability to see it at its plausible size.
+    pub power: f64,
+    /// What one glance tells.
+    pub sight: Sight,
+    /// Logarithm of its evidence against nothing missing.
+    pub ln_evidence: f64,
+    /// Probability of its family alone being what is missing.
+    pub probability: f64,
+    /// Other families that look like it, nearest first.
+    pub look_alikes: Vec<LookAlike>,
+}
+
+/// An effect that looks like another.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LookAlike {
+    /// The other effect.
+    pub effect: String,
+    /// Cosine of the angle between their signatures, what the model can absorb left out.
+    pub cosine: f64,
+    /// Distance in standard deviations at the strength found.
+    pub separation_sigma: f64,
+}
+
+/// A prediction for a held-out observable.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Prediction {
+    /// Name of its condition.
+    pub condition: String,
+    /// Line of the measurement file.
+    pub line: usize,
+    /// Measured value.
+    pub measured: f64,
+    /// By the model as it is, calibrated.
+    pub calibrated: f64,
+    /// By the model with the best known explanation.
+    pub explained: f64,
+    /// Standard deviation of the latter, noise of the measurement left out.
+    pub standard_deviation: f64,
+}

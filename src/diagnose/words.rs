@@ -1,0 +1,123 @@
+//! The answer in one plain sentence.
+
+use super::verdict::{Diagnosis, Hypothesis, Verdict};
+
+/// Names listed before "and others".
+const LISTED: usize = 6;
+
+/// One sentence for a diagnosis whose other parts are complete.
+pub fn sentence(diagnosis: &Diagnosis) -> String {
+    let known = diagnosis.hypotheses.iter().find(|h| !h.families.is_empty());
+    match (diagnosis.verdict, known) {
+        (Verdict::Nothing, _) => {
+            let unseen = match diagnosis.unseen.len() {
+                0 => "every known effect of plausible size would have been seen".to_string(),
+                1 => format!("{} could not have been seen", diagnosis.unseen[0]),
+                count => format!("{count} known effects could not have been seen"),
+            };
+            format!(
+                "Nothing detectable is missing (a misfit like this arises by chance with probability {:.2}); {unseen}.",
+                diagnosis.significance.p_null
+            )
+        }
+        (Verdict::Undecidable, _) if diagnosis.significance.p_null > 0.01 => {
+            "These data show nothing missing, but could not have shown any known effect of plausible size: measure \
+             more conditions, more stations, or with less noise."
+                .into()
+        }
+        (Verdict::Effect, Some(hypothesis)) => format!(
+            "Missing: {} (probability {:.2}); no other known effect explains the misfit.",
+            with_strength(hypothesis),
+            hypothesis.probability
+        ),
+        (Verdict::Pair, Some(hypothesis)) => pair(diagnosis, hypothesis),
+        (Verdict::Novel, _) => novel(diagnosis),
+        _ => format!("Something is missing: {}.", one_of(&names_in_set(diagnosis))),
+    }
+}
+
+fn with_strength(hypothesis: &Hypothesis) -> String {
+    let parts: Vec<String> = hypothesis
+        .strengths
+        .iter()
+        .map(|strength| {
+            let unit = if strength.unit == "1" { String::new() } else { format!(" {}", strength.unit) };
+            format!("{} = {} ± {}{unit}", strength.effect, short(strength.value), short(strength.standard_error))
+        })
+        .collect();
+    let plausible = if hypothesis.plausible { "" } else { ", an implausible size" };
+    format!("{}{plausible}", parts.join(" and "))
+}
+
+fn pair(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> String {
+    let pairs: Vec<&Hypothesis> =
+        diagnosis.hypotheses.iter().filter(|h| h.in_set && h.families.len() == 2).collect();
+    let shared = hypothesis
+        .families
+        .iter()
+        .zip(&hypothesis.effects)
+        .find(|(family, _)| pairs.iter().all(|other| other.families.contains(family)));
+    match shared {
+        Some((family, name)) if pairs.len() > 1 => {
+            let seconds: Vec<String> = pairs
+                .iter()
+                .filter_map(|other| {
+                    let second = other.families.iter().position(|f| f != family)?;
+                    other.effects.get(second).cloned()
+                })
+                .collect();
+            format!("Two effects are missing: {name} for certain; the second is {}.", one_of(&seconds))
+        }
+        _ => format!("Two effects are missing: {}.", with_strength(hypothesis)),
+    }
+}
+
+fn novel(diagnosis: &Diagnosis) -> String {
+    let what = diagnosis.novel.draft.as_ref().map_or("something", |draft| draft.what.as_str());
+    let nearest = diagnosis.novel.nearest.first().map_or_else(String::new, |near| {
+        format!("; the nearest known signature is {} (cosine {:.2})", near.effect, near.cosine)
+    });
+    format!("Something is missing that no known effect explains: {what}{nearest}.")
+}
+
+fn names_in_set(diagnosis: &Diagnosis) -> Vec<String> {
+    diagnosis
+        .hypotheses
+        .iter()
+        .filter(|h| h.in_set)
+        .map(|h| if h.effects.is_empty() { "nothing after all".into() } else { h.effects.join(" with ") })
+        .collect()
+}
+
+fn one_of(names: &[String]) -> String {
+    match names {
+        [] => "none of the known effects stands out".into(),
+        [one] => format!("probably {one}"),
+        _ if names.len() > LISTED => format!(
+            "one of {} and {} others, which these data cannot tell apart",
+            names[..LISTED].join(", "),
+            names.len() - LISTED
+        ),
+        [most @ .., last] => format!("one of {} or {last}, which these data cannot tell apart", most.join(", ")),
+    }
+}
+
+/// Three digits that count.
+pub fn short(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let digits = (2 - value.abs().log10().floor() as i32).clamp(0, 9) as usize;
+    if !(1e-4..1e6).contains(&value.abs()) { format!("{value:.2e}") } else { format!("{value:.digits$}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_three_digits() {
+        assert_eq!([short(0.123456), short(12.3456), short(1234.6)], ["0.123", "12.3", "1235"]);
+        assert_eq!([short(-2.5e-6), short(0.0)], ["-2.50e-6", "0"]);
+    }
+}
