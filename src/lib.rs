@@ -8,6 +8,8 @@
 //!
 //!                            verify: published cases ←─ structure, coupling
 //!
+//! diagnose: which effect a model lacks, or none that is known ←─ study
+//!
 //! export: any result into bytes        cli: one file per verb        progress: for every room
 //! ```
 //!
@@ -38,6 +40,8 @@ pub mod verify;
 pub mod study;
 
 pub mod compare;
+
+pub mod diagnose;
 
 pub mod export;
 

@@ -41,7 +41,8 @@ pub fn added_variable(baseline: &Baseline, k: usize, effect: &str) -> AddedVaria
     let slopes = &baseline.fit.slopes;
     let size = slopes.ncols();
     let curvature = DMatrix::identity(size, size) + slopes.transpose() * slopes;
-    let absorbed = Cholesky::new(curvature).map(|factor| slopes * factor.solve(&(slopes.transpose() * &whitened)));
+    let absorbed =
+        Cholesky::new(curvature).map(|factor| slopes * factor.solve(&(slopes.transpose() * &whitened)));
     let signature = absorbed.map_or_else(|| whitened.clone(), |absorbed| &whitened - absorbed);
     let points = data.rows.iter().enumerate().map(|(position, &row)| {
         let observable = &forward.observables()[row];
@@ -58,6 +59,10 @@ pub fn added_variable(baseline: &Baseline, k: usize, effect: &str) -> AddedVaria
     AddedVariable {
         effect: effect.to_string(),
         points: points.collect(),
-        slope: if length > 0.0 { baseline.directions.scores[k] / length } else { 0.0 },
+        slope: if length > 0.0 {
+            baseline.directions.scores[k] / length
+        } else {
+            0.0
+        },
     }
 }

@@ -87,7 +87,9 @@ impl<'a> Baseline<'a> {
         let fields = fields(forward, &data, &moment, &value);
         let local = Local::about(&first, forward, &stated.noise);
         let widening = outliers(forward, &data, &first, &local, &slopes, &fields);
-        let scatter = settle(forward, &data, settings, &local, &slopes, &fields, &value, widening)?;
+        let scatter = settle(
+            forward, &data, settings, &local, &slopes, &fields, &value, widening,
+        )?;
         progress.say("fitting the model with the scatter that the data show");
         let fit = scatter.fit(forward, &data, &data.model, &first.at)?;
         let local = Local::about(&fit, forward, &scatter.noise);
@@ -130,7 +132,11 @@ impl<'a> Baseline<'a> {
             Scale::Estimated(self.settings.noise_trust, Smooth::new(whitened, &columns))
         };
         let unknowns = self.forward.unknowns();
-        let one_sided: Vec<bool> = directions.unknowns.iter().map(|&i| is_one_sided(&unknowns[i])).collect();
+        let one_sided: Vec<bool> = directions
+            .unknowns
+            .iter()
+            .map(|&i| is_one_sided(&unknowns[i]))
+            .collect();
         NullTest::new(&directions.columns, &one_sided, &fields, scale).significance(
             &whitened.residual,
             Draws::new(self.settings.seed),
@@ -157,7 +163,11 @@ fn side_by_side(parts: &[DMatrix<f64>]) -> DMatrix<f64> {
     let rows = parts.first().map_or(0, |part| part.nrows());
     let columns: Vec<DVector<f64>> = parts
         .iter()
-        .flat_map(|part| part.column_iter().map(|column| column.into_owned()).collect::<Vec<_>>())
+        .flat_map(|part| {
+            part.column_iter()
+                .map(|column| column.into_owned())
+                .collect::<Vec<_>>()
+        })
         .collect();
     if columns.is_empty() {
         return DMatrix::zeros(rows, 0);
@@ -177,7 +187,10 @@ fn outliers(
     if data.rows.len() < FEWEST {
         return vec![1.0; data.rows.len()];
     }
-    let inverse = data.rows.iter().map(|&row| 1.0 / forward.observables()[row].sigma);
+    let inverse = data
+        .rows
+        .iter()
+        .map(|&row| 1.0 / forward.observables()[row].sigma);
     let inverse = DVector::from_iterator(data.rows.len(), inverse);
     let errors = data.rows.iter().map(|&row| {
         let observable = &forward.observables()[row];

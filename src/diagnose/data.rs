@@ -88,9 +88,11 @@ fn compare(forward: &dyn Forward, a: usize, b: usize) -> Ordering {
     };
     let ((channel_a, numbers_a), (channel_b, numbers_b)) = (key(a), key(b));
     let numbers = numbers_a.iter().zip(&numbers_b);
-    channel_a
-        .cmp(&channel_b)
-        .then_with(|| numbers.map(|(x, y)| x.total_cmp(y)).fold(Ordering::Equal, Ordering::then))
+    channel_a.cmp(&channel_b).then_with(|| {
+        numbers
+            .map(|(x, y)| x.total_cmp(y))
+            .fold(Ordering::Equal, Ordering::then)
+    })
 }
 
 /// The scatter that is assumed of the fitted observables.
@@ -122,7 +124,13 @@ impl Scatter {
         for (&row, wider) in data.rows.iter().zip(&widening) {
             observables[row].sigma *= scale * wider;
         }
-        let noise = Noise::new(&observables, forward.conditions(), &data.rows, value, settings.slop)?;
+        let noise = Noise::new(
+            &observables,
+            forward.conditions(),
+            &data.rows,
+            value,
+            settings.slop,
+        )?;
         Ok(Scatter {
             scale,
             widening,
@@ -134,7 +142,13 @@ impl Scatter {
     ///
     /// # Errors
     /// If the model has no solution there or the search does not settle.
-    pub fn fit(&self, forward: &dyn Forward, data: &Data, free: &[usize], start: &[f64]) -> Result<Fit, DiagnoseError> {
+    pub fn fit(
+        &self,
+        forward: &dyn Forward,
+        data: &Data,
+        free: &[usize],
+        start: &[f64],
+    ) -> Result<Fit, DiagnoseError> {
         let task = Task {
             rows: &data.rows,
             noise: &self.noise,

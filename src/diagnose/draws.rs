@@ -50,11 +50,23 @@ mod tests {
         let draws = Draws::new(3);
         for across in [false, true] {
             let sample: Vec<f64> = (0..20_000)
-                .map(|i| if across { draws.normal(i, 5) } else { draws.normal(5, i) })
+                .map(|i| {
+                    if across {
+                        draws.normal(i, 5)
+                    } else {
+                        draws.normal(5, i)
+                    }
+                })
                 .collect();
             let moment = |power: i32| sample.iter().map(|x| x.powi(power)).sum::<f64>() / 20_000.0;
-            assert!(moment(1).abs() < 0.02 && (moment(2) - 1.0).abs() < 0.04, "{across}");
-            assert!(moment(3).abs() < 0.1 && (moment(4) - 3.0).abs() < 0.25, "{across}");
+            assert!(
+                moment(1).abs() < 0.02 && (moment(2) - 1.0).abs() < 0.04,
+                "{across}"
+            );
+            assert!(
+                moment(3).abs() < 0.1 && (moment(4) - 3.0).abs() < 0.25,
+                "{across}"
+            );
             let lagged: f64 = sample.windows(2).map(|pair| pair[0] * pair[1]).sum::<f64>() / 20_000.0;
             assert!(lagged.abs() < 0.02, "{across}");
         }

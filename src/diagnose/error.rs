@@ -9,7 +9,9 @@ use crate::study::StudyError;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum DiagnoseError {
     /// Nothing to fit.
-    #[error("the study has no measured number outside its held-out cases: add a measurement, or hold out less")]
+    #[error(
+        "the study has no measured number outside its held-out cases: add a measurement, or hold out less"
+    )]
     NoData,
     /// No effect to try.
     #[error("the study offers no effect that the model lacks: name some under [effects], or allow them all")]

@@ -23,7 +23,10 @@ impl Likelihood {
     pub fn of(numbers: usize, settings: &Settings) -> Likelihood {
         Likelihood {
             numbers,
-            trust: settings.noise_scale.is_none().then_some(settings.noise_trust as f64),
+            trust: settings
+                .noise_scale
+                .is_none()
+                .then_some(settings.noise_trust as f64),
         }
     }
 
@@ -48,10 +51,7 @@ impl Likelihood {
 pub fn one_sided(t: f64) -> f64 {
     if t < -8.0 {
         // Φ(t) ≈ φ(t)/|t|
-        return std::f64::consts::LN_2
-            - 0.5 * t * t
-            - (-t).ln()
-            - 0.5 * (2.0 * std::f64::consts::PI).ln();
+        return std::f64::consts::LN_2 - 0.5 * t * t - (-t).ln() - 0.5 * (2.0 * std::f64::consts::PI).ln();
     }
     (2.0 * Normal::standard().cdf(t)).ln()
 }
@@ -68,7 +68,13 @@ pub struct LinearEvidence {
 }
 
 /// Evidence of one more direction `a` (length per prior standard deviation, free of the fit) with `dot` = a·e.
-pub fn of_one(likelihood: Likelihood, q0: f64, length_squared: f64, dot: f64, is_one_sided: bool) -> LinearEvidence {
+pub fn of_one(
+    likelihood: Likelihood,
+    q0: f64,
+    length_squared: f64,
+    dot: f64,
+    is_one_sided: bool,
+) -> LinearEvidence {
     let curvature = 1.0 + length_squared;
     let estimate = dot / curvature;
     let q = q0 - dot * estimate;
@@ -121,13 +127,23 @@ pub struct Spectrum {
 impl Spectrum {
     /// Of a field with columns `x` seen in `residual`.
     pub fn new(x: &DMatrix<f64>, residual: &DVector<f64>) -> Spectrum {
-        let gram = if x.ncols() <= x.nrows() { x.transpose() * x } else { x * x.transpose() };
+        let gram = if x.ncols() <= x.nrows() {
+            x.transpose() * x
+        } else {
+            x * x.transpose()
+        };
         let eigen = gram.symmetric_eigen();
         let squares = eigen.eigenvalues.map(|value| value.max(0.0));
         let largest = squares.max().max(f64::MIN_POSITIVE);
         let projected = if x.ncols() <= x.nrows() {
             let dots = eigen.eigenvectors.transpose() * (x.transpose() * residual);
-            dots.zip_map(&squares, |dot, square| if square > 1e-12 * largest { dot / square.sqrt() } else { 0.0 })
+            dots.zip_map(&squares, |dot, square| {
+                if square > 1e-12 * largest {
+                    dot / square.sqrt()
+                } else {
+                    0.0
+                }
+            })
         } else {
             eigen.eigenvectors.transpose() * residual
         };
@@ -183,10 +199,19 @@ mod tests {
         assert!((one.ln_gain - exact).abs() < 1e-12);
         let gram = columns.transpose() * &columns;
         let dots = columns.transpose() * &residual;
-        let two = of_two(KNOWN, q0, [gram[(0, 0)], gram[(0, 1)], gram[(1, 1)]], [dots[0], dots[1]], [false; 2]);
+        let two = of_two(
+            KNOWN,
+            q0,
+            [gram[(0, 0)], gram[(0, 1)], gram[(1, 1)]],
+            [dots[0], dots[1]],
+            [false; 2],
+        );
         let exact = gaussian(&residual, &columns) - none;
         assert!((two.ln_gain - exact).abs() < 1e-12);
-        for x in [columns.clone(), DMatrix::from_fn(3, 5, |i, j| (i as f64 - 1.2) * (j as f64 + 0.3).sin())] {
+        for x in [
+            columns.clone(),
+            DMatrix::from_fn(3, 5, |i, j| (i as f64 - 1.2) * (j as f64 + 0.3).sin()),
+        ] {
             let (field, _) = Spectrum::new(&x, &residual).ln_gain(KNOWN, q0, 0.5);
             assert!((field - (gaussian(&residual, &(&x * 0.5)) - none)).abs() < 1e-10);
         }

@@ -79,7 +79,17 @@ fn load_fields(
     let (f1, a1) = (largest(|c| c.frequency_hz), largest(|c| c.half_amplitude_deg));
     let mut found: Vec<Field> = Vec::new();
     let mut laws: Vec<DVector<f64>> = Vec::new();
-    for (a, b) in [(0, 0), (1, 0), (0, 1), (1, 1), (2, 0), (0, 2), (2, 1), (1, 2), (2, 2)] {
+    for (a, b) in [
+        (0, 0),
+        (1, 0),
+        (0, 1),
+        (1, 1),
+        (2, 0),
+        (0, 2),
+        (2, 1),
+        (1, 2),
+        (2, 2),
+    ] {
         let factor = data.rows.iter().map(|&row| {
             let condition = &conditions[forward.observables()[row].condition];
             power(condition.frequency_hz, f1, a) * power(condition.half_amplitude_deg, a1, b)
@@ -126,13 +136,21 @@ fn free_field(
         let factor = place.factor(&response, positions).unwrap_or(0.0);
         for &position in positions {
             let row = response.row(position) * factor;
-            columns.view_mut((position, 0), (1, width)).copy_from(&(&row * shared));
+            columns
+                .view_mut((position, 0), (1, width))
+                .copy_from(&(&row * shared));
             let first = width * (1 + index);
-            columns.view_mut((position, first), (1, width)).copy_from(&(&row * own));
+            columns
+                .view_mut((position, first), (1, width))
+                .copy_from(&(&row * own));
         }
         let mut profile = DMatrix::zeros(root.nrows(), columns.ncols());
-        profile.columns_mut(0, width).copy_from(&(root * (factor * shared)));
-        profile.columns_mut(width * (1 + index), width).copy_from(&(root * (factor * own)));
+        profile
+            .columns_mut(0, width)
+            .copy_from(&(root * (factor * shared)));
+        profile
+            .columns_mut(width * (1 + index), width)
+            .copy_from(&(root * (factor * own)));
         profiles.push((Some(*condition), profile));
     }
     Field {
@@ -202,7 +220,10 @@ impl Places {
                 }
                 let steps = 200;
                 for step in 0..steps {
-                    let (x0, x1) = (x * f64::from(step) / f64::from(steps), x * f64::from(step + 1) / f64::from(steps));
+                    let (x0, x1) = (
+                        x * f64::from(step) / f64::from(steps),
+                        x * f64::from(step + 1) / f64::from(steps),
+                    );
                     let rise = along(&line, x1) - along(&line, x0);
                     for j in 0..stations {
                         places.compliance[(position, j)] += rise * hat(0.5 * (x0 + x1), j, stations);
@@ -258,7 +279,10 @@ mod tests {
     #[test]
     fn a_broken_line_is_met_at_its_corners_and_held_beyond() {
         let line = [[0.0, 0.0], [0.5, 2.0], [1.0, 3.0]];
-        assert_eq!([along(&line, 0.25), along(&line, 0.5), along(&line, 0.75)], [1.0, 2.0, 2.5]);
+        assert_eq!(
+            [along(&line, 0.25), along(&line, 0.5), along(&line, 0.75)],
+            [1.0, 2.0, 2.5]
+        );
         assert_eq!([along(&line, 2.0), along(&line, 0.0)], [3.0, 0.0]);
     }
 

@@ -34,7 +34,9 @@ pub fn leave_out(local: &Local, noise: &Noise, groups: &[Vec<usize>]) -> Vec<Lef
     let precision = whitener.transpose() * factor.solve(&whitener);
     let weighted = &precision * &local.at_means;
     let predict = |positions: &Vec<usize>| {
-        let own = precision.select_rows(positions.iter()).select_columns(positions.iter());
+        let own = precision
+            .select_rows(positions.iter())
+            .select_columns(positions.iter());
         let part = DVector::from_iterator(positions.len(), positions.iter().map(|&i| weighted[i]));
         let factor = Cholesky::new(own)?;
         let errors = factor.solve(&part);
@@ -53,12 +55,20 @@ pub fn leave_out(local: &Local, noise: &Noise, groups: &[Vec<usize>]) -> Vec<Lef
 
 /// Sum of the logarithms of the densities; none if there are fewer than two groups.
 pub fn ln_density(local: &Local, noise: &Noise, groups: &[Vec<usize>]) -> Option<f64> {
-    (groups.len() > 1).then(|| leave_out(local, noise, groups).iter().map(|left| left.ln_density).sum())
+    (groups.len() > 1).then(|| {
+        leave_out(local, noise, groups)
+            .iter()
+            .map(|left| left.ln_density)
+            .sum()
+    })
 }
 
 /// The fitted observables by condition.
 pub fn by_condition(forward: &dyn Forward, data: &Data) -> Vec<Vec<usize>> {
-    data.conditions(forward).into_iter().map(|(_, positions)| positions).collect()
+    data.conditions(forward)
+        .into_iter()
+        .map(|(_, positions)| positions)
+        .collect()
 }
 
 /// The fitted observables by wing.
@@ -119,7 +129,10 @@ mod tests {
         let left = leave_out(&local, &noise(5, 0.5), &[vec![0, 1, 2], vec![3, 4]]);
         let near = slopes.rows(0, 3) / 0.5;
         let curvature = DMatrix::identity(2, 2) + near.transpose() * &near;
-        let fit = curvature.cholesky().unwrap().solve(&(near.transpose() * at_means.rows(0, 3) / 0.5));
+        let fit = curvature
+            .cholesky()
+            .unwrap()
+            .solve(&(near.transpose() * at_means.rows(0, 3) / 0.5));
         for (k, i) in [3, 4].into_iter().enumerate() {
             let error = at_means[i] - (slopes.row(i) * &fit)[0];
             assert!((left[1].errors[k] - error).abs() < 1e-10, "{k}");

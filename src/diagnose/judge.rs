@@ -53,7 +53,9 @@ pub struct Judgement {
 impl Judgement {
     /// The trial of that index: singles, then pairs.
     pub fn trial(&self, index: usize) -> &Trial {
-        self.singles.get(index).unwrap_or_else(|| &self.pairs[index - self.singles.len()])
+        self.singles
+            .get(index)
+            .unwrap_or_else(|| &self.pairs[index - self.singles.len()])
     }
 
     /// The heaviest trial of `families` and, if it was fitted anew, its explanation.
@@ -61,18 +63,23 @@ impl Judgement {
         let count = self.singles.len() + self.pairs.len();
         let own = (0..count).filter(|&index| self.trial(index).families == families);
         let weight = |index: usize| self.trial(index).ln_prior + self.ln_evidence[index];
-        let refitted = self.refits.iter().filter(|(index, _)| self.trial(*index).families == families);
+        let refitted = self
+            .refits
+            .iter()
+            .filter(|(index, _)| self.trial(*index).families == families);
         let best_refit = refitted.max_by(|a, b| weight(a.0).total_cmp(&weight(b.0)));
         if let Some((index, explanation)) = best_refit {
             return Some((*index, Some(explanation)));
         }
-        own.max_by(|&a, &b| weight(a).total_cmp(&weight(b))).map(|index| (index, None))
+        own.max_by(|&a, &b| weight(a).total_cmp(&weight(b)))
+            .map(|index| (index, None))
     }
 
     /// Distance between the best explanations by two families, in standard deviations: how far the data tell them apart
     /// at the strength found.
     pub fn distance(&self, baseline: &Baseline, a: usize, b: usize) -> f64 {
-        let (Some((trial_a, fit_a)), Some((trial_b, fit_b))) = (self.best_of(&[a]), self.best_of(&[b])) else {
+        let (Some((trial_a, fit_a)), Some((trial_b, fit_b))) = (self.best_of(&[a]), self.best_of(&[b]))
+        else {
             return f64::INFINITY;
         };
         if let (Some(a), Some(b)) = (fit_a, fit_b) {
@@ -80,17 +87,27 @@ impl Judgement {
         }
         let (a, b) = (self.trial(trial_a).members[0], self.trial(trial_b).members[0]);
         let directions = &baseline.directions;
-        let (stronger, other) = if directions.scores[a].abs() >= directions.scores[b].abs() { (a, b) } else { (b, a) };
+        let (stronger, other) = if directions.scores[a].abs() >= directions.scores[b].abs() {
+            (a, b)
+        } else {
+            (b, a)
+        };
         let unknown = &baseline.forward.unknowns()[baseline.data.missing[other]];
         let cosine = directions.cosine(a, b);
         let is_wrong_sign = is_one_sided(unknown) && cosine * directions.scores[stronger] < 0.0;
-        let apart = if is_wrong_sign { 1.0 } else { (1.0 - cosine * cosine).max(0.0).sqrt() };
+        let apart = if is_wrong_sign {
+            1.0
+        } else {
+            (1.0 - cosine * cosine).max(0.0).sqrt()
+        };
         directions.scores[stronger].abs() * apart
     }
 }
 
 fn between_fits(baseline: &Baseline, a: &Explanation, b: &Explanation) -> f64 {
-    let (Some(a), Some(b)) = (&a.fit, &b.fit) else { return f64::INFINITY };
+    let (Some(a), Some(b)) = (&a.fit, &b.fit) else {
+        return f64::INFINITY;
+    };
     let unknowns = baseline.forward.unknowns();
     let apart = (&a.residual - &b.residual).norm_squared();
     let pulls: f64 = baseline
@@ -121,8 +138,17 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
     let singles = scales.singles(&families, settings.prior.one);
     let pairs = scales.pairs(&families, settings.prior.two);
     let ln_nothing = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
-    let ln_evidence = singles.iter().chain(&pairs).map(|trial| ln_nothing + trial.linear.ln_gain).collect();
-    let weighed = weigh(&baseline.fields, &baseline.seen, &baseline.whitened, baseline.likelihood);
+    let ln_evidence = singles
+        .iter()
+        .chain(&pairs)
+        .map(|trial| ln_nothing + trial.linear.ln_gain)
+        .collect();
+    let weighed = weigh(
+        &baseline.fields,
+        &baseline.seen,
+        &baseline.whitened,
+        baseline.likelihood,
+    );
     let mut judgement = Judgement {
         significance,
         families,
@@ -145,7 +171,11 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         slopes: &baseline.slopes,
         likelihood: baseline.likelihood,
     };
-    let count = if is_null { 2.min(settings.refits) } else { settings.refits };
+    let count = if is_null {
+        2.min(settings.refits)
+    } else {
+        settings.refits
+    };
     refit_singles(&mut judgement, &refits, count, progress)?;
     if !is_null {
         refit_pairs(&mut judgement, baseline, &refits, progress)?;
@@ -164,7 +194,9 @@ fn refit_singles(
     progress: &Progress,
 ) -> Result<(), DiagnoseError> {
     let chosen = heaviest(&judgement.singles, count, 2);
-    let Some(&first) = chosen.first() else { return Ok(()) };
+    let Some(&first) = chosen.first() else {
+        return Ok(());
+    };
     let mut offsets = Vec::new();
     for index in chosen {
         progress.check()?;
@@ -198,13 +230,18 @@ fn refit_pairs(
     refits: &Refits,
     progress: &Progress,
 ) -> Result<(), DiagnoseError> {
-    let weight = |judgement: &Judgement, index: usize| judgement.trial(index).ln_prior + judgement.ln_evidence[index];
+    let weight =
+        |judgement: &Judgement, index: usize| judgement.trial(index).ln_prior + judgement.ln_evidence[index];
     let best = judgement
         .refits
         .iter()
         .max_by(|a, b| weight(judgement, a.0).total_cmp(&weight(judgement, b.0)));
-    let Some((best_index, explanation)) = best.cloned() else { return Ok(()) };
-    let (Some(fit), Some(local)) = (&explanation.fit, &explanation.local) else { return Ok(()) };
+    let Some((best_index, explanation)) = best.cloned() else {
+        return Ok(());
+    };
+    let (Some(fit), Some(local)) = (&explanation.fit, &explanation.local) else {
+        return Ok(());
+    };
     progress.say("derivatives with every effect, the best one in the model");
     let slopes = slopes_of_missing(baseline.forward, &baseline.data, &fit.at, baseline.settings)?;
     let whitened = Whitened::new(local, &baseline.scatter.noise)?;
@@ -222,7 +259,11 @@ fn refit_pairs(
         if !trial.families.contains(&family) {
             continue;
         }
-        let Some(&second) = trial.members.iter().find(|k| !judgement.families[family].members.contains(k)) else {
+        let Some(&second) = trial
+            .members
+            .iter()
+            .find(|k| !judgement.families[family].members.contains(k))
+        else {
             continue;
         };
         if !trial.members.iter().any(|k| explanation.members.contains(k)) {
@@ -236,8 +277,12 @@ fn refit_pairs(
         let mut members = explanation.members.clone();
         members.push(second);
         let sigma = |k: usize| unknowns[baseline.data.missing[k]].sigma;
-        let mut estimates: Vec<f64> =
-            explanation.members.iter().zip(&explanation.strength).map(|(&k, s)| s / sigma(k)).collect();
+        let mut estimates: Vec<f64> = explanation
+            .members
+            .iter()
+            .zip(&explanation.strength)
+            .map(|(&k, s)| s / sigma(k))
+            .collect();
         estimates.push(gain.estimate[0]);
         *start = Some((members, estimates));
     }
@@ -299,7 +344,9 @@ fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64) {
             .filter(|&k| weights[k].ln_weight > weights[first].ln_weight - 7.0)
             .collect();
         let place = near.iter().position(|&k| k == first).unwrap_or(0);
-        let class = class_around(place, near.len(), &|a, b| judgement.distance(baseline, near[a], near[b]));
+        let class = class_around(place, near.len(), &|a, b| {
+            judgement.distance(baseline, near[a], near[b])
+        });
         let class: Vec<usize> = class.into_iter().map(|k| near[k]).collect();
         level_class(&mut weights, &class);
     }
@@ -327,15 +374,28 @@ fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64) {
 
 /// Is the best known explanation one at all? May the best pair be named?
 fn gate(judgement: &mut Judgement, baseline: &Baseline) -> Result<(), DiagnoseError> {
-    let of = |case: &Case| judgement.beliefs.iter().find(|belief| belief.case == *case).map_or(0.0, |b| b.probability);
-    let known = judgement.beliefs.iter().find(|b| matches!(b.case, Case::One(_) | Case::Two(..)));
-    let Some(known) = known.cloned() else { return Ok(()) };
+    let of = |case: &Case| {
+        judgement
+            .beliefs
+            .iter()
+            .find(|belief| belief.case == *case)
+            .map_or(0.0, |b| b.probability)
+    };
+    let known = judgement
+        .beliefs
+        .iter()
+        .find(|b| matches!(b.case, Case::One(_) | Case::Two(..)));
+    let Some(known) = known.cloned() else {
+        return Ok(());
+    };
     let members = match known.case {
         Case::Two(a, b) => vec![a, b],
         Case::One(a) => vec![a],
         Case::Nothing | Case::Novel => Vec::new(),
     };
-    let local = judgement.best_of(&members).and_then(|(_, explanation)| explanation?.local.clone());
+    let local = judgement
+        .best_of(&members)
+        .and_then(|(_, explanation)| explanation?.local.clone());
     let mut inadequate = false;
     if let Some(local) = local {
         let whitened = Whitened::new(&local, &baseline.scatter.noise)?;

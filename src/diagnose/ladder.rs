@@ -44,9 +44,12 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
             return None;
         }
         let left = leave_out(local, &baseline.scatter.noise, &groups);
-        let errors = left.iter().flat_map(|left| left.positions.iter().zip(&left.errors)).filter_map(|(&p, &error)| {
-            (forward.observables()[data.rows[p]].channel == channel).then_some(error)
-        });
+        let errors = left
+            .iter()
+            .flat_map(|left| left.positions.iter().zip(&left.errors))
+            .filter_map(|(&p, &error)| {
+                (forward.observables()[data.rows[p]].channel == channel).then_some(error)
+            });
         root_mean_square(errors.collect())
     };
     let rung = |name: &str, predicted: &DVector<f64>, local: Option<&Local>| Rung {
@@ -62,7 +65,11 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
     ];
     for (name, explanation) in explanations {
         if let Some(fit) = &explanation.fit {
-            rungs.push(rung(&format!("+ {name}"), &fit.predicted, explanation.local.as_ref()));
+            rungs.push(rung(
+                &format!("+ {name}"),
+                &fit.predicted,
+                explanation.local.as_ref(),
+            ));
         }
     }
     let noise = |rows: &[usize]| {
@@ -91,7 +98,12 @@ fn main_channel(baseline: &Baseline) -> Channel {
         .collect();
     channels.sort_unstable();
     let count = |channel: Channel| channels.iter().filter(|other| **other == channel).count();
-    channels.iter().copied().rev().max_by_key(|&channel| count(channel)).unwrap_or(Channel::Twist)
+    channels
+        .iter()
+        .copied()
+        .rev()
+        .max_by_key(|&channel| count(channel))
+        .unwrap_or(Channel::Twist)
 }
 
 fn root_mean_square(errors: Vec<f64>) -> Option<f64> {

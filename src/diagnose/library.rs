@@ -21,7 +21,9 @@ pub struct Family {
 pub fn families(forward: &dyn Forward, data: &Data) -> Vec<Family> {
     let mut found: Vec<Family> = Vec::new();
     for (k, &i) in data.missing.iter().enumerate() {
-        let Some((_, name, _, _)) = effect_of(&forward.unknowns()[i]) else { continue };
+        let Some((_, name, _, _)) = effect_of(&forward.unknowns()[i]) else {
+            continue;
+        };
         match found.iter_mut().find(|family| family.name == name) {
             Some(family) => family.members.push(k),
             None => found.push(Family {
@@ -89,7 +91,11 @@ impl Scales<'_> {
         let directions = self.directions;
         let one_sided = [a, b].map(|k| is_one_sided(&self.forward.unknowns()[self.data.missing[k]]));
         let dot = [a, b].map(|k| directions.scores[k] * directions.lengths[k]);
-        let gram = [directions.gram[(a, a)], directions.gram[(a, b)], directions.gram[(b, b)]];
+        let gram = [
+            directions.gram[(a, a)],
+            directions.gram[(a, b)],
+            directions.gram[(b, b)],
+        ];
         of_two(self.likelihood, self.q0, gram, dot, one_sided)
     }
 
@@ -149,10 +155,18 @@ impl Scales<'_> {
 /// The `count` heaviest of `trials`, at most `per_group` of each group of families; ties in the order given.
 pub fn heaviest(trials: &[Trial], count: usize, per_group: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..trials.len()).collect();
-    order.sort_by(|&a, &b| trials[b].ln_weight().total_cmp(&trials[a].ln_weight()).then(a.cmp(&b)));
+    order.sort_by(|&a, &b| {
+        trials[b]
+            .ln_weight()
+            .total_cmp(&trials[a].ln_weight())
+            .then(a.cmp(&b))
+    });
     let mut taken: Vec<usize> = Vec::new();
     for index in order {
-        let same = taken.iter().filter(|&&other| trials[other].families == trials[index].families).count();
+        let same = taken
+            .iter()
+            .filter(|&&other| trials[other].families == trials[index].families)
+            .count();
         if same < per_group {
             taken.push(index);
         }

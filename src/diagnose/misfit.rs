@@ -85,27 +85,40 @@ pub fn of(baseline: &Baseline) -> Misfit {
         let stated = observables[data.rows[position]].sigma;
         stated * baseline.scatter.scale * baseline.scatter.widening[position]
     };
-    let errors: Vec<f64> = data.rows.iter().map(|&row| misfit(&observables[row], fit.predicted[row])).collect();
+    let errors: Vec<f64> = data
+        .rows
+        .iter()
+        .map(|&row| misfit(&observables[row], fit.predicted[row]))
+        .collect();
     let square = |position: usize| (errors[position] / sigma(position)).powi(2);
     let total: f64 = (0..errors.len()).map(square).sum::<f64>().max(f64::MIN_POSITIVE);
     let covariance = |a: usize, b: usize| {
         let slopes = &baseline.local.slopes;
         let noise = if a == b { sigma(a).powi(2) } else { 0.0 };
-        let admitted = baseline.settings.slop.powi(2)
-            * baseline.value[data.rows[a]]
-            * baseline.value[data.rows[b]];
+        let admitted =
+            baseline.settings.slop.powi(2) * baseline.value[data.rows[a]] * baseline.value[data.rows[b]];
         noise + admitted + slopes.row(a).dot(&slopes.row(b))
     };
     let mut by_condition = Vec::new();
     for (condition, positions) in data.conditions(forward) {
-        let mut channels: Vec<Channel> = positions.iter().map(|&p| observables[data.rows[p]].channel).collect();
+        let mut channels: Vec<Channel> = positions
+            .iter()
+            .map(|&p| observables[data.rows[p]].channel)
+            .collect();
         channels.sort_unstable();
         channels.dedup();
         for channel in channels {
-            let own: Vec<usize> =
-                positions.iter().copied().filter(|&p| observables[data.rows[p]].channel == channel).collect();
+            let own: Vec<usize> = positions
+                .iter()
+                .copied()
+                .filter(|&p| observables[data.rows[p]].channel == channel)
+                .collect();
             let count = own.len() as f64;
-            let variance: f64 = own.iter().flat_map(|&a| own.iter().map(move |&b| (a, b))).map(|(a, b)| covariance(a, b)).sum();
+            let variance: f64 = own
+                .iter()
+                .flat_map(|&a| own.iter().map(move |&b| (a, b)))
+                .map(|(a, b)| covariance(a, b))
+                .sum();
             let squares: f64 = own.iter().map(|&p| square(p)).sum();
             by_condition.push(MisfitGroup {
                 condition: forward.conditions()[condition].name.clone(),
@@ -126,7 +139,10 @@ pub fn of(baseline: &Baseline) -> Misfit {
         let middle = 0.5 * (inner + observable.r_to_mm.unwrap_or(inner));
         let place = middle / (1e3 * forward.conditions()[observable.condition].length_m);
         let tenth = ((10.0 * place) as usize).min(9);
-        tenths.entry((observable.channel, tenth)).or_default().push(position);
+        tenths
+            .entry((observable.channel, tenth))
+            .or_default()
+            .push(position);
     }
     let by_station = tenths.into_iter().map(|((channel, tenth), own)| MisfitStation {
         r_over_length: (tenth as f64 + 0.5) / 10.0,

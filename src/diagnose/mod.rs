@@ -42,6 +42,8 @@ pub mod robust;
 
 pub mod rough;
 
+pub mod rows;
+
 pub mod screening;
 
 pub mod settings;

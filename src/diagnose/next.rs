@@ -64,8 +64,9 @@ pub fn next_experiment(
     }
     let observables = candidates.observables();
     let score = |condition: usize| {
-        let rows: Vec<usize> =
-            (0..observables.len()).filter(|&row| observables[row].condition == condition).collect();
+        let rows: Vec<usize> = (0..observables.len())
+            .filter(|&row| observables[row].condition == condition)
+            .collect();
         let noise = DMatrix::from_diagonal(&DVector::from_iterator(
             rows.len(),
             rows.iter().map(|&row| 2.0 * observables[row].sigma.powi(2)),
@@ -76,12 +77,18 @@ pub fn next_experiment(
                 let weight = rivals[i].probability * rivals[j].probability;
                 let apart = (&answers[i].0 - &answers[j].0).select_rows(rows.iter());
                 let spread = |k: usize| answers[k].1.select_rows(rows.iter()).select_columns(rows.iter());
-                let Some(factor) = Cholesky::new(spread(i) + spread(j) + &noise) else { continue };
+                let Some(factor) = Cholesky::new(spread(i) + spread(j) + &noise) else {
+                    continue;
+                };
                 sum += weight * apart.dot(&factor.solve(&apart));
                 weights += weight;
             }
         }
-        if weights > 0.0 { (sum / weights).sqrt() } else { 0.0 }
+        if weights > 0.0 {
+            (sum / weights).sqrt()
+        } else {
+            0.0
+        }
     };
     let mut found: Vec<Candidate> = candidates
         .conditions()
@@ -92,8 +99,14 @@ pub fn next_experiment(
             separation_sigma: score(index),
         })
         .collect();
-    found.sort_by(|a, b| b.separation_sigma.total_cmp(&a.separation_sigma).then_with(|| a.name.cmp(&b.name)));
-    let best = found.first().filter(|candidate| candidate.separation_sigma >= SEPARATE);
+    found.sort_by(|a, b| {
+        b.separation_sigma
+            .total_cmp(&a.separation_sigma)
+            .then_with(|| a.name.cmp(&b.name))
+    });
+    let best = found
+        .first()
+        .filter(|candidate| candidate.separation_sigma >= SEPARATE);
     let sentence = match (best, found.first()) {
         (Some(best), _) => format!(
             "Measure {} next: the rivals are expected {:.1} standard deviations apart there.",
@@ -122,11 +135,21 @@ fn answer(
     let at: Vec<f64> = candidates
         .unknowns()
         .iter()
-        .map(|unknown| known.iter().position(|k| k.name == unknown.name).map_or(unknown.mean, |i| rival.fit.at[i]))
+        .map(|unknown| {
+            known
+                .iter()
+                .position(|k| k.name == unknown.name)
+                .map_or(unknown.mean, |i| rival.fit.at[i])
+        })
         .collect();
     let is_free = |name: &str| rival.fit.free.iter().any(|&i| known[i].name == name);
     let linear = candidates.linearize(&at, &|unknown| is_free(&unknown.name))?;
-    let place = |i: usize| candidates.unknowns().iter().position(|unknown| unknown.name == known[i].name);
+    let place = |i: usize| {
+        candidates
+            .unknowns()
+            .iter()
+            .position(|unknown| unknown.name == known[i].name)
+    };
     let slopes = DMatrix::from_fn(linear.value.len(), rival.fit.free.len(), |row, k| {
         place(rival.fit.free[k]).map_or(0.0, |column| linear.jacobian[(row, column)])
     });

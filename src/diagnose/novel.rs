@@ -88,7 +88,12 @@ pub fn seen(fields: &[Field], whitened: &Whitened) -> Vec<DMatrix<f64>> {
 }
 
 /// Weighs `fields`, whose columns are `seen`.
-pub fn weigh(fields: &[Field], seen: &[DMatrix<f64>], whitened: &Whitened, likelihood: Likelihood) -> Weighed {
+pub fn weigh(
+    fields: &[Field],
+    seen: &[DMatrix<f64>],
+    whitened: &Whitened,
+    likelihood: Likelihood,
+) -> Weighed {
     let q0 = whitened.q();
     let each: Vec<(f64, f64)> = seen
         .iter()
@@ -103,7 +108,12 @@ pub fn weigh(fields: &[Field], seen: &[DMatrix<f64>], whitened: &Whitened, likel
             (mean, AMPLITUDES[best.unwrap_or(0)])
         })
         .collect();
-    let ln_gain = ln_sum(fields.iter().zip(&each).map(|(field, (gain, _))| gain + share(field.law, fields).ln()));
+    let ln_gain = ln_sum(
+        fields
+            .iter()
+            .zip(&each)
+            .map(|(field, (gain, _))| gain + share(field.law, fields).ln()),
+    );
     Weighed { ln_gain, each }
 }
 
@@ -182,9 +192,19 @@ fn profile(condition: Option<String>, value: &DVector<f64>, spread: &DMatrix<f64
             standard_deviation: spread[(j, j)].max(0.0).sqrt(),
         })
         .collect();
-    let trapezoid = |j: usize| if j == 0 || j + 1 == points.len() { 0.5 / last } else { 1.0 / last };
+    let trapezoid = |j: usize| {
+        if j == 0 || j + 1 == points.len() {
+            0.5 / last
+        } else {
+            1.0 / last
+        }
+    };
     let sum = |of: &dyn Fn(&FieldPoint) -> f64| -> f64 {
-        points.iter().enumerate().map(|(j, point)| trapezoid(j) * of(point)).sum()
+        points
+            .iter()
+            .enumerate()
+            .map(|(j, point)| trapezoid(j) * of(point))
+            .sum()
     };
     let total = sum(&|point| point.value);
     let size = sum(&|point| point.value.powi(2));
@@ -211,7 +231,10 @@ fn scaling_of_laws(fields: &[Field], weight: &dyn Fn(usize) -> f64) -> Scaling {
     let total = ln_sum(laws.iter().map(|law| law.0));
     let average = |of: &dyn Fn(&(f64, f64, f64)) -> f64| -> [f64; 2] {
         let mean: f64 = laws.iter().map(|law| (law.0 - total).exp() * of(law)).sum();
-        let variance: f64 = laws.iter().map(|law| (law.0 - total).exp() * (of(law) - mean).powi(2)).sum();
+        let variance: f64 = laws
+            .iter()
+            .map(|law| (law.0 - total).exp() * (of(law) - mean).powi(2))
+            .sum();
         // two powers a step of 1 apart: half a step is not told
         [mean, (variance + 1.0 / 12.0).sqrt()]
     };
@@ -226,10 +249,18 @@ fn scaling_of_conditions(forward: &dyn Forward, field: &Field, profiles: &[Field
     let mut rows: Vec<([f64; 3], f64, f64)> = Vec::new();
     for ((condition, _), profile) in field.profiles.iter().zip(profiles) {
         let condition = &forward.conditions()[(*condition)?];
-        let (Some(f), Some(phi)) = (condition.frequency_hz, condition.half_amplitude_deg) else { continue };
+        let (Some(f), Some(phi)) = (condition.frequency_hz, condition.half_amplitude_deg) else {
+            continue;
+        };
         let count = profile.points.len() as f64;
         let size = (profile.points.iter().map(|p| p.value.powi(2)).sum::<f64>() / count).sqrt();
-        let error = (profile.points.iter().map(|p| p.standard_deviation.powi(2)).sum::<f64>() / count).sqrt();
+        let error = (profile
+            .points
+            .iter()
+            .map(|p| p.standard_deviation.powi(2))
+            .sum::<f64>()
+            / count)
+            .sqrt();
         if size > 0.0 && f > 0.0 && phi > 0.0 {
             rows.push(([1.0, f.ln(), phi.ln()], size.ln(), (error / size).max(0.05)));
         }

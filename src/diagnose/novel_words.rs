@@ -29,11 +29,15 @@ pub fn draft(reconstruction: &Reconstruction) -> Option<Draft> {
                 ),
             )
         }
-        (Law::Load { .. } | Law::Free, None) => {
-            (String::new(), format!("a moment per length {place}, different in every condition"))
-        }
+        (Law::Load { .. } | Law::Free, None) => (
+            String::new(),
+            format!("a moment per length {place}, different in every condition"),
+        ),
         (Law::Spring, _) => (" * -twist".into(), format!("a spring against twist {place}")),
-        (Law::Compliance, _) => (" * twist_rate".into(), format!("a softer (or stiffer) stretch {place}")),
+        (Law::Compliance, _) => (
+            " * twist_rate".into(),
+            format!("a softer (or stiffer) stretch {place}"),
+        ),
         (Law::Sensor, _) => (
             String::new(),
             format!("an error of the reading, the same in all conditions, {place}"),
@@ -48,7 +52,11 @@ pub fn draft(reconstruction: &Reconstruction) -> Option<Draft> {
 /// Polynomial in x = r/R through the field, weighted by its errors.
 fn polynomial(profile: &FieldProfile) -> Option<String> {
     let size = POWERS + 1;
-    let largest = profile.points.iter().map(|p| p.value.abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let largest = profile
+        .points
+        .iter()
+        .map(|p| p.value.abs())
+        .fold(f64::MIN_POSITIVE, f64::max);
     let mut normal = DMatrix::identity(size, size) * 1e-9;
     let mut right = DVector::zeros(size);
     for point in &profile.points {

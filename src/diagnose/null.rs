@@ -15,6 +15,8 @@ use super::rough::Smooth;
 const BLOCK: usize = 250;
 /// Stream of the draws' own scales.
 const SCALES: u64 = 1 << 40;
+/// Streams of the draws' signs.
+const SIGNS: u64 = 1 << 41;
 
 /// How probable a misfit at least as large is if nothing is missing.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -25,7 +27,10 @@ pub struct Significance {
     pub p_misfit: f64,
     /// By the scores of smooth fields.
     pub p_field: f64,
-    /// All three together: three times the smallest, at most 1.
+    /// By the largest score and the fields, among residuals with signs at random: noise that is larger where the
+    /// signature of an effect is large is no discovery either.
+    pub p_signs: f64,
+    /// All together: the larger of three times the smallest of the first three, and of the last.
     pub p_null: f64,
 }
 
@@ -60,7 +65,12 @@ struct FieldScore {
 impl NullTest {
     /// For effects with `directions` (any length, zero if invisible; free of the fit), one-sided or not, and fields with
     /// such columns.
-    pub fn new(directions: &DMatrix<f64>, one_sided: &[bool], fields: &[DMatrix<f64>], scale: Scale) -> NullTest {
+    pub fn new(
+        directions: &DMatrix<f64>,
+        one_sided: &[bool],
+        fields: &[DMatrix<f64>],
+        scale: Scale,
+    ) -> NullTest {
         let mut units = directions.clone();
         for mut column in units.column_iter_mut() {
             let length = column.norm();
@@ -81,33 +91,57 @@ impl NullTest {
         let size = residual.len();
         let seen = DMatrix::from_column_slice(size, 1, residual.as_slice());
         let seen = self.statistics(&seen, &[1.0])[0];
+        let noise = self.beyond(&seen, count, &|first, here| {
+            let errors = DMatrix::from_fn(size, here, |i, k| draws.normal((first + k) as u64, i as u64));
+            let factors = (0..here)
+                .map(|k| self.factor(draws, (first + k) as u64))
+                .collect();
+            (errors, factors)
+        });
+        let signs = self.beyond(&seen, count, &|first, here| {
+            let flipped = |i: usize, k: usize| {
+                let is_up = draws.uniform(SIGNS + (first + k) as u64, i as u64) < 0.5;
+                if is_up { residual[i] } else { -residual[i] }
+            };
+            (DMatrix::from_fn(size, here, flipped), vec![1.0; here])
+        });
+        let [p_largest_score, p_misfit, p_field] = noise;
+        let p_signs = (2.0 * signs[0].min(signs[2])).min(1.0);
+        let p_noise = (3.0 * p_largest_score.min(p_misfit).min(p_field)).min(1.0);
+        Significance {
+            p_largest_score,
+            p_misfit,
+            p_field,
+            p_signs,
+            p_null: p_noise.max(p_signs),
+        }
+    }
+
+    /// Shares of `count` drawn residuals (and their factors) whose statistics reach those `seen`.
+    fn beyond(
+        &self,
+        seen: &[f64; 3],
+        count: usize,
+        draw: &(dyn Fn(usize, usize) -> (DMatrix<f64>, Vec<f64>) + Sync),
+    ) -> [f64; 3] {
         let blocks: Vec<[usize; 3]> = (0..count.div_ceil(BLOCK))
             .into_par_iter()
             .map(|block| {
                 let first = block * BLOCK;
-                let here = BLOCK.min(count - first);
-                let errors = DMatrix::from_fn(size, here, |i, k| draws.normal((first + k) as u64, i as u64));
-                let factors: Vec<f64> = (0..here).map(|k| self.factor(draws, (first + k) as u64)).collect();
+                let (errors, factors) = draw(first, BLOCK.min(count - first));
                 let mut beyond = [0; 3];
                 for drawn in self.statistics(&errors, &factors) {
-                    for (count, (drawn, seen)) in beyond.iter_mut().zip(drawn.iter().zip(&seen)) {
+                    for (count, (drawn, seen)) in beyond.iter_mut().zip(drawn.iter().zip(seen)) {
                         *count += usize::from(drawn >= seen);
                     }
                 }
                 beyond
             })
             .collect();
-        let p = |k: usize| {
+        [0, 1, 2].map(|k| {
             let beyond: usize = blocks.iter().map(|block| block[k]).sum();
             (1 + beyond) as f64 / (1 + count) as f64
-        };
-        let (p_largest_score, p_misfit, p_field) = (p(0), p(1), p(2));
-        Significance {
-            p_largest_score,
-            p_misfit,
-            p_field,
-            p_null: (3.0 * p_largest_score.min(p_misfit).min(p_field)).min(1.0),
-        }
+        })
     }
 
     /// Factor of a draw: what the true scale of the noise may be, over what was assumed.
@@ -123,7 +157,11 @@ impl NullTest {
     /// Largest score, misfit and largest standardised field score of each column of `errors` times its factor.
     fn statistics(&self, errors: &DMatrix<f64>, factors: &[f64]) -> Vec<[f64; 3]> {
         let scores = self.units.transpose() * errors;
-        let fields: Vec<DMatrix<f64>> = self.fields.iter().map(|field| field.columns.transpose() * errors).collect();
+        let fields: Vec<DMatrix<f64>> = self
+            .fields
+            .iter()
+            .map(|field| field.columns.transpose() * errors)
+            .collect();
         let rough = match &self.scale {
             Scale::Estimated(_, smooth) => smooth.rough_squares(errors),
             _ => DVector::zeros(0),
@@ -132,7 +170,9 @@ impl NullTest {
             .map(|k| {
                 let factor = factors[k];
                 let ruler = match &self.scale {
-                    Scale::Estimated(trust, smooth) => smooth.variance(rough[k] * factor * factor, *trust).sqrt(),
+                    Scale::Estimated(trust, smooth) => {
+                        smooth.variance(rough[k] * factor * factor, *trust).sqrt()
+                    }
                     _ => 1.0,
                 };
                 let size = factor / ruler;
@@ -150,7 +190,11 @@ impl NullTest {
                         (seen.column(k).norm_squared() * size * size - field.mean) / field.deviation
                     })
                     .fold(f64::MIN, f64::max);
-                [largest * size, errors.column(k).norm_squared() * size * size, field]
+                [
+                    largest * size,
+                    errors.column(k).norm_squared() * size * size,
+                    field,
+                ]
             })
             .collect()
     }

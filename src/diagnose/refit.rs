@@ -59,7 +59,10 @@ impl Refits<'_> {
         let mut free = self.data.model.clone();
         free.extend(&effects);
         let most = self.baseline.q + 1e-6 * (1.0 + self.baseline.q);
-        for start in [self.start(members, estimates), self.cautious_start(&effects, estimates)] {
+        for start in [
+            self.start(members, estimates),
+            self.cautious_start(&effects, estimates),
+        ] {
             let fit = match self.scatter.fit(self.forward, self.data, &free, &start) {
                 Ok(fit) => fit,
                 Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),

@@ -3,24 +3,24 @@
 use nalgebra::DMatrix;
 
 use crate::progress::Progress;
-use crate::study::{Forward, Unknown};
+use crate::study::Forward;
 
 use super::added_variable::added_variable;
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
-use super::held_out::{by_condition, by_wing, ln_density};
 use super::judge::Judgement;
 use super::ladder::ladder;
 use super::misfit;
 use super::next::{NextExperiment, Rival, next_experiment};
 use super::novel::{Reconstruction, reconstruct};
 use super::novel_words::draft;
-use super::posterior::{Belief, Case, SEPARATE};
+use super::posterior::{Case, SEPARATE};
 use super::refit::Explanation;
 use super::robust::stability;
-use super::screening::{ENOUGH_POWER, effect_of};
+use super::rows::{LOOK_ALIKES, case_families, effect_rows, hypothesis, name, probability, unseen};
+use super::screening::ENOUGH_POWER;
 use super::verdict::{
-    Diagnosis, EffectRow, Hypothesis, LookAlike, NoiseFound, Novel, Outlier, Prediction, Strength, Verdict,
+    Diagnosis, EffectRow, Hypothesis, LookAlike, NoiseFound, Novel, Outlier, Prediction, Verdict,
 };
 use super::words::sentence;
 
@@ -28,10 +28,6 @@ use super::words::sentence;
 const NAMED: f64 = 0.9;
 /// Hypotheses less probable than this are not listed.
 const LISTED: f64 = 1e-3;
-/// Strengths beyond this many scales are implausible.
-const PLAUSIBLE: f64 = 3.0;
-/// Look-alikes listed for each effect.
-const LOOK_ALIKES: usize = 4;
 /// Rivals that the next experiment is to tell apart.
 const RIVALS: usize = 5;
 
@@ -89,35 +85,20 @@ pub fn report(
     Ok(diagnosis)
 }
 
-fn probability(judgement: &Judgement, case: &Case) -> f64 {
-    judgement.beliefs.iter().find(|belief| belief.case == *case).map_or(0.0, |belief| belief.probability)
-}
-
-fn unknown<'a>(baseline: &'a Baseline, k: usize) -> &'a Unknown {
-    &baseline.forward.unknowns()[baseline.data.missing[k]]
-}
-
-fn name(baseline: &Baseline, k: usize) -> String {
-    let unknown = unknown(baseline, k);
-    effect_of(unknown).map_or_else(|| unknown.name.clone(), |(effect, ..)| effect.to_string())
-}
-
-fn case_families(case: &Case) -> Vec<usize> {
-    match case {
-        Case::One(a) => vec![*a],
-        Case::Two(a, b) => vec![*a, *b],
-        Case::Nothing | Case::Novel => Vec::new(),
-    }
-}
-
 fn best_known(judgement: &Judgement) -> Option<&Explanation> {
-    let known = judgement.beliefs.iter().find(|b| matches!(b.case, Case::One(_) | Case::Two(..)))?;
+    let known = judgement
+        .beliefs
+        .iter()
+        .find(|b| matches!(b.case, Case::One(_) | Case::Two(..)))?;
     judgement.best_of(&case_families(&known.case))?.1
 }
 
 /// The best single effect of the best known explanation, then that explanation.
 fn rungs<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<(String, &'a Explanation)> {
-    let known = judgement.beliefs.iter().find(|b| matches!(b.case, Case::One(_) | Case::Two(..)));
+    let known = judgement
+        .beliefs
+        .iter()
+        .find(|b| matches!(b.case, Case::One(_) | Case::Two(..)));
     let Some(known) = known else { return Vec::new() };
     let families = case_families(&known.case);
     let mut rungs = Vec::new();
@@ -130,155 +111,24 @@ fn rungs<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<(String, &'a 
         if let (2, Some((pair, Some(both)))) = (families.len(), judgement.best_of(&families)) {
             let first_family = judgement.trial(index).families[0];
             let members = &judgement.trial(pair).members;
-            let second = members.iter().find(|k| !judgement.families[first_family].members.contains(k));
+            let second = members
+                .iter()
+                .find(|k| !judgement.families[first_family].members.contains(k));
             rungs.push((own, first));
             rungs.extend(second.map(|&k| (name(baseline, k), both)));
         } else {
             rungs.push((own, first));
         }
     } else if let Some((index, Some(both))) = judgement.best_of(&families) {
-        let names: Vec<String> = judgement.trial(index).members.iter().map(|&k| name(baseline, k)).collect();
+        let names: Vec<String> = judgement
+            .trial(index)
+            .members
+            .iter()
+            .map(|&k| name(baseline, k))
+            .collect();
         rungs.push((names.join(" + "), both));
     }
     rungs
-}
-
-fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -> Hypothesis {
-    let families = case_families(&belief.case);
-    let found = judgement.best_of(&families);
-    let mut strengths: Vec<Strength> = Vec::new();
-    let mut plausible = true;
-    if let Some((index, explanation)) = found.filter(|_| !families.is_empty()) {
-        let trial = judgement.trial(index);
-        let members = explanation.map_or(&trial.members, |explanation| &explanation.members);
-        for (position, &k) in members.iter().enumerate() {
-            let own = unknown(baseline, k);
-            let linear = trial.linear.estimate.get(position).copied().unwrap_or(0.0);
-            let value = explanation.map_or(linear * own.sigma, |e| e.strength[position]);
-            let length = baseline.directions.lengths[k];
-            let error = own.sigma / (1.0 + length * length).sqrt();
-            strengths.push(Strength {
-                effect: name(baseline, k),
-                unknown: own.name.clone(),
-                value,
-                standard_error: explanation.map_or(error, |e| e.standard_error[position]),
-                unit: own.unit.clone(),
-            });
-            plausible &= is_plausible(own, value);
-        }
-    }
-    let gain = |groups: &[Vec<usize>]| {
-        let local = found?.1?.local.as_ref()?;
-        let noise = &baseline.scatter.noise;
-        Some(ln_density(local, noise, groups)? - ln_density(&baseline.local, noise, groups)?)
-    };
-    let family_names = families.iter().map(|&family| judgement.families[family].name.clone());
-    let effects: Vec<String> = match belief.case {
-        Case::Novel => vec!["novel".into()],
-        _ => families
-            .iter()
-            .filter_map(|&family| {
-                let own = strengths.iter().filter(|s| {
-                    judgement.families[family].members.iter().any(|&k| unknown(baseline, k).name == s.unknown)
-                });
-                own.max_by(|a, b| a.value.abs().total_cmp(&b.value.abs())).map(|s| s.effect.clone())
-            })
-            .collect(),
-    };
-    Hypothesis {
-        effects,
-        families: family_names.collect(),
-        probability: belief.probability,
-        strength: strengths.first().map(|s| s.value),
-        standard_error: strengths.first().map(|s| s.standard_error),
-        strengths,
-        plausible,
-        in_set: belief.in_set,
-        refitted: found.is_some_and(|(_, explanation)| explanation.is_some()),
-        gain_left_out_conditions: gain(&by_condition(baseline.forward, &baseline.data)),
-        gain_left_out_wings: gain(&by_wing(baseline.forward, &baseline.data)),
-    }
-}
-
-fn is_plausible(unknown: &Unknown, value: f64) -> bool {
-    let scale = effect_of(unknown).map_or(f64::INFINITY, |(_, _, scale, _)| scale);
-    let [low, high] = unknown.range;
-    let ends_free = (low == 0.0 || value > low) && (high == 0.0 || value < high);
-    value.abs() <= PLAUSIBLE * scale && ends_free
-}
-
-fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow> {
-    let directions = &baseline.directions;
-    let significance = baseline.settings.significance;
-    let base = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
-    let mut rows = Vec::new();
-    for (k, &i) in baseline.data.missing.iter().enumerate() {
-        let own = &baseline.forward.unknowns()[i];
-        let Some((effect, family, scale, _)) = effect_of(own) else { continue };
-        let length = directions.lengths[k] / own.sigma;
-        let single = judgement.singles.iter().position(|trial| trial.members == [k]);
-        let refit = judgement.refits.iter().find(|(index, _)| Some(*index) == single).map(|(_, e)| e);
-        let one_step = if length > 0.0 { directions.scores[k] / length } else { 0.0 };
-        let family_index = judgement.families.iter().position(|f| f.name == family);
-        let refitted = refit.map(|e| e.strength[0]);
-        rows.push(EffectRow {
-            effect: effect.to_string(),
-            family: family.to_string(),
-            unknown: own.name.clone(),
-            unit: own.unit.clone(),
-            scale,
-            score: directions.scores[k],
-            one_step,
-            one_step_error: if length > 0.0 { 1.0 / length } else { f64::MAX },
-            refitted,
-            refitted_error: refit.map(|e| e.standard_error[0]),
-            plausible: is_plausible(own, refitted.unwrap_or(one_step)),
-            detectability: scale * length,
-            power: directions.power(k, own, significance),
-            sight: directions.sight(k, own, significance),
-            ln_evidence: single.map_or(0.0, |index| judgement.ln_evidence[index] - base),
-            probability: family_index.map_or(0.0, |f| probability(judgement, &Case::One(f))),
-            look_alikes: look_alikes(baseline, judgement, k),
-        });
-    }
-    rows
-}
-
-/// Members of other families whose direction is nearest, the nearest of each.
-fn look_alikes(baseline: &Baseline, judgement: &Judgement, k: usize) -> Vec<LookAlike> {
-    let directions = &baseline.directions;
-    let mut found: Vec<(usize, f64)> = judgement
-        .families
-        .iter()
-        .filter(|family| !family.members.contains(&k))
-        .filter_map(|family| {
-            let cosine = |j: usize| directions.cosine(k, j);
-            let near = family.members.iter().max_by(|&&a, &&b| cosine(a).abs().total_cmp(&cosine(b).abs()))?;
-            Some((*near, cosine(*near)))
-        })
-        .collect();
-    found.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-    found
-        .into_iter()
-        .take(LOOK_ALIKES)
-        .map(|(j, cosine)| LookAlike {
-            effect: name(baseline, j),
-            cosine,
-            separation_sigma: directions.scores[k].abs() * (1.0 - cosine * cosine).max(0.0).sqrt(),
-        })
-        .collect()
-}
-
-/// Effects of which no member could have been seen.
-fn unseen(effects: &[EffectRow]) -> Vec<String> {
-    let mut unseen: Vec<String> = Vec::new();
-    for row in effects {
-        let family_is_seen = effects.iter().any(|other| other.family == row.family && other.power >= ENOUGH_POWER);
-        if !family_is_seen && !unseen.contains(&row.effect) {
-            unseen.push(row.effect.clone());
-        }
-    }
-    unseen
 }
 
 fn verdict(
@@ -289,7 +139,11 @@ fn verdict(
 ) -> Verdict {
     if judgement.significance.p_null > baseline.settings.significance {
         let could_see = effects.iter().any(|row| row.power >= ENOUGH_POWER);
-        return if could_see { Verdict::Nothing } else { Verdict::Undecidable };
+        return if could_see {
+            Verdict::Nothing
+        } else {
+            Verdict::Undecidable
+        };
     }
     if judgement.is_novel {
         return Verdict::Novel;
@@ -315,14 +169,21 @@ fn verdict(
 
 fn noise_found(baseline: &Baseline) -> NoiseFound {
     let observables = baseline.forward.observables();
-    let outliers = baseline.data.rows.iter().zip(&baseline.scatter.widening).filter(|(_, wider)| **wider > 1.0);
+    let outliers = baseline
+        .data
+        .rows
+        .iter()
+        .zip(&baseline.scatter.widening)
+        .filter(|(_, wider)| **wider > 1.0);
     NoiseFound {
         numbers: baseline.data.rows.len(),
         scale: baseline.scatter.scale,
         on_trust: baseline.on_trust(),
         outliers: outliers
             .map(|(&row, &widening)| Outlier {
-                condition: baseline.forward.conditions()[observables[row].condition].name.clone(),
+                condition: baseline.forward.conditions()[observables[row].condition]
+                    .name
+                    .clone(),
                 line: observables[row].line,
                 widening,
             })
@@ -334,7 +195,13 @@ fn novel(baseline: &Baseline, judgement: &Judgement) -> Novel {
     let is_null = judgement.significance.p_null > baseline.settings.significance;
     let reconstruction: Option<Reconstruction> = (!is_null)
         .then(|| {
-            reconstruct(baseline.forward, &baseline.fields, &baseline.seen, &judgement.weighed, &baseline.whitened)
+            reconstruct(
+                baseline.forward,
+                &baseline.fields,
+                &baseline.seen,
+                &judgement.weighed,
+                &baseline.whitened,
+            )
         })
         .flatten();
     let residual = baseline.whitened.q().sqrt().max(f64::MIN_POSITIVE);
@@ -360,11 +227,17 @@ fn novel(baseline: &Baseline, judgement: &Judgement) -> Novel {
 
 fn predictions(baseline: &Baseline, best: Option<&Explanation>) -> Result<Vec<Prediction>, DiagnoseError> {
     let (forward, data) = (baseline.forward, &baseline.data);
-    let fit = best.and_then(|explanation| explanation.fit.as_ref()).unwrap_or(&baseline.fit);
+    let fit = best
+        .and_then(|explanation| explanation.fit.as_ref())
+        .unwrap_or(&baseline.fit);
     if data.held_out.is_empty() {
         return Ok(Vec::new());
     }
-    let free: Vec<&str> = fit.free.iter().map(|&i| forward.unknowns()[i].name.as_str()).collect();
+    let free: Vec<&str> = fit
+        .free
+        .iter()
+        .map(|&i| forward.unknowns()[i].name.as_str())
+        .collect();
     let linear = forward.linearize(&fit.at, &|unknown| free.contains(&unknown.name.as_str()))?;
     let slopes: DMatrix<f64> = linear.jacobian.select_columns(fit.free.iter());
     let variance = baseline.likelihood.variance(fit.q);
@@ -394,13 +267,17 @@ fn next(
     candidates: Option<&dyn Forward>,
     progress: &Progress,
 ) -> Result<Option<NextExperiment>, DiagnoseError> {
-    let Some(candidates) = candidates else { return Ok(None) };
+    let Some(candidates) = candidates else {
+        return Ok(None);
+    };
     let mut rivals: Vec<Rival> = Vec::new();
     for belief in judgement.beliefs.iter().filter(|belief| belief.in_set) {
         let fit = match belief.case {
             Case::Nothing => Some(&baseline.fit),
             Case::Novel => None,
-            _ => judgement.best_of(&case_families(&belief.case)).and_then(|(_, e)| e?.fit.as_ref()),
+            _ => judgement
+                .best_of(&case_families(&belief.case))
+                .and_then(|(_, e)| e?.fit.as_ref()),
         };
         rivals.extend(fit.map(|fit| Rival {
             probability: belief.probability,
@@ -424,7 +301,9 @@ fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, Diag
         ));
     } else if (baseline.scatter.scale - 1.0).abs() > 0.2 {
         let scale = baseline.scatter.scale;
-        notes.push(format!("The data scatter {scale:.2} times as much as stated; that is what was used."));
+        notes.push(format!(
+            "The data scatter {scale:.2} times as much as stated; that is what was used."
+        ));
     }
     let beliefs = judgement.beliefs.iter().filter_map(|belief| match belief.case {
         Case::One(family) => {

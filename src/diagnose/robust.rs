@@ -96,7 +96,9 @@ mod tests {
     fn one_number_far_from_its_neighbours_is_widened_and_no_other() {
         let size = 30;
         let columns = DMatrix::from_fn(size, 3, |i, j| 20.0 * (i as f64 / 30.0).powi(j as i32));
-        let mut residual = DVector::from_fn(size, |i, _| 8.0 * (i as f64 / 30.0) + 0.8 * ((7 * i) as f64).sin());
+        let mut residual = DVector::from_fn(size, |i, _| {
+            8.0 * (i as f64 / 30.0) + 0.8 * ((7 * i) as f64).sin()
+        });
         assert_eq!(outlier_widening(&residual, &columns), vec![1.0; size]);
         residual[11] += 9.0;
         let found = outlier_widening(&residual, &columns);

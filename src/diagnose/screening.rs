@@ -79,7 +79,9 @@ pub fn slopes_of_missing(
     let mut slopes = linear.jacobian.select_columns(data.missing.iter());
     for (k, &i) in data.missing.iter().enumerate() {
         let switch = matches!(unknowns[i].kind, UnknownKind::Effect { has_switch: true, .. });
-        if let (true, Some(share), Some((_, _, scale, _))) = (switch, settings.switch_step, effect_of(&unknowns[i])) {
+        if let (true, Some(share), Some((_, _, scale, _))) =
+            (switch, settings.switch_step, effect_of(&unknowns[i]))
+        {
             let mut stepped = at.to_vec();
             stepped[i] += share * scale;
             let moved = forward.predict(&stepped)?;
@@ -101,7 +103,11 @@ impl Directions {
     pub fn new(data: &Data, slopes: &DMatrix<f64>, whitened: &Whitened) -> Directions {
         let columns = whitened.directions(slopes);
         let gram = columns.transpose() * &columns;
-        let lengths: Vec<f64> = gram.diagonal().iter().map(|square| square.max(0.0).sqrt()).collect();
+        let lengths: Vec<f64> = gram
+            .diagonal()
+            .iter()
+            .map(|square| square.max(0.0).sqrt())
+            .collect();
         let dots = columns.transpose() * &whitened.residual;
         let scores = dots
             .iter()
@@ -131,12 +137,18 @@ impl Directions {
     /// Cosine between two directions.
     pub fn cosine(&self, a: usize, b: usize) -> f64 {
         let lengths = self.lengths[a] * self.lengths[b];
-        if lengths > 1e-18 { (self.gram[(a, b)] / lengths).clamp(-1.0, 1.0) } else { 0.0 }
+        if lengths > 1e-18 {
+            (self.gram[(a, b)] / lengths).clamp(-1.0, 1.0)
+        } else {
+            0.0
+        }
     }
 
     /// Probability to see effect `k` at its plausible size with false alarms at `level`.
     pub fn power(&self, k: usize, unknown: &Unknown, level: f64) -> f64 {
-        let Some((_, _, scale, one_sided)) = effect_of(unknown) else { return 0.0 };
+        let Some((_, _, scale, one_sided)) = effect_of(unknown) else {
+            return 0.0;
+        };
         let normal = Normal::standard();
         let tail = if one_sided { level } else { 0.5 * level };
         let distance = scale / unknown.sigma * self.lengths[k];
@@ -146,7 +158,11 @@ impl Directions {
     /// Verdict of one glance at effect `k`, judged alone at `level`.
     pub fn sight(&self, k: usize, unknown: &Unknown, level: f64) -> Sight {
         let one_sided = is_one_sided(unknown);
-        let score = if one_sided { self.scores[k] } else { self.scores[k].abs() };
+        let score = if one_sided {
+            self.scores[k]
+        } else {
+            self.scores[k].abs()
+        };
         let tail = if one_sided { level } else { 0.5 * level };
         if score > Normal::standard().inverse_cdf(1.0 - tail) {
             Sight::Present

@@ -88,17 +88,59 @@ impl Settings {
     pub fn check(&self) -> Result<(), DiagnoseError> {
         let positive = "give a number larger than 0";
         let ranges = [
-            ("slop", self.slop, 0.0, 0.5, "give a share from 0 to 0.5, such as 0.01"),
-            ("significance", self.significance, 1e-4, 0.5, "give 0.0001 to 0.5, such as 0.01"),
-            ("noise_trust", self.noise_trust as f64, 1.0, 1e4, "give 1 to 10000, such as 5"),
-            ("noise_scale", self.noise_scale.unwrap_or(1.0), 1e-6, 1e6, positive),
-            ("draws", self.draws as f64, 200.0, 1e6, "give 200 to 1000000, such as 8000"),
+            (
+                "slop",
+                self.slop,
+                0.0,
+                0.5,
+                "give a share from 0 to 0.5, such as 0.01",
+            ),
+            (
+                "significance",
+                self.significance,
+                1e-4,
+                0.5,
+                "give 0.0001 to 0.5, such as 0.01",
+            ),
+            (
+                "noise_trust",
+                self.noise_trust as f64,
+                1.0,
+                1e4,
+                "give 1 to 10000, such as 5",
+            ),
+            (
+                "noise_scale",
+                self.noise_scale.unwrap_or(1.0),
+                1e-6,
+                1e6,
+                positive,
+            ),
+            (
+                "draws",
+                self.draws as f64,
+                200.0,
+                1e6,
+                "give 200 to 1000000, such as 8000",
+            ),
             ("prior.nothing", self.prior.nothing, 1e-9, 1e9, positive),
             ("prior.one", self.prior.one, 1e-9, 1e9, positive),
             ("prior.two", self.prior.two, 1e-9, 1e9, positive),
             ("prior.novel", self.prior.novel, 1e-9, 1e9, positive),
-            ("stations", self.stations as f64, 4.0, 200.0, "give 4 to 200, such as 16"),
-            ("switch_step", self.switch_step.unwrap_or(0.05), 1e-6, 1.0, "give a share from 0.000001 to 1"),
+            (
+                "stations",
+                self.stations as f64,
+                4.0,
+                200.0,
+                "give 4 to 200, such as 16",
+            ),
+            (
+                "switch_step",
+                self.switch_step.unwrap_or(0.05),
+                1e-6,
+                1.0,
+                "give a share from 0.000001 to 1",
+            ),
             ("tempering", self.tempering, 0.05, 1.0, "give 0.05 to 1"),
         ];
         for (name, value, low, high, cure) in ranges {

@@ -41,17 +41,33 @@ fn with_strength(hypothesis: &Hypothesis) -> String {
         .strengths
         .iter()
         .map(|strength| {
-            let unit = if strength.unit == "1" { String::new() } else { format!(" {}", strength.unit) };
-            format!("{} = {} ± {}{unit}", strength.effect, short(strength.value), short(strength.standard_error))
+            let unit = if strength.unit == "1" {
+                String::new()
+            } else {
+                format!(" {}", strength.unit)
+            };
+            format!(
+                "{} = {} ± {}{unit}",
+                strength.effect,
+                short(strength.value),
+                short(strength.standard_error)
+            )
         })
         .collect();
-    let plausible = if hypothesis.plausible { "" } else { ", an implausible size" };
+    let plausible = if hypothesis.plausible {
+        ""
+    } else {
+        ", an implausible size"
+    };
     format!("{}{plausible}", parts.join(" and "))
 }
 
 fn pair(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> String {
-    let pairs: Vec<&Hypothesis> =
-        diagnosis.hypotheses.iter().filter(|h| h.in_set && h.families.len() == 2).collect();
+    let pairs: Vec<&Hypothesis> = diagnosis
+        .hypotheses
+        .iter()
+        .filter(|h| h.in_set && h.families.len() == 2)
+        .collect();
     let shared = hypothesis
         .families
         .iter()
@@ -66,16 +82,26 @@ fn pair(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> String {
                     other.effects.get(second).cloned()
                 })
                 .collect();
-            format!("Two effects are missing: {name} for certain; the second is {}.", one_of(&seconds))
+            format!(
+                "Two effects are missing: {name} for certain; the second is {}.",
+                one_of(&seconds)
+            )
         }
         _ => format!("Two effects are missing: {}.", with_strength(hypothesis)),
     }
 }
 
 fn novel(diagnosis: &Diagnosis) -> String {
-    let what = diagnosis.novel.draft.as_ref().map_or("something", |draft| draft.what.as_str());
+    let what = diagnosis
+        .novel
+        .draft
+        .as_ref()
+        .map_or("something", |draft| draft.what.as_str());
     let nearest = diagnosis.novel.nearest.first().map_or_else(String::new, |near| {
-        format!("; the nearest known signature is {} (cosine {:.2})", near.effect, near.cosine)
+        format!(
+            "; the nearest known signature is {} (cosine {:.2})",
+            near.effect, near.cosine
+        )
     });
     format!("Something is missing that no known effect explains: {what}{nearest}.")
 }
@@ -85,7 +111,13 @@ fn names_in_set(diagnosis: &Diagnosis) -> Vec<String> {
         .hypotheses
         .iter()
         .filter(|h| h.in_set)
-        .map(|h| if h.effects.is_empty() { "nothing after all".into() } else { h.effects.join(" with ") })
+        .map(|h| {
+            if h.effects.is_empty() {
+                "nothing after all".into()
+            } else {
+                h.effects.join(" with ")
+            }
+        })
         .collect()
 }
 
@@ -98,7 +130,10 @@ fn one_of(names: &[String]) -> String {
             names[..LISTED].join(", "),
             names.len() - LISTED
         ),
-        [most @ .., last] => format!("one of {} or {last}, which these data cannot tell apart", most.join(", ")),
+        [most @ .., last] => format!(
+            "one of {} or {last}, which these data cannot tell apart",
+            most.join(", ")
+        ),
     }
 }
 
@@ -108,7 +143,11 @@ pub fn short(value: f64) -> String {
         return format!("{value}");
     }
     let digits = (2 - value.abs().log10().floor() as i32).clamp(0, 9) as usize;
-    if !(1e-4..1e6).contains(&value.abs()) { format!("{value:.2e}") } else { format!("{value:.digits$}") }
+    if !(1e-4..1e6).contains(&value.abs()) {
+        format!("{value:.2e}")
+    } else {
+        format!("{value:.digits$}")
+    }
 }
 
 #[cfg(test)]
@@ -117,7 +156,10 @@ mod tests {
 
     #[test]
     fn numbers_keep_three_digits() {
-        assert_eq!([short(0.123456), short(12.3456), short(1234.6)], ["0.123", "12.3", "1235"]);
+        assert_eq!(
+            [short(0.123456), short(12.3456), short(1234.6)],
+            ["0.123", "12.3", "1235"]
+        );
         assert_eq!([short(-2.5e-6), short(0.0)], ["-2.50e-6", "0"]);
     }
 }

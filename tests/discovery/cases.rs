@@ -55,7 +55,11 @@ const TWINS: [[&str; 2]; 2] = [
 pub fn good_campaign(sigma_deg: f64) -> Toy {
     let mut runs = Vec::new();
     for wing in 0..3 {
-        runs.extend([(wing, 18.0, 60.0, false), (wing, 25.0, 50.0, false), (wing, 25.0, 70.0, false)]);
+        runs.extend([
+            (wing, 18.0, 60.0, false),
+            (wing, 25.0, 50.0, false),
+            (wing, 25.0, 70.0, false),
+        ]);
     }
     runs.extend([(0, 28.0, 60.0, true), (1, 28.0, 65.0, true)]);
     let stations: Vec<f64> = (1..=10).map(|i| 0.098 * f64::from(i)).collect();
@@ -65,7 +69,12 @@ pub fn good_campaign(sigma_deg: f64) -> Toy {
 /// One wing, two frequencies, six stations.
 pub fn poor_campaign(sigma_deg: f64) -> Toy {
     let stations: Vec<f64> = (1..=6).map(|i| 0.16 * f64::from(i)).collect();
-    Toy::new(&WINGS[..1], &[(0, 18.0, 60.0, false), (0, 25.0, 60.0, false)], &stations, sigma_deg)
+    Toy::new(
+        &WINGS[..1],
+        &[(0, 18.0, 60.0, false), (0, 25.0, 60.0, false)],
+        &stations,
+        sigma_deg,
+    )
 }
 
 /// Puts nature's readings with noise of `sigma` times the stated one into the toy.
@@ -99,7 +108,9 @@ pub fn case(kind: Kind, seed: u64) -> Case {
 
 fn hidden(kind: Kind, draws: Draws) -> (Vec<Hidden>, Vec<&'static str>) {
     let twins: Vec<&str> = TWINS.concat();
-    let names: Vec<usize> = (0..EFFECTS.len()).filter(|&k| !twins.contains(&EFFECTS[k].name)).collect();
+    let names: Vec<usize> = (0..EFFECTS.len())
+        .filter(|&k| !twins.contains(&EFFECTS[k].name))
+        .collect();
     let pick = |k: u64| names[(draws.uniform(3, k) * names.len() as f64) as usize];
     match kind {
         Kind::Null | Kind::NullQuiet | Kind::NullOutlier => (Vec::new(), Vec::new()),
@@ -109,7 +120,10 @@ fn hidden(kind: Kind, draws: Draws) -> (Vec<Hidden>, Vec<&'static str>) {
         }
         Kind::Pair => {
             let first = pick(0);
-            let second = (1..50).map(pick).find(|&k| EFFECTS[k].family != EFFECTS[first].family).expect("another");
+            let second = (1..50)
+                .map(pick)
+                .find(|&k| EFFECTS[k].family != EFFECTS[first].family)
+                .expect("another");
             (
                 vec![effect(first, draws, 0), effect(second, draws, 1)],
                 vec![EFFECTS[first].family, EFFECTS[second].family],
@@ -117,7 +131,10 @@ fn hidden(kind: Kind, draws: Draws) -> (Vec<Hidden>, Vec<&'static str>) {
         }
         Kind::Twin => {
             let name = twins[(draws.uniform(3, 0) * twins.len() as f64) as usize];
-            let k = EFFECTS.iter().position(|effect| effect.name == name).expect("a twin");
+            let k = EFFECTS
+                .iter()
+                .position(|effect| effect.name == name)
+                .expect("a twin");
             (vec![effect(k, draws, 0)], vec![EFFECTS[k].family])
         }
         Kind::Novel => (vec![novel(draws)], Vec::new()),
@@ -127,7 +144,11 @@ fn hidden(kind: Kind, draws: Draws) -> (Vec<Hidden>, Vec<&'static str>) {
 /// An effect with 0.4 to 1.6 times its scale.
 fn effect(k: usize, draws: Draws, which: u64) -> Hidden {
     let known = &EFFECTS[k];
-    let sign = if known.one_sided || draws.uniform(5, which) < 0.5 { 1.0 } else { -1.0 };
+    let sign = if known.one_sided || draws.uniform(5, which) < 0.5 {
+        1.0
+    } else {
+        -1.0
+    };
     let strength = sign * known.scale * (0.4 + 1.2 * draws.uniform(4, which));
     match known.place {
         Some(_) => Hidden::Damage(0.16 + 0.62 * draws.uniform(6, which), strength),
@@ -139,7 +160,14 @@ fn novel(draws: Draws) -> Hidden {
     let place = 0.25 + 0.5 * draws.uniform(4, 0);
     let size = 0.6 + 0.8 * draws.uniform(4, 1);
     let sign = if draws.uniform(5, 0) < 0.5 { 1.0 } else { -1.0 };
-    let powers = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [2.0, 0.0], [1.0, 2.0], [2.0, 1.0]];
+    let powers = [
+        [0.0, 0.0],
+        [1.0, 0.0],
+        [0.0, 1.0],
+        [2.0, 0.0],
+        [1.0, 2.0],
+        [2.0, 1.0],
+    ];
     match (draws.uniform(3, 0) * 6.0) as usize {
         0..=2 => {
             let law = powers[(draws.uniform(3, 1) * 6.0) as usize];

@@ -2,6 +2,7 @@
 
 mod cases;
 mod effects;
+mod lessons;
 mod rod;
 mod scoreboard;
 mod truth;
@@ -9,7 +10,10 @@ mod truth;
 use washout::diagnose::Settings;
 
 fn number(name: &str, default: f64) -> f64 {
-    std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
+    std::env::var(name)
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(default)
 }
 
 #[test]
@@ -17,5 +21,10 @@ fn number(name: &str, default: f64) -> f64 {
 fn the_scoreboard() {
     let seed = number("DISCOVERY_SEED", 10_000.0) as u64;
     let settings = Settings::default();
-    scoreboard::print(seed, number("DISCOVERY_SCALE", 1.0), &settings, number("DISCOVERY_LIST", 0.0) > 0.0);
+    scoreboard::print(
+        seed,
+        number("DISCOVERY_SCALE", 1.0),
+        &settings,
+        number("DISCOVERY_LIST", 0.0) > 0.0,
+    );
 }

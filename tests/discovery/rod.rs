@@ -75,10 +75,6 @@ impl Toy {
         toy
     }
 
-    pub fn index(&self, name: &str) -> usize {
-        self.unknowns.iter().position(|unknown| unknown.name == name).expect("an unknown of that name")
-    }
-
     /// Residual of the rod for twist θ (rad) with an extra moment per length.
     fn residual(&self, condition: usize, at: &At, theta: &[f64], extra: &[f64]) -> Vec<f64> {
         let wing = self.wings[condition];
@@ -98,8 +94,7 @@ impl Toy {
             })
             .collect();
         let mut residual = vec![0.0; CELLS + 1];
-        residual[0] = wing.gj_n_m2 / length
-            * (theta[0] - (at.root_compliance + at.clamp_slip) * torque[0]);
+        residual[0] = wing.gj_n_m2 / length * (theta[0] - (at.root_compliance + at.clamp_slip) * torque[0]);
         for i in 1..=CELLS {
             let xi = i as f64 / CELLS as f64;
             let moment = at.moment(xi, length, f, phi, theta[i]) + extra[i];
@@ -117,7 +112,11 @@ impl Toy {
         for colour in 0..3 {
             let moved = |sign: f64| {
                 let mut moved = theta.to_vec();
-                moved.iter_mut().skip(colour).step_by(3).for_each(|value| *value += sign * step);
+                moved
+                    .iter_mut()
+                    .skip(colour)
+                    .step_by(3)
+                    .for_each(|value| *value += sign * step);
                 self.residual(condition, at, &moved, extra)
             };
             let (up, down) = (moved(1.0), moved(-1.0));
@@ -199,8 +198,11 @@ impl Toy {
                 let answer = banded(&tangent, &push);
                 for row in self.rows(condition) {
                     let shift = |sign: f64, at: &At| {
-                        let moved: Vec<f64> =
-                            theta.iter().zip(answer.iter()).map(|(t, a)| t - sign * step * a).collect();
+                        let moved: Vec<f64> = theta
+                            .iter()
+                            .zip(answer.iter())
+                            .map(|(t, a)| t - sign * step * a)
+                            .collect();
                         self.read(row, at, &moved)
                     };
                     linear.jacobian[(row, column)] = (shift(1.0, &up) - shift(-1.0, &down)) / (2.0 * step);
@@ -264,7 +266,12 @@ impl At {
     fn new(values: &[f64]) -> At {
         let get = |name: &str| {
             let nuisance = NUISANCES.iter().position(|n| n.0 == name);
-            let effect = || EFFECTS.iter().position(|e| e.name == name).map(|k| k + NUISANCES.len());
+            let effect = || {
+                EFFECTS
+                    .iter()
+                    .position(|e| e.name == name)
+                    .map(|k| k + NUISANCES.len())
+            };
             values[nuisance.or_else(effect).expect("a known unknown")]
         };
         At {
@@ -313,7 +320,10 @@ impl At {
     }
 
     fn damage(&self, xi: f64) -> f64 {
-        let here = self.damages.iter().filter(|(place, _)| (place - xi).abs() < 0.5 / CELLS as f64);
+        let here = self
+            .damages
+            .iter()
+            .filter(|(place, _)| (place - xi).abs() < 0.5 / CELLS as f64);
         here.map(|(_, value)| value).sum()
     }
 
@@ -336,8 +346,7 @@ impl At {
             * (1.0 + self.reynolds * (speed / 10.0).max(1e-3).ln());
         let load = 0.6 * speed * speed * c * c * 0.25 * 1.8 * self.ln_cn.exp() * alpha.sin() * factor;
         let rates = f / 25.0;
-        load - self.centrifugal * 1e-6 * omega.powi(2) * xi * theta
-            - self.film_tension * 0.01 * theta
+        load - self.centrifugal * 1e-6 * omega.powi(2) * xi * theta - self.film_tension * 0.01 * theta
             + self.gravity * 2e-3
             + self.inertia * 2e-3 * rates * rates * phi * c / 0.02
             + self.rotational_damping * 2e-3 * rates * phi * (c / 0.02).powi(3) * xi
@@ -348,7 +357,11 @@ fn unknowns() -> Vec<Unknown> {
     let nuisances = NUISANCES.iter().map(|&(name, unit, sigma)| Unknown {
         name: name.into(),
         unit: unit.into(),
-        kind: if name.starts_with("camera") { UnknownKind::Ruler } else { UnknownKind::Input },
+        kind: if name.starts_with("camera") {
+            UnknownKind::Ruler
+        } else {
+            UnknownKind::Input
+        },
         mean: 0.0,
         sigma,
         range: [-6.0 * sigma, 6.0 * sigma],
@@ -388,7 +401,9 @@ impl Forward for Toy {
         Ok(self.derivatives(at, &[])?.value)
     }
     fn linearize(&self, at: &[f64], wanted: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError> {
-        let columns: Vec<usize> = (0..self.unknowns.len()).filter(|&i| wanted(&self.unknowns[i])).collect();
+        let columns: Vec<usize> = (0..self.unknowns.len())
+            .filter(|&i| wanted(&self.unknowns[i]))
+            .collect();
         self.derivatives(at, &columns)
     }
     fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {
@@ -410,8 +425,13 @@ impl Forward for Toy {
                 let push = DVector::from_iterator(CELLS + 1, pushed.iter().zip(&base).map(|(p, b)| p - b));
                 let answer = banded(&tangent, &push);
                 for row in self.rows(condition) {
-                    let moved: Vec<f64> = theta.iter().zip(answer.iter()).map(|(t, a)| t - 1e-6 * a).collect();
-                    response[(row, j)] = (self.read(row, &here, &moved) - self.read(row, &here, &theta)) / 1e-6;
+                    let moved: Vec<f64> = theta
+                        .iter()
+                        .zip(answer.iter())
+                        .map(|(t, a)| t - 1e-6 * a)
+                        .collect();
+                    response[(row, j)] =
+                        (self.read(row, &here, &moved) - self.read(row, &here, &theta)) / 1e-6;
                 }
             }
         }

@@ -35,7 +35,13 @@ impl Share {
 
 impl std::fmt::Display for Share {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(formatter, "{}/{} = {:.1} %", self.hits, self.count, 100.0 * self.value())
+        write!(
+            formatter,
+            "{}/{} = {:.1} %",
+            self.hits,
+            self.count,
+            100.0 * self.value()
+        )
     }
 }
 
@@ -56,11 +62,6 @@ impl Outcome {
         !matches!(self.said.verdict, Verdict::Nothing | Verdict::Undecidable)
     }
 
-    /// Families of the most probable hypothesis.
-    pub fn first(&self) -> Vec<&str> {
-        self.said.hypotheses[0].families.iter().map(String::as_str).collect()
-    }
-
     fn same(&self, families: &[String]) -> bool {
         let mut said: Vec<&str> = families.iter().map(String::as_str).collect();
         let mut truth = self.case.families.clone();
@@ -74,11 +75,19 @@ impl Outcome {
     }
 
     pub fn truth_in_set(&self) -> bool {
-        self.said.hypotheses.iter().any(|h| h.in_set && self.same(&h.families) && !h.effects.contains(&"novel".into()))
+        self.said
+            .hypotheses
+            .iter()
+            .any(|h| h.in_set && self.same(&h.families) && !h.effects.contains(&"novel".into()))
     }
 
     pub fn novel_in_set(&self) -> bool {
-        self.said.verdict == Verdict::Novel || self.said.hypotheses.iter().any(|h| h.in_set && h.effects == ["novel"])
+        self.said.verdict == Verdict::Novel
+            || self
+                .said
+                .hypotheses
+                .iter()
+                .any(|h| h.in_set && h.effects == ["novel"])
     }
 
     pub fn set_size(&self) -> usize {
@@ -97,17 +106,26 @@ impl Outcome {
             _ => row.family == family,
         };
         let rows = self.said.effects.iter().filter(own);
-        let best = rows.max_by(|a, b| a.score.abs().total_cmp(&b.score.abs())).expect("the true effect");
+        let best = rows
+            .max_by(|a, b| a.score.abs().total_cmp(&b.score.abs()))
+            .expect("the true effect");
         let distance = (strength / best.scale * best.detectability).abs();
         let cosine = best.look_alikes.first().map_or(0.0, |near| near.cosine);
-        (distance * distance, distance * (1.0 - cosine * cosine).max(0.0).sqrt())
+        (
+            distance * distance,
+            distance * (1.0 - cosine * cosine).max(0.0).sqrt(),
+        )
     }
 
     /// Held-out error before and after, in units of the noise.
     pub fn held_out(&self) -> Option<[f64; 3]> {
         let rungs = &self.said.ladder;
         let of = |name: &str| rungs.iter().find(|rung| rung.name == name)?.held_out;
-        let last = rungs.iter().rev().find(|rung| rung.name.starts_with('+'))?.held_out?;
+        let last = rungs
+            .iter()
+            .rev()
+            .find(|rung| rung.name.starts_with('+'))?
+            .held_out?;
         Some([of("calibrated")?, last, of("noise")?])
     }
 }
@@ -120,9 +138,16 @@ pub fn median(mut values: Vec<f64>) -> f64 {
 /// Prints the scoreboard.
 pub fn print(seed: u64, scale: f64, settings: &Settings, verbose: bool) {
     let count = |cases: u64| ((cases as f64 * scale) as u64).max(2);
-    for (kind, name) in [(Kind::Null, "null"), (Kind::NullQuiet, "null, sigma 30 % short"), (Kind::NullOutlier, "null, outlier")] {
+    for (kind, name) in [
+        (Kind::Null, "null"),
+        (Kind::NullQuiet, "null, sigma 30 % short"),
+        (Kind::NullOutlier, "null, outlier"),
+    ] {
         let outcomes = run(kind, seed, count(50), settings);
-        println!("{name}: false alarms {}", Share::of(outcomes.iter().map(Outcome::is_alarm)));
+        println!(
+            "{name}: false alarms {}",
+            Share::of(outcomes.iter().map(Outcome::is_alarm))
+        );
         list(&outcomes, verbose, &|o| o.is_alarm());
     }
     let mut beliefs: Vec<(f64, bool)> = Vec::new();
@@ -141,7 +166,16 @@ fn list(outcomes: &[Outcome], verbose: bool, which: &dyn Fn(&Outcome) -> bool) {
             .iter()
             .filter(|h| h.in_set)
             .take(5)
-            .map(|h| format!("{:?} {:.2}", h.families.first().map_or(h.effects.first(), |_| Some(&h.effects[0])).map_or("nothing".into(), |_| h.effects.join("+")), h.probability))
+            .map(|h| {
+                format!(
+                    "{:?} {:.2}",
+                    h.families
+                        .first()
+                        .map_or(h.effects.first(), |_| Some(&h.effects[0]))
+                        .map_or("nothing".into(), |_| h.effects.join("+")),
+                    h.probability
+                )
+            })
             .collect();
         println!(
             "   seed {} {:?} other {} s {:.2} Q {:.0} p {:.4} ({:.4} {:.4} {:.4}) after {:.4}: {:?} {}",
@@ -180,34 +214,68 @@ fn singles(seed: u64, count: u64, settings: &Settings, verbose: bool, beliefs: &
         ncp >= 25.0 && apart >= 3.0
     };
     let seen: Vec<&Outcome> = outcomes.iter().filter(|o| o.is_alarm()).collect();
-    println!("single: seen {}", Share::of(outcomes.iter().map(Outcome::is_alarm)));
-    println!("   named right, where seen {}", Share::of(seen.iter().map(|o| o.is_named_right())));
-    println!("   named right, detectable and separable {}", Share::of(outcomes.iter().filter(clear).map(Outcome::is_named_right)));
-    println!("   truth in the set, where seen {}", Share::of(seen.iter().map(|o| o.truth_in_set())));
-    println!("   mean size of the set {:.2}", seen.iter().map(|o| o.set_size() as f64).sum::<f64>() / seen.len() as f64);
-    println!("   verdict effect {}, of these right {}",
+    println!(
+        "single: seen {}",
+        Share::of(outcomes.iter().map(Outcome::is_alarm))
+    );
+    println!(
+        "   named right, where seen {}",
+        Share::of(seen.iter().map(|o| o.is_named_right()))
+    );
+    println!(
+        "   named right, detectable and separable {}",
+        Share::of(outcomes.iter().filter(clear).map(Outcome::is_named_right))
+    );
+    println!(
+        "   truth in the set, where seen {}",
+        Share::of(seen.iter().map(|o| o.truth_in_set()))
+    );
+    println!(
+        "   mean size of the set {:.2}",
+        seen.iter().map(|o| o.set_size() as f64).sum::<f64>() / seen.len() as f64
+    );
+    println!(
+        "   verdict effect {}, of these right {}",
         Share::of(seen.iter().map(|o| o.said.verdict == Verdict::Effect)),
-        Share::of(seen.iter().filter(|o| o.said.verdict == Verdict::Effect).map(|o| o.is_named_right())));
-    println!("   falsely novel {}", Share::of(seen.iter().map(|o| o.said.verdict == Verdict::Novel)));
+        Share::of(
+            seen.iter()
+                .filter(|o| o.said.verdict == Verdict::Effect)
+                .map(|o| o.is_named_right())
+        )
+    );
+    println!(
+        "   falsely novel {}",
+        Share::of(seen.iter().map(|o| o.said.verdict == Verdict::Novel))
+    );
     let right: Vec<&&Outcome> = seen.iter().filter(|o| o.is_named_right()).collect();
     let errors: Vec<[f64; 2]> = right
         .iter()
         .filter_map(|o| match o.case.nature.hidden[0] {
             Hidden::Known(name, strength) => {
                 let found = o.said.hypotheses[0].strengths.iter().find(|s| s.effect == name)?;
-                Some([(found.value - strength).abs() / strength.abs(), (found.value - strength).abs() / found.standard_error])
+                Some([
+                    (found.value - strength).abs() / strength.abs(),
+                    (found.value - strength).abs() / found.standard_error,
+                ])
             }
             _ => None,
         })
         .collect();
-    println!("   strength: median error {:.1} %, within 2 sigma {}",
-        100.0 * median(errors.iter().map(|e| e[0]).collect()), Share::of(errors.iter().map(|e| e[1] < 2.0)));
+    println!(
+        "   strength: median error {:.1} %, within 2 sigma {}",
+        100.0 * median(errors.iter().map(|e| e[0]).collect()),
+        Share::of(errors.iter().map(|e| e[1] < 2.0))
+    );
     let falls: Vec<[f64; 3]> = right.iter().filter_map(|o| o.held_out()).collect();
-    println!("   held out: error falls {:.2}-fold (median), to {:.2} noise, worse {}",
+    println!(
+        "   held out: error falls {:.2}-fold (median), to {:.2} noise, worse {}",
         median(falls.iter().map(|f| f[0] / f[1]).collect()),
         median(falls.iter().map(|f| f[1] / f[2]).collect()),
-        Share::of(falls.iter().map(|f| f[1] > f[0])));
-    list(&outcomes, verbose, &|o| o.is_alarm() && (!o.is_named_right() || o.said.verdict == Verdict::Novel));
+        Share::of(falls.iter().map(|f| f[1] > f[0]))
+    );
+    list(&outcomes, verbose, &|o| {
+        o.is_alarm() && (!o.is_named_right() || o.said.verdict == Verdict::Novel)
+    });
     believe(&outcomes, beliefs);
 }
 
@@ -215,32 +283,82 @@ fn pairs(seed: u64, count: u64, settings: &Settings, verbose: bool, beliefs: &mu
     let outcomes = run(Kind::Pair, seed, count, settings);
     let seen: Vec<&Outcome> = outcomes.iter().filter(|o| o.is_alarm()).collect();
     let dominant = |o: &&Outcome| {
-        o.said.hypotheses.iter().find(|h| !h.families.is_empty()).is_some_and(|h| h.families.iter().any(|f| o.case.families.contains(&f.as_str())))
+        o.said
+            .hypotheses
+            .iter()
+            .find(|h| !h.families.is_empty())
+            .is_some_and(|h| h.families.iter().any(|f| o.case.families.contains(&f.as_str())))
     };
     println!("pair: seen {}", Share::of(outcomes.iter().map(Outcome::is_alarm)));
     println!("   one of the two right {}", Share::of(seen.iter().map(dominant)));
-    println!("   both right {}", Share::of(seen.iter().map(|o| o.is_named_right())));
-    println!("   truth in the set {}", Share::of(seen.iter().map(|o| o.truth_in_set())));
-    println!("   mean size of the set {:.2}", seen.iter().map(|o| o.set_size() as f64).sum::<f64>() / seen.len() as f64);
-    println!("   verdict pair {}, novel {}", Share::of(seen.iter().map(|o| o.said.verdict == Verdict::Pair)), Share::of(seen.iter().map(|o| o.said.verdict == Verdict::Novel)));
+    println!(
+        "   both right {}",
+        Share::of(seen.iter().map(|o| o.is_named_right()))
+    );
+    println!(
+        "   truth in the set {}",
+        Share::of(seen.iter().map(|o| o.truth_in_set()))
+    );
+    println!(
+        "   mean size of the set {:.2}",
+        seen.iter().map(|o| o.set_size() as f64).sum::<f64>() / seen.len() as f64
+    );
+    println!(
+        "   verdict pair {}, novel {}",
+        Share::of(seen.iter().map(|o| o.said.verdict == Verdict::Pair)),
+        Share::of(seen.iter().map(|o| o.said.verdict == Verdict::Novel))
+    );
     list(&outcomes, verbose, &|o| o.is_alarm() && !o.is_named_right());
     believe(&outcomes, beliefs);
 }
 
 fn novels(seed: u64, count: u64, settings: &Settings, verbose: bool, beliefs: &mut Vec<(f64, bool)>) {
     let outcomes = run(Kind::Novel, seed, count, settings);
-    let strong: Vec<&Outcome> = outcomes.iter().filter(|o| o.said.misfit.q > 90.0 + 100.0).collect();
-    println!("novel: seen {}", Share::of(outcomes.iter().map(Outcome::is_alarm)));
-    println!("   recognised, misfit over 10 sigma {}", Share::of(strong.iter().map(|o| o.said.verdict == Verdict::Novel)));
-    println!("   in the set, where seen {}", Share::of(outcomes.iter().filter(|o| o.is_alarm()).map(Outcome::novel_in_set)));
-    let bumps: Vec<[f64; 3]> = strong.iter().filter_map(|o| {
-        let Hidden::Bump(place, _, [a, b]) = o.case.nature.hidden[0] else { return None };
-        let found = o.said.novel.reconstruction.as_ref()?;
-        let scaling = found.scaling?;
-        Some([(found.field[0].centroid - place).abs(), (scaling.frequency[0] - a).abs(), (scaling.amplitude[0] - b).abs()])
-    }).collect();
-    println!("   centroid within 0.1 {}, powers within 0.5: f {} phi {}", Share::of(bumps.iter().map(|b| b[0] < 0.1)), Share::of(bumps.iter().map(|b| b[1] < 0.5)), Share::of(bumps.iter().map(|b| b[2] < 0.5)));
-    list(&outcomes, verbose, &|o| o.is_alarm() && o.said.verdict != Verdict::Novel);
+    let strong: Vec<&Outcome> = outcomes
+        .iter()
+        .filter(|o| o.said.misfit.q > 90.0 + 100.0)
+        .collect();
+    println!(
+        "novel: seen {}",
+        Share::of(outcomes.iter().map(Outcome::is_alarm))
+    );
+    println!(
+        "   recognised, misfit over 10 sigma {}",
+        Share::of(strong.iter().map(|o| o.said.verdict == Verdict::Novel))
+    );
+    println!(
+        "   in the set, where seen {}",
+        Share::of(
+            outcomes
+                .iter()
+                .filter(|o| o.is_alarm())
+                .map(Outcome::novel_in_set)
+        )
+    );
+    let bumps: Vec<[f64; 3]> = strong
+        .iter()
+        .filter_map(|o| {
+            let Hidden::Bump(place, _, [a, b]) = o.case.nature.hidden[0] else {
+                return None;
+            };
+            let found = o.said.novel.reconstruction.as_ref()?;
+            let scaling = found.scaling?;
+            Some([
+                (found.field[0].centroid - place).abs(),
+                (scaling.frequency[0] - a).abs(),
+                (scaling.amplitude[0] - b).abs(),
+            ])
+        })
+        .collect();
+    println!(
+        "   centroid within 0.1 {}, powers within 0.5: f {} phi {}",
+        Share::of(bumps.iter().map(|b| b[0] < 0.1)),
+        Share::of(bumps.iter().map(|b| b[1] < 0.5)),
+        Share::of(bumps.iter().map(|b| b[2] < 0.5))
+    );
+    list(&outcomes, verbose, &|o| {
+        o.is_alarm() && o.said.verdict != Verdict::Novel
+    });
     believe(&outcomes, beliefs);
 }
 
@@ -249,7 +367,11 @@ fn twins(seed: u64, count: u64, settings: &Settings, verbose: bool) {
     let seen: Vec<&Outcome> = outcomes.iter().filter(|o| o.is_alarm()).collect();
     let modest = |o: &&Outcome| o.said.hypotheses[0].probability < 0.8;
     println!("twin: seen {}", Share::of(outcomes.iter().map(Outcome::is_alarm)));
-    println!("   none at 0.8 or more {}, truth in the set {}", Share::of(seen.iter().map(modest)), Share::of(seen.iter().map(|o| o.truth_in_set())));
+    println!(
+        "   none at 0.8 or more {}, truth in the set {}",
+        Share::of(seen.iter().map(modest)),
+        Share::of(seen.iter().map(|o| o.truth_in_set()))
+    );
     list(&outcomes, verbose, &|o| o.is_alarm());
 }
 
@@ -257,7 +379,10 @@ fn calibration(beliefs: &[(f64, bool)]) {
     let mut error = 0.0;
     for bin in 0..5 {
         let (low, high) = (f64::from(bin) * 0.2, f64::from(bin + 1) * 0.2);
-        let own: Vec<&(f64, bool)> = beliefs.iter().filter(|b| b.0 >= low && (b.0 < high || bin == 4)).collect();
+        let own: Vec<&(f64, bool)> = beliefs
+            .iter()
+            .filter(|b| b.0 >= low && (b.0 < high || bin == 4))
+            .collect();
         if own.is_empty() {
             continue;
         }

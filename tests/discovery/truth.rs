@@ -45,7 +45,12 @@ impl Nature {
         Nature {
             hidden,
             nuisances: [0.05 * normal(0), 0.06 * normal(1), normal(2), 0.3 * normal(3)],
-            background: [0.01 * normal(4), 0.01 * normal(5), 0.015 * normal(6), 6.0 * draws.uniform(8, 0)],
+            background: [
+                0.01 * normal(4),
+                0.01 * normal(5),
+                0.015 * normal(6),
+                6.0 * draws.uniform(8, 0),
+            ],
             other_formulas: draws.uniform(8, 1) < 0.5,
         }
     }
@@ -92,11 +97,15 @@ impl Nature {
         let length = wing.length_m;
         let f = c.frequency_hz.unwrap_or(0.0) * (1.0 + self.known("frequency_error"));
         let phi = c.half_amplitude_deg.unwrap_or(0.0).to_radians();
-        let xi: Vec<f64> = (0..POINTS).map(|i| 0.5 * (1.0 - (PI * i as f64 / (POINTS - 1) as f64).cos())).collect();
+        let xi: Vec<f64> = (0..POINTS)
+            .map(|i| 0.5 * (1.0 - (PI * i as f64 / (POINTS - 1) as f64).cos()))
+            .collect();
         let mut theta = vec![0.0; POINTS];
         let tip = self.known("tip_mass") * 2e-5 * (f / 25.0).powi(2) * phi;
         for _ in 0..400 {
-            let moment: Vec<f64> = (0..POINTS).map(|i| self.moment(xi[i], length, f, phi, theta[i])).collect();
+            let moment: Vec<f64> = (0..POINTS)
+                .map(|i| self.moment(xi[i], length, f, phi, theta[i]))
+                .collect();
             let mut torque = vec![tip; POINTS];
             for i in (0..POINTS - 1).rev() {
                 torque[i] = torque[i + 1] + 0.5 * (moment[i] + moment[i + 1]) * (xi[i + 1] - xi[i]) * length;
@@ -104,14 +113,19 @@ impl Nature {
             let rate: Vec<f64> = (0..POINTS)
                 .map(|i| self.rate(xi[i], torque[i], wing.gj_n_m2, length))
                 .collect();
-            let mut next = vec![(self.known("root_compliance") + self.known("clamp_slip")) * torque[0]; POINTS];
+            let mut next =
+                vec![(self.known("root_compliance") + self.known("clamp_slip")) * torque[0]; POINTS];
             for i in 1..POINTS {
                 next[i] = next[i - 1] + 0.5 * (rate[i] + rate[i - 1]) * (xi[i] - xi[i - 1]) * length;
             }
             for i in 0..POINTS {
                 next[i] += self.jumps(xi[i], &xi, &torque);
             }
-            let change = next.iter().zip(&theta).map(|(n, t)| (n - t).abs()).fold(0.0, f64::max);
+            let change = next
+                .iter()
+                .zip(&theta)
+                .map(|(n, t)| (n - t).abs())
+                .fold(0.0, f64::max);
             for (theta, next) in theta.iter_mut().zip(&next) {
                 *theta += 0.5 * (next - *theta);
             }
@@ -174,14 +188,22 @@ impl Nature {
         let omega = 2.0 * PI * f * phi;
         let speed = omega * r;
         let c = chord(xi, length) * (1.0 + self.background[1] * (4.0 * xi + self.background[3]).cos());
-        let inflow = 0.1 * self.known("inflow_uniform") * span / (r + 0.2 * span) + 0.15 * self.known("inflow_linear") * xi;
+        let inflow = 0.1 * self.known("inflow_uniform") * span / (r + 0.2 * span)
+            + 0.15 * self.known("inflow_linear") * xi;
         let alpha = ROOT_ANGLE + self.nuisances[2].to_radians() - theta - inflow;
         let tip_loss = self.known("tip_loss_exponential");
         let prandtl = 1.0 - 2.0 / PI * (-1.6 * (1.0 - xi) / 0.12 * 0.5).exp().acos();
-        let loss = if self.other_formulas { tip_loss * prandtl } else { tip_loss * (-(1.0 - xi) / 0.12).exp() }
-            + self.known("tip_loss_cutoff") * (((xi - 0.7) / 0.3).max(0.0)).powi(2);
+        let loss = if self.other_formulas {
+            tip_loss * prandtl
+        } else {
+            tip_loss * (-(1.0 - xi) / 0.12).exp()
+        } + self.known("tip_loss_cutoff") * (((xi - 0.7) / 0.3).max(0.0)).powi(2);
         let gain = self.known("lift_gain");
-        let gained = if self.other_formulas { gain * 0.6 * (theta / 0.6).tanh() } else { gain * theta };
+        let gained = if self.other_formulas {
+            gain * 0.6 * (theta / 0.6).tanh()
+        } else {
+            gain * theta
+        };
         let factor = (1.0 + self.known("coefficient_scale"))
             * (1.0 - loss)
             * (1.0 + gained)

@@ -70,6 +70,18 @@ const ROOMS: &[(&str, &[&str])] = &[
     ),
     ("compare", &["progress", "input", "observation", "study"]),
     (
+        "diagnose",
+        &[
+            "progress",
+            "input",
+            "effects",
+            "coupling",
+            "observation",
+            "study",
+            "compare",
+        ],
+    ),
+    (
         "export",
         &[
             "progress",
@@ -85,6 +97,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "verify",
             "study",
             "compare",
+            "diagnose",
         ],
     ),
     (
@@ -103,6 +116,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "verify",
             "study",
             "compare",
+            "diagnose",
             "export",
         ],
     ),

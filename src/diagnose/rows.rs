@@ -1,0 +1,205 @@
+//! The rows of the report: hypotheses with their strengths, effects with their look-alikes.
+
+use crate::study::Unknown;
+
+use super::baseline::Baseline;
+use super::held_out::{by_condition, by_wing, ln_density};
+use super::judge::Judgement;
+use super::posterior::{Belief, Case};
+use super::screening::{ENOUGH_POWER, effect_of};
+use super::verdict::{EffectRow, Hypothesis, LookAlike, Strength};
+
+/// Strengths beyond this many scales are implausible.
+const PLAUSIBLE: f64 = 3.0;
+/// Look-alikes listed for each effect.
+pub const LOOK_ALIKES: usize = 4;
+
+/// Probability of a case.
+pub fn probability(judgement: &Judgement, case: &Case) -> f64 {
+    judgement
+        .beliefs
+        .iter()
+        .find(|belief| belief.case == *case)
+        .map_or(0.0, |belief| belief.probability)
+}
+
+/// Unknown of the missing effect at position `k`.
+pub fn unknown<'a>(baseline: &'a Baseline, k: usize) -> &'a Unknown {
+    &baseline.forward.unknowns()[baseline.data.missing[k]]
+}
+
+/// Name of the missing effect at position `k`.
+pub fn name(baseline: &Baseline, k: usize) -> String {
+    let unknown = unknown(baseline, k);
+    effect_of(unknown).map_or_else(|| unknown.name.clone(), |(effect, ..)| effect.to_string())
+}
+
+/// Families of a case.
+pub fn case_families(case: &Case) -> Vec<usize> {
+    match case {
+        Case::One(a) => vec![*a],
+        Case::Two(a, b) => vec![*a, *b],
+        Case::Nothing | Case::Novel => Vec::new(),
+    }
+}
+
+/// A belief with its strengths and its gain in prediction.
+pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -> Hypothesis {
+    let families = case_families(&belief.case);
+    let found = judgement.best_of(&families);
+    let mut strengths: Vec<Strength> = Vec::new();
+    let mut plausible = true;
+    if let Some((index, explanation)) = found.filter(|_| !families.is_empty()) {
+        let trial = judgement.trial(index);
+        let members = explanation.map_or(&trial.members, |explanation| &explanation.members);
+        for (position, &k) in members.iter().enumerate() {
+            let own = unknown(baseline, k);
+            let linear = trial.linear.estimate.get(position).copied().unwrap_or(0.0);
+            let value = explanation.map_or(linear * own.sigma, |e| e.strength[position]);
+            let length = baseline.directions.lengths[k];
+            let error = own.sigma / (1.0 + length * length).sqrt();
+            strengths.push(Strength {
+                effect: name(baseline, k),
+                unknown: own.name.clone(),
+                value,
+                standard_error: explanation.map_or(error, |e| e.standard_error[position]),
+                unit: own.unit.clone(),
+            });
+            plausible &= is_plausible(own, value);
+        }
+    }
+    let gain = |groups: &[Vec<usize>]| {
+        let local = found?.1?.local.as_ref()?;
+        let noise = &baseline.scatter.noise;
+        Some(ln_density(local, noise, groups)? - ln_density(&baseline.local, noise, groups)?)
+    };
+    let family_names = families
+        .iter()
+        .map(|&family| judgement.families[family].name.clone());
+    let effects: Vec<String> = match belief.case {
+        Case::Novel => vec!["novel".into()],
+        _ => families
+            .iter()
+            .filter_map(|&family| {
+                let own = strengths.iter().filter(|s| {
+                    judgement.families[family]
+                        .members
+                        .iter()
+                        .any(|&k| unknown(baseline, k).name == s.unknown)
+                });
+                own.max_by(|a, b| a.value.abs().total_cmp(&b.value.abs()))
+                    .map(|s| s.effect.clone())
+            })
+            .collect(),
+    };
+    Hypothesis {
+        effects,
+        families: family_names.collect(),
+        probability: belief.probability,
+        strength: strengths.first().map(|s| s.value),
+        standard_error: strengths.first().map(|s| s.standard_error),
+        strengths,
+        plausible,
+        in_set: belief.in_set,
+        refitted: found.is_some_and(|(_, explanation)| explanation.is_some()),
+        gain_left_out_conditions: gain(&by_condition(baseline.forward, &baseline.data)),
+        gain_left_out_wings: gain(&by_wing(baseline.forward, &baseline.data)),
+    }
+}
+
+fn is_plausible(unknown: &Unknown, value: f64) -> bool {
+    let scale = effect_of(unknown).map_or(f64::INFINITY, |(_, _, scale, _)| scale);
+    let [low, high] = unknown.range;
+    let ends_free = (low == 0.0 || value > low) && (high == 0.0 || value < high);
+    value.abs() <= PLAUSIBLE * scale && ends_free
+}
+
+/// A row for every missing effect.
+pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow> {
+    let directions = &baseline.directions;
+    let significance = baseline.settings.significance;
+    let base = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
+    let mut rows = Vec::new();
+    for (k, &i) in baseline.data.missing.iter().enumerate() {
+        let own = &baseline.forward.unknowns()[i];
+        let Some((effect, family, scale, _)) = effect_of(own) else {
+            continue;
+        };
+        let length = directions.lengths[k] / own.sigma;
+        let single = judgement.singles.iter().position(|trial| trial.members == [k]);
+        let refit = judgement
+            .refits
+            .iter()
+            .find(|(index, _)| Some(*index) == single)
+            .map(|(_, e)| e);
+        let one_step = if length > 0.0 {
+            directions.scores[k] / length
+        } else {
+            0.0
+        };
+        let family_index = judgement.families.iter().position(|f| f.name == family);
+        let refitted = refit.map(|e| e.strength[0]);
+        rows.push(EffectRow {
+            effect: effect.to_string(),
+            family: family.to_string(),
+            unknown: own.name.clone(),
+            unit: own.unit.clone(),
+            scale,
+            score: directions.scores[k],
+            one_step,
+            one_step_error: if length > 0.0 { 1.0 / length } else { f64::MAX },
+            refitted,
+            refitted_error: refit.map(|e| e.standard_error[0]),
+            plausible: is_plausible(own, refitted.unwrap_or(one_step)),
+            detectability: scale * length,
+            power: directions.power(k, own, significance),
+            sight: directions.sight(k, own, significance),
+            ln_evidence: single.map_or(0.0, |index| judgement.ln_evidence[index] - base),
+            probability: family_index.map_or(0.0, |f| probability(judgement, &Case::One(f))),
+            look_alikes: look_alikes(baseline, judgement, k),
+        });
+    }
+    rows
+}
+
+/// Members of other families whose direction is nearest, the nearest of each.
+fn look_alikes(baseline: &Baseline, judgement: &Judgement, k: usize) -> Vec<LookAlike> {
+    let directions = &baseline.directions;
+    let mut found: Vec<(usize, f64)> = judgement
+        .families
+        .iter()
+        .filter(|family| !family.members.contains(&k))
+        .filter_map(|family| {
+            let cosine = |j: usize| directions.cosine(k, j);
+            let near = family
+                .members
+                .iter()
+                .max_by(|&&a, &&b| cosine(a).abs().total_cmp(&cosine(b).abs()))?;
+            Some((*near, cosine(*near)))
+        })
+        .collect();
+    found.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+    found
+        .into_iter()
+        .take(LOOK_ALIKES)
+        .map(|(j, cosine)| LookAlike {
+            effect: name(baseline, j),
+            cosine,
+            separation_sigma: directions.scores[k].abs() * (1.0 - cosine * cosine).max(0.0).sqrt(),
+        })
+        .collect()
+}
+
+/// Effects of which no member could have been seen.
+pub fn unseen(effects: &[EffectRow]) -> Vec<String> {
+    let mut unseen: Vec<String> = Vec::new();
+    for row in effects {
+        let family_is_seen = effects
+            .iter()
+            .any(|other| other.family == row.family && other.power >= ENOUGH_POWER);
+        if !family_is_seen && !unseen.contains(&row.effect) {
+            unseen.push(row.effect.clone());
+        }
+    }
+    unseen
+}

@@ -1,0 +1,338 @@
+//! What a prototype taught, each lesson as a test.
+
+use nalgebra::DVector;
+use washout::diagnose::draws::Draws;
+use washout::diagnose::{Diagnosis, Settings, Verdict, diagnose, diagnose_with};
+use washout::progress::Progress;
+use washout::study::{Forward, UnknownKind};
+
+use crate::cases::{Kind, case, good_campaign, measure, poor_campaign};
+use crate::rod::Toy;
+use crate::scoreboard::{Share, run};
+use crate::truth::{Hidden, Nature};
+
+fn said(toy: &Toy) -> Diagnosis {
+    diagnose(toy, &Settings::default(), &Progress::quiet()).expect("a diagnosis")
+}
+
+/// A study with this hidden cause, noise 0.3 deg.
+fn study(hidden: Vec<Hidden>, seed: u64) -> Toy {
+    let draws = Draws::new(seed);
+    let mut toy = good_campaign(0.3);
+    let nature = Nature::drawn(draws, hidden);
+    measure(&mut toy, &nature, draws, 1.0);
+    toy
+}
+
+fn probability(said: &Diagnosis, effect: &str) -> f64 {
+    let found = said.hypotheses.iter().find(|h| h.effects == [effect]);
+    found.map_or(0.0, |h| h.probability)
+}
+
+#[test]
+fn derivatives_of_the_toy_are_those_of_its_solutions() {
+    let toy = good_campaign(0.3);
+    let at: Vec<f64> = toy.unknowns.iter().map(|u| 0.05 * u.sigma).collect();
+    let linear = toy.linearize(&at, &|_| true).expect("a shape");
+    for (column, unknown) in toy.unknowns.iter().enumerate() {
+        let moved = |sign: f64| {
+            let mut moved = at.clone();
+            moved[column] += sign * 1e-3 * unknown.sigma;
+            toy.predict(&moved).expect("a shape")
+        };
+        let difference: DVector<f64> = (moved(1.0) - moved(-1.0)) / (2e-3 * unknown.sigma);
+        let error = (&difference - linear.jacobian.column(column)).amax();
+        assert!(error <= 1e-4 * difference.amax(), "{}: {error}", unknown.name);
+    }
+}
+
+#[test]
+fn where_nothing_is_missing_nothing_is_said_to_be() {
+    let settings = Settings {
+        draws: 2000,
+        ..Settings::default()
+    };
+    for kind in [Kind::Null, Kind::NullQuiet, Kind::NullOutlier] {
+        let alarms = Share::of(run(kind, 50_000, 4, &settings).iter().map(|o| o.is_alarm()));
+        assert_eq!(alarms.hits, 0, "{kind:?}");
+    }
+}
+
+#[test]
+fn a_planted_effect_is_named_with_its_strength_and_the_held_out_error_falls() {
+    let said = said(&study(vec![Hidden::Known("film_tension", 1.0)], 1));
+    assert_eq!(said.hypotheses[0].effects, ["film_tension"], "{}", said.sentence);
+    let (strength, error) = (said.hypotheses[0].strength, said.hypotheses[0].standard_error);
+    let (strength, error) = (strength.expect("a strength"), error.expect("its error"));
+    assert!(
+        (strength - 1.0).abs() < 3.0 * error && error < 0.3,
+        "{strength} ± {error}"
+    );
+    let rung = |name: &str| {
+        said.ladder
+            .iter()
+            .find(|rung| rung.name.starts_with(name))
+            .expect("a rung")
+    };
+    assert!(rung("+").held_out < rung("calibrated").held_out);
+    assert!(rung("+").left_out < rung("calibrated").left_out);
+}
+
+#[test]
+fn twins_are_both_in_the_set_and_neither_is_named() {
+    let said = said(&study(vec![Hidden::Known("root_compliance", 150.0)], 2));
+    let (a, b) = (
+        probability(&said, "root_compliance"),
+        probability(&said, "clamp_slip"),
+    );
+    assert!(a > 0.1 && b > 0.1 && a.max(b) < 0.8, "{a} {b}: {}", said.sentence);
+    assert_eq!(said.verdict, Verdict::Set);
+}
+
+#[test]
+fn what_the_library_does_not_know_is_called_novel_and_drawn_along_the_span() {
+    let said = said(&study(vec![Hidden::Bump(0.4, 5e-3, [1.0, 0.0])], 3));
+    assert_eq!(said.verdict, Verdict::Novel, "{}", said.sentence);
+    let found = said.novel.reconstruction.expect("a reconstruction");
+    let scaling = found.scaling.expect("a scaling");
+    assert!((found.field[0].centroid - 0.4).abs() < 0.1);
+    assert!(
+        (scaling.frequency[0] - 1.0).abs() < 0.6 && scaling.amplitude[0].abs() < 0.6,
+        "{scaling:?}"
+    );
+}
+
+#[test]
+fn damage_between_two_places_is_found_as_damage() {
+    // 0.365 lies half way between the places that the library knows
+    let said = said(&study(vec![Hidden::Damage(0.365, 200.0)], 4));
+    assert_eq!(said.hypotheses[0].families, ["damage"], "{}", said.sentence);
+    assert_ne!(said.verdict, Verdict::Novel);
+}
+
+#[test]
+fn a_poor_campaign_is_modest() {
+    for seed in 0..6 {
+        let draws = Draws::new(seed);
+        let mut toy = poor_campaign(0.5);
+        let nature = Nature::drawn(draws, vec![Hidden::Known("lift_gain", 0.8)]);
+        measure(&mut toy, &nature, draws, 1.0);
+        let said = said(&toy);
+        assert!(said.noise.on_trust && said.notes[0].contains("on trust"));
+        assert!(
+            !matches!(said.verdict, Verdict::Effect | Verdict::Pair),
+            "{}",
+            said.sentence
+        );
+        assert!(!said.unseen.is_empty());
+    }
+}
+
+/// The verdict and every hypothesis that counts must be the same.
+fn same(a: &Diagnosis, b: &Diagnosis, tolerance: f64) {
+    assert_eq!(a.verdict, b.verdict, "{}\n{}", a.sentence, b.sentence);
+    assert!((a.p_nothing - b.p_nothing).abs() <= tolerance);
+    for hypothesis in a.hypotheses.iter().filter(|h| h.probability > 0.02) {
+        let other = b
+            .hypotheses
+            .iter()
+            .find(|h| h.families == hypothesis.families && h.effects == hypothesis.effects);
+        let other = other.map_or(0.0, |h| h.probability);
+        assert!(
+            (hypothesis.probability - other).abs() <= tolerance,
+            "{:?} {other}",
+            hypothesis.effects
+        );
+    }
+}
+
+#[test]
+fn order_names_and_units_change_nothing() {
+    let toy = study(vec![Hidden::Known("lift_gain", 0.9)], 5);
+    let plain = said(&toy);
+    let mut other = toy.clone();
+    other.observables.reverse();
+    for condition in &mut other.conditions {
+        condition.name = format!("case of {}", condition.half_amplitude_deg.unwrap_or(0.0));
+        condition.wing = format!("w{}", condition.length_m + f64::from(condition.wing == "thick"));
+    }
+    same(&plain, &said(&other), 1e-6);
+    same(&plain, &said(&toy), 0.0);
+}
+
+#[test]
+fn doubling_the_data_with_root_two_of_the_noise_changes_nothing() {
+    let toy = study(vec![Hidden::Known("lift_gain", 0.9)], 6);
+    let settings = Settings {
+        noise_scale: Some(1.0),
+        ..Settings::default()
+    };
+    let say = |toy: &Toy| diagnose(toy, &settings, &Progress::quiet()).expect("a diagnosis");
+    let mut double = toy.clone();
+    for observable in &mut double.observables {
+        observable.sigma *= 2f64.sqrt();
+    }
+    double.observables.extend(double.observables.clone());
+    same(&say(&toy), &say(&double), 0.02);
+}
+
+#[test]
+fn shuffled_signs_of_the_residual_read_as_nothing_missing() {
+    let mut alarms = 0;
+    for seed in 0..12 {
+        let mut toy = study(vec![Hidden::Known("film_tension", 1.0)], 7);
+        let settings = Settings::default();
+        let baseline =
+            washout::diagnose::baseline::Baseline::new(&toy, &settings, &Progress::quiet()).expect("a fit");
+        let predicted = baseline.fit.predicted.clone();
+        let draws = Draws::new(100 + seed);
+        for (row, observable) in toy.observables.iter_mut().enumerate() {
+            let sign = draws.normal(0, row as u64).signum();
+            observable.value = predicted[row] + sign * (observable.value - predicted[row]);
+        }
+        let said = said(&toy);
+        alarms += usize::from(!matches!(said.verdict, Verdict::Nothing | Verdict::Undecidable));
+    }
+    assert_eq!(alarms, 0);
+}
+
+/// A toy without one of its effects.
+struct Without<'a> {
+    toy: &'a Toy,
+    unknowns: Vec<washout::study::Unknown>,
+    left_out: usize,
+}
+
+impl<'a> Without<'a> {
+    fn new(toy: &'a Toy, name: &str) -> Without<'a> {
+        let left_out = toy
+            .unknowns
+            .iter()
+            .position(|u| u.name == name)
+            .expect("that effect");
+        let mut unknowns = toy.unknowns.clone();
+        unknowns.remove(left_out);
+        Without {
+            toy,
+            unknowns,
+            left_out,
+        }
+    }
+
+    fn whole(&self, at: &[f64]) -> Vec<f64> {
+        let mut whole = at.to_vec();
+        whole.insert(self.left_out, 0.0);
+        whole
+    }
+}
+
+impl Forward for Without<'_> {
+    fn unknowns(&self) -> &[washout::study::Unknown] {
+        &self.unknowns
+    }
+    fn observables(&self) -> &[washout::study::Observable] {
+        &self.toy.observables
+    }
+    fn conditions(&self) -> &[washout::study::Condition] {
+        &self.toy.conditions
+    }
+    fn predict(&self, at: &[f64]) -> Result<DVector<f64>, washout::study::StudyError> {
+        self.toy.predict(&self.whole(at))
+    }
+    fn linearize(
+        &self,
+        at: &[f64],
+        wanted: &dyn Fn(&washout::study::Unknown) -> bool,
+    ) -> Result<washout::study::Linear, washout::study::StudyError> {
+        let mut linear = self.toy.linearize(&self.whole(at), wanted)?;
+        linear.jacobian = linear.jacobian.remove_column(self.left_out);
+        Ok(linear)
+    }
+    fn moment_response(
+        &self,
+        at: &[f64],
+        stations: usize,
+    ) -> Result<nalgebra::DMatrix<f64>, washout::study::StudyError> {
+        self.toy.moment_response(&self.whole(at), stations)
+    }
+}
+
+#[test]
+fn a_useless_effect_in_the_library_changes_little() {
+    // in a frequency that is known to 3 % nothing shows here that the air coefficient would not absorb
+    let toy = study(vec![Hidden::Known("film_tension", 1.0)], 8);
+    let less = Without::new(&toy, "frequency_error");
+    let less = diagnose(&less, &Settings::default(), &Progress::quiet()).expect("a diagnosis");
+    same(&less, &said(&toy), 0.05);
+}
+
+#[test]
+fn without_the_true_effect_in_the_library_no_other_is_named() {
+    let toy = study(vec![Hidden::Known("film_tension", 1.2)], 9);
+    let less = Without::new(&toy, "film_tension");
+    let said = diagnose(&less, &Settings::default(), &Progress::quiet()).expect("a diagnosis");
+    assert_ne!(said.verdict, Verdict::Nothing);
+    assert_ne!(said.verdict, Verdict::Effect, "{}", said.sentence);
+}
+
+#[test]
+fn an_effect_that_was_added_is_part_of_the_model() {
+    let mut toy = study(vec![Hidden::Known("film_tension", 1.0)], 10);
+    let index = toy
+        .unknowns
+        .iter()
+        .position(|u| u.name == "film_tension")
+        .expect("that effect");
+    let before = said(&toy);
+    assert!(!matches!(before.verdict, Verdict::Nothing));
+    toy.unknowns[index].mean = before.hypotheses[0].strength.expect("a strength");
+    let after = said(&toy);
+    assert_eq!(after.verdict, Verdict::Nothing, "{}", after.sentence);
+    assert!(after.effects.iter().all(|row| row.effect != "film_tension"));
+}
+
+#[test]
+fn the_next_experiment_is_where_rivals_part() {
+    let toy = study(vec![Hidden::Known("film_tension", 0.5)], 11);
+    let candidates = Toy::new(
+        &crate::cases::WINGS,
+        &[
+            (1, 10.0, 20.0, false),
+            (0, 35.0, 70.0, false),
+            (0, 12.0, 70.0, false),
+        ],
+        &[0.2, 0.4, 0.6, 0.8, 0.98],
+        0.3,
+    );
+    let said = diagnose_with(&toy, Some(&candidates), &Settings::default(), &Progress::quiet())
+        .expect("a diagnosis");
+    let next = said.next_experiment.expect("rivals");
+    assert_eq!(next.candidates.len(), 3);
+    // hardly any load, hardly any difference
+    assert_eq!(next.candidates[2].name, "thick-10-20", "{next:?}");
+}
+
+#[test]
+fn verdicts_survive_json_and_the_same_study_gives_the_same_bits() {
+    let toy = case(Kind::Pair, 77).toy;
+    let first = serde_json::to_string(&said(&toy)).expect("json");
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .expect("a pool");
+    let second = pool.install(|| serde_json::to_string(&said(&toy)).expect("json"));
+    assert_eq!(first, second);
+    let back: Diagnosis = serde_json::from_str(&first).expect("the same schema");
+    assert_eq!(back, said(&toy));
+}
+
+#[test]
+fn a_library_without_effects_or_a_study_without_data_is_refused() {
+    let mut toy = good_campaign(0.3);
+    toy.unknowns
+        .retain(|u| !matches!(u.kind, UnknownKind::Effect { .. }));
+    assert!(diagnose(&toy, &Settings::default(), &Progress::quiet()).is_err());
+    let mut toy = good_campaign(0.3);
+    toy.conditions.iter_mut().for_each(|c| c.is_held_out = true);
+    assert!(diagnose(&toy, &Settings::default(), &Progress::quiet()).is_err());
+}
