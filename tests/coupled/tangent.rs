@@ -1,6 +1,5 @@
 //! The coupled tangent K − A S and the air's derivatives against differences of what they differentiate.
 
-use washout::aero::{AirLaw, Flow};
 use washout::coupling::air::Air;
 use washout::coupling::feedback::Feedback;
 use washout::coupling::strips::{StripShape, Strips};
