@@ -11,6 +11,7 @@ use crate::compare::Comparison;
 use crate::export::comparison;
 use crate::export::text::{Table, number};
 use crate::input::Loaded;
+use crate::input::study::LoadedStudy;
 use crate::input::measurement::Channel;
 use crate::lift::{Ratios, StrokeMeans};
 
@@ -25,6 +26,7 @@ use super::{Console, Failure};
   washout compare designs/twist-v1.toml
   washout compare designs/twist-v2.toml --with measurements/colmenares-as-restated.csv
   washout compare designs/twist-v2.toml --reference designs/rigid.toml      ratios of lift and efficiency too
+  washout compare studies/paper-wings.toml                                  all cases of a study, before and after calibration
 
 Columns of a measurement file: see the files in measurements/. Writes no files.")]
 pub struct Compare {
@@ -77,6 +79,9 @@ impl Compare {
     /// Solves and compares.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
+        if LoadedStudy::is_study(&self.design.design)? {
+            return super::study::compare(&self.design.design, &self.study_sets()?, console);
+        }
         let loaded = self.load()?;
         if loaded.measurement.is_none() {
             return Err(Failure::NoMeasurement { design: loaded.path });
@@ -108,6 +113,23 @@ impl Compare {
             ratios: modelled,
         };
         console.result(&page, &report)
+    }
+
+    /// What the command line changes in every design of a study.
+    fn study_sets(&self) -> Result<Vec<String>, Failure> {
+        let others = [
+            ("--with", self.with.is_some()),
+            ("--case", self.case.is_some()),
+            ("--reference", self.reference.is_some()),
+            ("--mesh", self.design.mesh.is_some()),
+        ];
+        if let Some((option, _)) = others.into_iter().find(|(_, is_given)| *is_given) {
+            let reason = "belongs to a design; a study names its measurements and meshes itself".to_string();
+            return Err(Failure::Option { option, reason });
+        }
+        let mut sets = self.design.set.clone();
+        sets.extend(self.design.refine.map(|factor| format!("mesh.refine={factor}")));
+        Ok(sets)
     }
 
     fn load(&self) -> Result<Loaded, Failure> {

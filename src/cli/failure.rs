@@ -72,6 +72,14 @@ pub enum Failure {
     /// The ranges of the assumed inputs give no band.
     #[error("--uncertainty: {0}")]
     Study(StudyError),
+    /// A study gives no result.
+    #[error("{}: {source}", study.display())]
+    OfStudy {
+        /// The study file.
+        study: PathBuf,
+        /// Why.
+        source: StudyError,
+    },
     /// An option that this design does not allow.
     #[error("{option}: {reason}")]
     Option {
@@ -150,9 +158,7 @@ impl Failure {
             } => 130,
             Failure::Coupling { .. } | Failure::Phase { .. } | Failure::Option { .. } => 2,
             Failure::Unstable { .. } => 3,
-            Failure::Study(StudyError::Cancelled(_)) => 130,
-            Failure::Study(StudyError::Nominal { .. } | StudyError::SamplesFailed { .. }) => 3,
-            Failure::Study(_) => 2,
+            Failure::Study(source) | Failure::OfStudy { source, .. } => source.exit_code(),
             Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } | Failure::NoMeasurement { .. } => 2,
             Failure::Export(ExportError::NoRun { .. } | ExportError::ForeignSummary { .. }) => 2,

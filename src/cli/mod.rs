@@ -15,6 +15,8 @@ pub mod solve;
 
 pub mod stroke;
 
+pub mod study;
+
 pub mod compare;
 
 pub mod divergence;

@@ -12,9 +12,12 @@ pub mod span;
 
 pub mod stages;
 
+pub mod study;
+
 pub mod verdict;
 
 pub use comparison::{Comparison, compare};
 pub use row::{ComparedRow, NotCompared};
 pub use span::{ComparedStation, ProfileOrigin, SpanComparison};
 pub use stages::{FittedStage, ModelledStages};
+pub use study::{StudyComparison, StudyRow};

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::input::design::Instrument;
 use crate::input::measurement::{Bound, Channel, Row, SigmaKind};
-use crate::observation::{Observer, TwistProfile, mean_rate, stages::DEG_PER_MM};
+use crate::observation::{Observer, TwistProfile, read_channel};
 
 /// A measured number and the modelled one, both in the unit of the channel.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -64,13 +64,6 @@ pub struct NotCompared {
     pub reason: String,
 }
 
-/// What the model says about a row.
-struct Modelled {
-    value: f64,
-    bound: Bound,
-    read_to_mm: Option<f64>,
-}
-
 /// Compares one row; `whole_wing` holds the modelled channels of the whole wing in their units.
 pub fn compare_row(
     row: &Row,
@@ -78,14 +71,7 @@ pub fn compare_row(
     profile: &TwistProfile,
     whole_wing: &BTreeMap<Channel, f64>,
 ) -> Result<ComparedRow, NotCompared> {
-    let modelled = match row.channel {
-        Channel::Twist => twist(row, observer),
-        Channel::TwistRate => twist_rate(row, profile),
-        Channel::Deflection => displacement(row, observer, 2),
-        Channel::ChordwiseDisplacement => displacement(row, observer, 1),
-        Channel::SpanwiseDisplacement => displacement(row, observer, 0),
-        channel => whole(channel, whole_wing),
-    };
+    let modelled = read_channel(row, observer, profile, whole_wing);
     let modelled = modelled.map_err(|reason| NotCompared {
         line: row.line,
         channel: row.channel,
@@ -129,69 +115,6 @@ pub fn misfit(error: f64, measured: Bound, modelled: Bound) -> f64 {
         (false, true) => error.max(0.0),
         (true, true) => 0.0,
     }
-}
-
-fn twist(row: &Row, observer: &Observer) -> Result<Modelled, String> {
-    let reading = observer
-        .twist(station_m(row)?)
-        .map_err(|reason| reason.to_string())?;
-    Ok(Modelled {
-        value: reading.twist_rad.to_degrees(),
-        bound: reading.bound,
-        read_to_mm: None,
-    })
-}
-
-fn twist_rate(row: &Row, profile: &TwistProfile) -> Result<Modelled, String> {
-    let to_mm = row.r_to_mm.ok_or("the row has no outer end r_to_mm")?;
-    let Some(rate) = mean_rate(profile, station_m(row)?, to_mm / 1e3) else {
-        return Err("the model cannot be read over any of this interval".to_string());
-    };
-    Ok(Modelled {
-        value: rate.rate_rad_per_m * DEG_PER_MM,
-        bound: rate.bound,
-        read_to_mm: rate.is_clipped.then_some(rate.to_m * 1e3),
-    })
-}
-
-fn displacement(row: &Row, observer: &Observer, axis: usize) -> Result<Modelled, String> {
-    let Some(moved_m) = observer.displacement(station_m(row)?, row.chord_fraction.unwrap_or(0.0)) else {
-        return Err("the station lies off the leading edge of the mesh; nothing is extrapolated".to_string());
-    };
-    Ok(value(moved_m[axis] * 1e3))
-}
-
-fn whole(channel: Channel, whole_wing: &BTreeMap<Channel, f64>) -> Result<Modelled, String> {
-    match whole_wing.get(&channel) {
-        Some(modelled) if modelled.is_finite() => Ok(value(*modelled)),
-        Some(_) => Err("the model gives no finite value for it".to_string()),
-        None => Err(why_missing(channel).to_string()),
-    }
-}
-
-fn why_missing(channel: Channel) -> &'static str {
-    match channel {
-        Channel::LiftRatio | Channel::DragRatio | Channel::EfficiencyRatio => {
-            "a ratio to the rigid wing needs that wing's solution beside this one"
-        }
-        Channel::EffectiveLiftRatio => {
-            "it is a measured ratio over a modelled one, so it is no measurement that a model could miss"
-        }
-        Channel::Frequency => "natural frequencies were not computed for this comparison",
-        _ => "this run computed no mean over the stroke",
-    }
-}
-
-fn value(value: f64) -> Modelled {
-    Modelled {
-        value,
-        bound: Bound::None,
-        read_to_mm: None,
-    }
-}
-
-fn station_m(row: &Row) -> Result<f64, String> {
-    Ok(row.r_mm.ok_or("the row has no station r_mm")? / 1e3)
 }
 
 #[cfg(test)]

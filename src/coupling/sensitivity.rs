@@ -154,6 +154,30 @@ impl<'a> Sensitivity<'a> {
         })
     }
 
+    /// Change of the solution with a share of nodal forces (N) that are added to the loads.
+    ///
+    /// # Errors
+    /// If the coupled tangent is singular.
+    pub fn load_rate(&mut self, force_n: &[Vector3<f64>]) -> Result<Rate, SensitivityError> {
+        let mut right = vec![0.0; self.equilibrium.pattern.len()];
+        for (node, force) in force_n.iter().enumerate() {
+            let at = self.equilibrium.pattern.freedom(node, 0);
+            right[at..at + 3].copy_from_slice(force.as_slice());
+        }
+        let shapes = self.wing.strips.shapes(&self.solution.state);
+        let state = Feedback::new(self.wing, &mut self.equilibrium, &shapes)
+            .solve(&right)
+            .ok_or(SensitivityError::Singular)?;
+        Ok(Rate {
+            key: String::new(),
+            value: 0.0,
+            step: 1.0,
+            state,
+            rest: Vec::new(),
+            stencil: CENTRAL,
+        })
+    }
+
     /// Rates of anything that can be read from a design and its solution, per unit of the parameter's key.
     ///
     /// # Errors
@@ -294,7 +318,10 @@ impl<'a> Sensitivity<'a> {
     /// The design with another value, meshed with the pattern of the solved wing.
     fn design_at(&self, key: &str, value: f64) -> Result<(Design, Planform, Mesh), SensitivityError> {
         let mut design = self.design.clone();
-        design.set(key, value)?;
+        // the rate of a load has no key
+        if !key.is_empty() {
+            design.set(key, value)?;
+        }
         let (planform, mesh) = (self.remesh)(&design)?;
         let solved = &self.solution.mesh;
         let alike = mesh.nodes.len() == solved.nodes.len()

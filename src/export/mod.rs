@@ -26,6 +26,8 @@ pub mod difference;
 
 pub mod report;
 
+pub mod study;
+
 pub mod text;
 
 pub mod trust;

@@ -54,6 +54,12 @@ pub(crate) fn design() -> &'static Kind {
     KIND.get_or_init(|| kind_of_root(schema::design_schema().as_value()))
 }
 
+/// What may stand in a study file.
+pub(crate) fn study() -> &'static Kind {
+    static KIND: OnceLock<Kind> = OnceLock::new();
+    KIND.get_or_init(|| kind_of_root(schema::study_schema().as_value()))
+}
+
 /// What may stand in a materials file.
 pub(crate) fn materials() -> &'static Kind {
     static KIND: OnceLock<Kind> = OnceLock::new();

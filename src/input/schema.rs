@@ -1,4 +1,4 @@
-//! The JSON schema of design and materials files, generated from their types.
+//! The JSON schema of design, study and materials files, generated from their types.
 
 use std::collections::BTreeMap;
 
@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::design::{Design, Material};
+use super::study::Study;
 
 /// The JSON schema (draft 2020-12) of a design file; keys, ranges, examples, words and defaults.
 ///
@@ -16,6 +17,15 @@ pub fn design_schema() -> Schema {
     schema
         .as_object_mut()
         .into_iter()
+        .flat_map(|object| object.values_mut())
+        .for_each(push_ranges_into_lists);
+    schema
+}
+
+/// The JSON schema of a study file.
+pub fn study_schema() -> Schema {
+    let mut schema = schemars::schema_for!(Study);
+    (schema.as_object_mut().into_iter())
         .flat_map(|object| object.values_mut())
         .for_each(push_ranges_into_lists);
     schema

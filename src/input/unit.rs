@@ -11,6 +11,11 @@ pub(crate) struct Unit {
     pub name: &'static str,
 }
 
+/// Symbol of the unit in a key's name, such as mm in `at_mm`; none if it names none.
+pub fn unit_symbol(key: &str) -> Option<&'static str> {
+    of_key(key).map(|unit| unit.symbol)
+}
+
 const fn unit(suffix: &'static str, symbol: &'static str, name: &'static str) -> Unit {
     Unit { suffix, symbol, name }
 }

@@ -6,6 +6,8 @@ pub mod broken_line;
 
 pub mod camera;
 
+pub mod channel;
+
 pub mod deflection;
 
 pub mod edges;
@@ -31,6 +33,7 @@ pub mod station;
 #[cfg(test)]
 pub(crate) mod imposed;
 
+pub use channel::{ChannelReading, read_channel};
 pub use deflection::{LeadingEdgeReading, read_leading_edge};
 pub use error::ObservationError;
 pub use motion::{ModeReader, ModeReading, MotionShare};

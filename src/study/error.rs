@@ -73,6 +73,20 @@ pub enum StudyError {
         /// Why.
         reason: String,
     },
+    /// Something that is to be moved and cannot.
+    #[error("{reason}")]
+    Unknown {
+        /// What, and the cure.
+        reason: String,
+    },
+    /// A case that did not converge.
+    #[error("case {case}: {reason}")]
+    Unsolved {
+        /// Name of the case.
+        case: String,
+        /// Why.
+        reason: String,
+    },
     /// A fit that does not settle.
     #[error("the fit did not settle in {steps} steps: narrow the priors, or free fewer unknowns")]
     NotCalibrated {
@@ -82,4 +96,18 @@ pub enum StudyError {
     /// The user asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+}
+
+impl StudyError {
+    /// The exit code of a process that ends with it: 2 input, 3 not converged, 130 interrupted.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            StudyError::Cancelled(_) => 130,
+            StudyError::Nominal { .. }
+            | StudyError::SamplesFailed { .. }
+            | StudyError::NotCalibrated { .. }
+            | StudyError::Unsolved { .. } => 3,
+            _ => 2,
+        }
+    }
 }

@@ -4,6 +4,10 @@ pub mod band;
 
 pub mod calibrate;
 
+pub mod campaign;
+
+pub mod case;
+
 pub mod error;
 
 pub mod forward;
@@ -22,8 +26,11 @@ pub mod surrogate;
 
 pub mod uncertainty;
 
+pub mod unknowns;
+
 pub use band::{OutputBand, SurrogateQuality};
 pub use calibrate::{Fit, Task, calibrate};
+pub use campaign::{Campaign, SkippedRow};
 pub use error::StudyError;
 pub use forward::{Condition, Forward, Linear, Observable, Unknown, UnknownKind};
 pub use noise::Noise;

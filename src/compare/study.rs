@@ -1,0 +1,312 @@
+//! A whole study: misfit by case and channel before and after calibration, what was moved, and what known uncertainty explains.
+
+use nalgebra::DVector;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::input::measurement::{Bound, Channel};
+use crate::study::calibrate::misfit;
+use crate::study::{Campaign, Fit, Forward, Linear, Noise, StudyError, Task, Unknown, UnknownKind, calibrate};
+
+/// Posterior over prior width below which the data are said to know an unknown.
+const IDENTIFIED: f64 = 0.8;
+/// Correlation above which two unknowns are said to stand for each other.
+const CORRELATED: f64 = 0.5;
+
+/// A study compared with its measurements.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StudyComparison {
+    /// Name of the study.
+    pub study: String,
+    /// Its title.
+    pub title: String,
+    /// Every measured number beside the model before and after calibration.
+    pub rows: Vec<StudyRow>,
+    /// Misfit by wing and channel, fitted and held-out apart.
+    pub groups: Vec<GroupMisfit>,
+    /// What was moved; empty if nothing is uncertain.
+    pub unknowns: Vec<CalibratedUnknown>,
+    /// Pairs of unknowns that stand for each other.
+    pub correlations: Vec<Correlation>,
+    /// Misfit of the fitted rows as χ² over their number, before and after.
+    pub chi_square_per_row: [f64; 2],
+    /// Measured rows that took no part, and why.
+    pub not_compared: Vec<String>,
+    /// The result in words.
+    pub words: Vec<String>,
+}
+
+/// A measured number beside the model.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StudyRow {
+    /// Name of the case.
+    pub case: String,
+    /// Name of the wing.
+    pub wing: String,
+    /// Channel.
+    pub channel: Channel,
+    /// Run; may be empty.
+    pub run: String,
+    /// Station, or inner end of the interval, mm.
+    pub r_mm: Option<f64>,
+    /// Outer end of the interval, mm.
+    pub r_to_mm: Option<f64>,
+    /// Measured value in the unit of the channel.
+    pub measured: f64,
+    /// Its standard deviation.
+    pub sigma: f64,
+    /// Whether it is only a bound.
+    pub bound: Bound,
+    /// The model with the study's means.
+    pub before: f64,
+    /// Standard deviation that the priors of the uncertain inputs give it.
+    pub sigma_of_inputs: f64,
+    /// The model as calibrated.
+    pub after: f64,
+    /// Whether it was kept out of the fit.
+    pub is_held_out: bool,
+}
+
+/// Misfit of a group of rows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct GroupMisfit {
+    /// Name of the wing.
+    pub wing: String,
+    /// Channel.
+    pub channel: Channel,
+    /// Unit of all errors.
+    pub unit: String,
+    /// Whether its rows were kept out of the fit.
+    pub is_held_out: bool,
+    /// Number of rows.
+    pub count: usize,
+    /// Root mean square error before and after calibration.
+    pub rmse: [f64; 2],
+    /// Mean error (measured minus modelled) before and after.
+    pub bias: [f64; 2],
+    /// Root mean square standard deviation of the measurement.
+    pub sigma_of_measurement: f64,
+    /// Root mean square standard deviation of the model that the priors of inputs and ruler give.
+    pub sigma_of_inputs: f64,
+    /// Share of the mean square error before calibration that both together would give on average (ASME V&V 20: |E| against
+    /// its uncertainty); 1 and more means that nothing else is needed.
+    pub explained: f64,
+}
+
+/// An unknown after calibration.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CalibratedUnknown {
+    /// The unknown with its prior.
+    pub unknown: Unknown,
+    /// Best value.
+    pub value: f64,
+    /// Its standard error.
+    pub standard_error: f64,
+    /// (value − mean)/sigma of the prior.
+    pub pull: f64,
+    /// Whether the data know it better than the prior; those that are not stay near their prior.
+    pub is_identified: bool,
+    /// Whether it ended at an end of its range.
+    pub at_end: bool,
+}
+
+/// Two unknowns that the data cannot move apart.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Correlation {
+    /// One.
+    pub a: String,
+    /// The other.
+    pub b: String,
+    /// Correlation of their errors.
+    pub value: f64,
+}
+
+/// Calibrates the study's inputs, ruler and effects on its fitted rows and compares all rows.
+///
+/// # Errors
+/// If a case has no solution, or the fit does not settle.
+pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison, StudyError> {
+    let start = campaign.start();
+    let before = campaign.linearize(&start, &|_| true)?;
+    let (observables, conditions) = (campaign.observables(), campaign.conditions());
+    let fitted = |row: &usize| !conditions[observables[*row].condition].is_held_out;
+    let rows: Vec<usize> = (0..observables.len()).filter(fitted).collect();
+    let noise = Noise::new(observables, conditions, &rows, &before.value, campaign.slop)?;
+    let free: Vec<usize> = (0..campaign.unknowns().len()).collect();
+    let task = Task {
+        rows: &rows,
+        noise: &noise,
+        free: &free,
+        start: &start,
+    };
+    let fit = (!free.is_empty() && !rows.is_empty()).then(|| calibrate(campaign, &task)).transpose()?;
+    let after = fit.as_ref().map_or(&before.value, |fit| &fit.predicted);
+    let whitened = |value: &DVector<f64>| {
+        let errors = rows.iter().map(|&row| misfit(&observables[row], value[row]));
+        noise.whiten(&DVector::from_iterator(rows.len(), errors)).norm_squared() / rows.len().max(1) as f64
+    };
+    let study_rows = rows_of(campaign, &before, after);
+    let mut comparison = StudyComparison {
+        study: campaign.name.clone(),
+        title: title.to_string(),
+        groups: groups(&study_rows),
+        unknowns: fit.as_ref().map_or_else(Vec::new, |fit| unknowns(campaign, fit)),
+        correlations: fit.as_ref().map_or_else(Vec::new, |fit| correlations(campaign, fit)),
+        chi_square_per_row: [whitened(&before.value), whitened(after)],
+        not_compared: campaign
+            .skipped
+            .iter()
+            .map(|row| format!("{}, line {}, {}: {}", row.case, row.line, row.channel.name(), row.reason))
+            .collect(),
+        rows: study_rows,
+        words: Vec::new(),
+    };
+    comparison.words = words(&comparison);
+    Ok(comparison)
+}
+
+fn rows_of(campaign: &Campaign, before: &Linear, after: &DVector<f64>) -> Vec<StudyRow> {
+    let unknowns = campaign.unknowns();
+    let row = |(index, observable): (usize, &crate::study::Observable)| {
+        let condition = &campaign.conditions()[observable.condition];
+        let spread = unknowns.iter().enumerate().filter(|(_, u)| !matches!(u.kind, UnknownKind::Effect { .. }));
+        let variance: f64 = spread.map(|(k, u)| (before.jacobian[(index, k)] * u.sigma).powi(2)).sum();
+        StudyRow {
+            case: condition.name.clone(),
+            wing: condition.wing.clone(),
+            channel: observable.channel,
+            run: observable.run.clone(),
+            r_mm: observable.r_mm,
+            r_to_mm: observable.r_to_mm,
+            measured: observable.value,
+            sigma: observable.sigma,
+            bound: observable.bound,
+            before: before.value[index],
+            sigma_of_inputs: variance.sqrt(),
+            after: after[index],
+            is_held_out: condition.is_held_out,
+        }
+    };
+    campaign.observables().iter().enumerate().map(row).collect()
+}
+
+impl StudyRow {
+    /// Measured minus modelled before and after calibration; nothing where a bound is kept.
+    pub fn errors(&self) -> [f64; 2] {
+        [self.before, self.after].map(|modelled| match (self.bound, self.measured - modelled) {
+            (Bound::None, error) => error,
+            (Bound::Upper, error) => error.min(0.0),
+            (Bound::Lower, error) => error.max(0.0),
+        })
+    }
+}
+
+fn groups(rows: &[StudyRow]) -> Vec<GroupMisfit> {
+    let mut keys: Vec<(&str, Channel, bool)> = Vec::new();
+    for row in rows {
+        let key = (row.wing.as_str(), row.channel, row.is_held_out);
+        if !keys.contains(&key) {
+            keys.push(key);
+        }
+    }
+    let group = |(wing, channel, is_held_out): (&str, Channel, bool)| {
+        let belongs = |row: &&StudyRow| (row.wing.as_str(), row.channel, row.is_held_out) == (wing, channel, is_held_out);
+        let members: Vec<&StudyRow> = rows.iter().filter(belongs).collect();
+        let mean = |of: &dyn Fn(&StudyRow) -> f64| members.iter().map(|row| of(row)).sum::<f64>() / members.len() as f64;
+        let square = |k: usize| mean(&|row| row.errors()[k].powi(2));
+        let measurement = mean(&|row| row.sigma.powi(2));
+        let inputs = mean(&|row| row.sigma_of_inputs.powi(2));
+        GroupMisfit {
+            wing: wing.to_string(),
+            channel,
+            unit: channel.unit().to_string(),
+            is_held_out,
+            count: members.len(),
+            rmse: [square(0).sqrt(), square(1).sqrt()],
+            bias: [mean(&|row| row.errors()[0]), mean(&|row| row.errors()[1])],
+            sigma_of_measurement: measurement.sqrt(),
+            sigma_of_inputs: inputs.sqrt(),
+            explained: (measurement + inputs) / square(0).max(f64::MIN_POSITIVE),
+        }
+    };
+    keys.into_iter().map(group).collect()
+}
+
+fn unknowns(campaign: &Campaign, fit: &Fit) -> Vec<CalibratedUnknown> {
+    let one = |(place, &index): (usize, &usize)| {
+        let unknown = campaign.unknowns()[index].clone();
+        let standard_error = fit.covariance[(place, place)].max(0.0).sqrt();
+        CalibratedUnknown {
+            value: fit.at[index],
+            standard_error,
+            pull: (fit.at[index] - unknown.mean) / unknown.sigma,
+            is_identified: standard_error < IDENTIFIED * unknown.sigma,
+            at_end: fit.at_end.contains(&index),
+            unknown,
+        }
+    };
+    fit.free.iter().enumerate().map(one).collect()
+}
+
+fn correlations(campaign: &Campaign, fit: &Fit) -> Vec<Correlation> {
+    let size = fit.free.len();
+    let name = |place: usize| campaign.unknowns()[fit.free[place]].name.clone();
+    let mut found = Vec::new();
+    for i in 0..size {
+        for j in 0..i {
+            let scale = (fit.covariance[(i, i)] * fit.covariance[(j, j)]).sqrt();
+            let value = fit.covariance[(i, j)] / scale;
+            if value.abs() > CORRELATED {
+                found.push(Correlation {
+                    a: name(j),
+                    b: name(i),
+                    value,
+                });
+            }
+        }
+    }
+    found.sort_by(|a, b| b.value.abs().total_cmp(&a.value.abs()));
+    found
+}
+
+fn words(comparison: &StudyComparison) -> Vec<String> {
+    let mut words = Vec::new();
+    for group in &comparison.groups {
+        let held = if group.is_held_out { " (held out)" } else { "" };
+        let total = group.sigma_of_measurement.hypot(group.sigma_of_inputs);
+        let verdict = if group.explained >= 1.0 {
+            "which the known uncertainty of ruler and inputs explains".to_string()
+        } else {
+            format!(
+                "of which the known uncertainty ({total:.3} {}) explains {:.0} % (of the mean square)",
+                group.unit,
+                100.0 * group.explained
+            )
+        };
+        words.push(format!(
+            "{}, {}{held}: the model as stated misses by {:.3} {} (root mean square of {}), {verdict}; calibrated, by {:.3}.",
+            group.wing,
+            group.channel.name(),
+            group.rmse[0],
+            group.unit,
+            group.count,
+            group.rmse[1],
+        ));
+    }
+    let moved: Vec<&CalibratedUnknown> = comparison.unknowns.iter().filter(|u| u.pull.abs() > 2.0).collect();
+    for unknown in moved {
+        words.push(format!(
+            "{} had to move by {:.1} of its prior's standard deviations: the prior is too narrow, or it stands in for something \
+             that the model lacks.",
+            unknown.unknown.name, unknown.pull
+        ));
+    }
+    let unseen: Vec<&str> = (comparison.unknowns.iter())
+        .filter(|unknown| !unknown.is_identified)
+        .map(|unknown| unknown.unknown.name.as_str())
+        .collect();
+    if !unseen.is_empty() {
+        words.push(format!("These data say little of {}: they stay at their priors.", unseen.join(", ")));
+    }
+    words
+}

@@ -1,0 +1,185 @@
+//! From a study file to cases with their designs and measured rows.
+
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+
+use super::expand::{Form, put_in};
+use super::{Case, Purpose, Study};
+use crate::input::check::{format_is_one, refuse};
+use crate::input::design::Design;
+use crate::input::document::Node;
+use crate::input::error::{InputError, Problem};
+use crate::input::load::Loaded;
+use crate::input::measurement::{Measurement, Row};
+use crate::input::{file, form, keys};
+
+/// A study with all that its file refers to.
+#[derive(Debug, Clone)]
+pub struct LoadedStudy {
+    /// The study.
+    pub study: Study,
+    /// The study file.
+    pub path: PathBuf,
+    /// Its cases, families written out.
+    pub cases: Vec<LoadedCase>,
+}
+
+/// A design at one operating point, with its measured rows.
+#[derive(Debug, Clone)]
+pub struct LoadedCase {
+    /// Name: that of the measured case.
+    pub name: String,
+    /// The design with the changes of the case.
+    pub loaded: Loaded,
+    /// The measurement file, as the user named it.
+    pub measurement: String,
+    /// The measured rows that count.
+    pub rows: Vec<Row>,
+    /// Whether it is kept out of every fit.
+    pub is_held_out: bool,
+}
+
+impl LoadedStudy {
+    /// Whether a file is a study: it has cases, which a design has not.
+    ///
+    /// # Errors
+    /// If the file cannot be read or is no TOML.
+    pub fn is_study(path: &Path) -> Result<bool, InputError> {
+        let text = file::read_text(path, "design or study")?;
+        let root = Node::parse_file(&file::shown(path), &text)?;
+        Ok(root.get("case").is_some())
+    }
+
+    /// Reads a study with the designs and measurements that it names; `sets` change every design.
+    ///
+    /// # Errors
+    /// Whatever is wrong with it, with place and cure.
+    pub fn load(path: &Path, sets: &[String]) -> Result<LoadedStudy, InputError> {
+        let text = file::read_text(path, "study file")?;
+        let root = Node::parse_file(&file::shown(path), &text)?;
+        format_is_one(&root)?;
+        form::check(&root, keys::study())?;
+        let study = Study::deserialize(root.to_value()).map_err(|error| {
+            let message = format!("cannot be read: {}", error.message());
+            InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
+        })?;
+        check(&study, &root)?;
+        let mut cases = Vec::new();
+        for (index, case) in study.case.iter().enumerate() {
+            family(case, index, path, &root, sets, &mut cases)?;
+        }
+        known_designs(&study, &root, &cases)?;
+        Ok(LoadedStudy {
+            study,
+            path: path.to_path_buf(),
+            cases,
+        })
+    }
+}
+
+fn check(study: &Study, root: &Node) -> Result<(), InputError> {
+    let name = &study.name;
+    if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || "_-".contains(c)) {
+        let cure = "Use letters, digits, - and _, e.g. name = \"my-study\"";
+        return refuse(root, "name", "must be usable as the name of a folder", &[], cure);
+    }
+    if study.case.is_empty() {
+        return refuse(root, "case", "there is no case", &[], "Add a table [[case]]");
+    }
+    for (index, uncertain) in study.uncertain.iter().enumerate() {
+        if let Some([low, high]) = uncertain.range {
+            let inside = uncertain.mean.is_none_or(|mean| low <= mean && mean <= high);
+            if low >= high || !inside {
+                let key = format!("uncertain[{index}].range");
+                let cure = "Give the lower end first, and the mean between both";
+                return refuse(root, &key, "is no range around the mean", &["mean"], cure);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Adds the cases of one table.
+fn family(
+    case: &Case,
+    index: usize,
+    study_path: &Path,
+    root: &Node,
+    sets: &[String],
+    cases: &mut Vec<LoadedCase>,
+) -> Result<(), InputError> {
+    let key = |name: &str| format!("case[{index}].{name}");
+    let beside = |name: &str, value: &str| {
+        let path = file::beside(study_path, value);
+        if path.is_file() {
+            return Ok(path);
+        }
+        let cure = format!("Looked for {}; paths are relative to the study", file::shown(&path));
+        refuse(root, &key(name), "no such file", &[], cure)
+    };
+    let design_path = beside("design", &case.design)?;
+    let measurement_path = beside("measurement", &case.measurement)?;
+    let all = Measurement::load(&measurement_path)?;
+    let form = match Form::parse(&case.measured) {
+        Ok(form) => form,
+        Err(message) => {
+            let cure = "Write e.g. measured = \"bending-{mass}\"";
+            return refuse(root, &key("measured"), message, &[], cure);
+        }
+    };
+    let names = all.cases();
+    let found: Vec<_> = names.iter().filter_map(|name| Some((*name, form.read(name)?))).collect();
+    if found.is_empty() {
+        let shown = names.iter().take(8).copied().collect::<Vec<_>>().join(", ");
+        let more = if names.len() > 8 { ", …" } else { "" };
+        let cure = format!("These are the cases of {}: {shown}{more}", all.file);
+        return refuse(root, &key("measured"), "no measured case has this name", &[], cure);
+    }
+    if let Some(other) = case.held_out.iter().find(|held| !found.iter().any(|(name, _)| name == held)) {
+        let cure = format!("Name cases of the form {}", case.measured);
+        return refuse(root, &key("held_out"), format!("{other} is none of these cases"), &["measured"], cure);
+    }
+    for (name, numbers) in found {
+        let mut changes = Vec::new();
+        for set in &case.set {
+            match put_in(set, &numbers) {
+                Ok(change) => changes.push(change),
+                Err(message) => {
+                    let cure = "Write e.g. set = [\"load[0].mass_kg={mass}\"] with measured = \"bending-{mass}\"";
+                    return refuse(root, &key("set"), message, &["measured"], cure);
+                }
+            }
+        }
+        changes.extend_from_slice(sets);
+        let loaded = Design::load(&design_path, &changes)?;
+        let measurement = all.case(name);
+        measurement.check_stations(&loaded.design)?;
+        let counts = |row: &Row| case.channels.as_ref().is_none_or(|channels| channels.contains(&row.channel));
+        cases.push(LoadedCase {
+            name: name.to_string(),
+            loaded,
+            measurement: measurement.file.clone(),
+            rows: measurement.rows.into_iter().filter(counts).collect(),
+            is_held_out: case.purpose == Purpose::HeldOut || case.held_out.iter().any(|held| held == name),
+        });
+    }
+    Ok(())
+}
+
+/// Refuses names of designs that no case has.
+fn known_designs(study: &Study, root: &Node, cases: &[LoadedCase]) -> Result<(), InputError> {
+    let named = study.uncertain.iter().enumerate().map(|(k, u)| (format!("uncertain[{k}].designs"), &u.designs));
+    let effects = study.effect.iter().enumerate().map(|(k, e)| (format!("effect[{k}].designs"), &e.designs));
+    for (key, designs) in named.chain(effects) {
+        for name in designs.iter().flatten() {
+            if !cases.iter().any(|case| case.loaded.design.name == *name) {
+                let mut known: Vec<&str> = cases.iter().map(|case| case.loaded.design.name.as_str()).collect();
+                known.dedup();
+                let cure = format!("The cases have the designs {}", known.join(", "));
+                return refuse(root, &key, format!("no case has a design {name}"), &["case"], cure);
+            }
+        }
+    }
+    Ok(())
+}

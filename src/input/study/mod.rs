@@ -1,0 +1,183 @@
+//! Study files: a list of cases (a design at an operating point, with its measurement), what is uncertain about wing and
+//! ruler, and which effects are on.
+//!
+//! As for designs, these types are the only statement of the format.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::measurement::Channel;
+
+mod expand;
+
+mod load;
+
+pub use load::{LoadedCase, LoadedStudy};
+
+/// A study. Unknown keys are refused.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Study {
+    /// The version of the file format.
+    #[schemars(extend("examples" = [1]))]
+    pub format: u32,
+    /// The name of the study (letters, digits, `-`, `_`); it names the folder of its results.
+    #[schemars(extend("examples" = ["my-study"]))]
+    pub name: String,
+    /// The title of the study, one line for reports.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[schemars(extend("examples" = ["Static tests of wing 1 on the bench"]))]
+    pub title: String,
+    /// The share of its own prediction by which the model may miss without anything being missing.
+    #[serde(default = "slop")]
+    #[schemars(extend("minimum" = 0.0, "maximum" = 0.5, "examples" = [0.01]))]
+    pub slop: f64,
+    /// The cases, one `[[case]]` table each, or one for each family of measured cases.
+    pub case: Vec<Case>,
+    /// The uncertain inputs of the designs, one `[[uncertain]]` table each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub uncertain: Vec<Uncertain>,
+    /// The nuisances of the ruler, which move the reading and not the wing, one `[[ruler]]` table each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub ruler: Vec<Ruler>,
+    /// The effects that are on besides those of the designs, one `[[effect]]` table each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub effect: Vec<StudyEffect>,
+    /// The names of the effects that a diagnosis may try; all that can act where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("examples" = [["tip-loss-prandtl", "root-flexure"]]))]
+    pub candidates: Option<Vec<String>>,
+}
+
+/// One case, or a family of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Case {
+    /// The design file, relative to the study.
+    #[schemars(extend("examples" = ["../designs/twist-v2.toml"]))]
+    pub design: String,
+    /// The changes of the design for this case, as `--set` takes them; `{name}` stands for a number in `measured`, and
+    /// `{name*0.001}` for a multiple of it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("examples" = [["flapping.frequency_hz=23"]]))]
+    pub set: Vec<String>,
+    /// The measurement file, relative to the study.
+    #[schemars(extend("examples" = ["../measurements/colmenares-as-stated.csv"]))]
+    pub measurement: String,
+    /// The case in the measurement file; with numbers in braces, as in `bending-{mass}`, every case of that form.
+    #[schemars(extend("examples" = ["twist-v2"]))]
+    pub measured: String,
+    /// The channels that count; all that were measured where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("examples" = [["twist"]]))]
+    pub channels: Option<Vec<Channel>>,
+    /// Whether these cases are fitted or kept for a test.
+    #[serde(default, rename = "use")]
+    #[schemars(extend("examples" = ["fit"]))]
+    pub purpose: Purpose,
+    /// The measured cases of this family that are kept for a test.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("examples" = [["bending-0.60"]]))]
+    pub held_out: Vec<String>,
+}
+
+/// What a case is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Purpose {
+    /// It is fitted.
+    #[default]
+    Fit,
+    /// It is kept out of every fit.
+    HeldOut,
+}
+
+/// An uncertain input.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Uncertain {
+    /// The dotted key of the input in the designs.
+    #[schemars(extend("examples" = ["material.carbon-rod.g_gpa"]))]
+    pub key: String,
+    /// The mean of its prior, in the unit of the key; the design's own value where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = -1e12, "maximum" = 1e12, "examples" = [4.0]))]
+    pub mean: Option<f64>,
+    /// The standard deviation of its prior; that of the design's assumed range (its width over √12) where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e12, "examples" = [0.8]))]
+    pub sigma: Option<f64>,
+    /// The values that it may take; the design's assumed range, or four standard deviations, where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("minimum" = -1e12, "maximum" = 1e12, "examples" = [[3.0, 6.0]]))]
+    pub range: Option<[f64; 2]>,
+    /// The designs that it moves, by name; all that have the key where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("examples" = [["twist-v2"]]))]
+    pub designs: Option<Vec<String>>,
+    /// Where the prior comes from.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[schemars(extend("examples" = ["maker's data sheet"]))]
+    pub why: String,
+}
+
+/// A nuisance of the ruler.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Ruler {
+    /// What it does to the reading.
+    #[schemars(extend("examples" = ["offset"]))]
+    pub kind: RulerKind,
+    /// The channel that it moves.
+    #[schemars(extend("examples" = ["twist"]))]
+    pub channel: Channel,
+    /// The runs of the measurement that it moves; every run has its own where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("examples" = [["bending"]]))]
+    pub runs: Option<Vec<String>>,
+    /// The standard deviation of its prior: of an offset in the unit of the channel, of a scale as a share.
+    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e9, "examples" = [0.5]))]
+    pub sigma: f64,
+    /// Where the prior comes from.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[schemars(extend("examples" = ["raw readings, with the ruler's own zero"]))]
+    pub why: String,
+}
+
+/// What a nuisance does to the reading y.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RulerKind {
+    /// y + b.
+    Offset,
+    /// y (1 + b).
+    Scale,
+}
+
+/// An effect that is on.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StudyEffect {
+    /// The name of the effect, as `washout effects` lists it.
+    #[schemars(extend("examples" = ["tip-loss-prandtl"]))]
+    pub name: String,
+    /// The strength with which it starts.
+    #[schemars(extend("minimum" = -1e12, "maximum" = 1e12, "examples" = [0.8]))]
+    pub strength: f64,
+    /// The standard deviation of the prior of its strength; without one it stays as it is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e12, "examples" = [0.2]))]
+    pub sigma: Option<f64>,
+    /// The effect's other numbers.
+    #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
+    #[schemars(with = "std::collections::BTreeMap<String, serde_json::Value>", extend("examples" = [{"from_mm": 40.0}]))]
+    pub numbers: toml::Table,
+    /// The designs on which it acts, by name; all where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("examples" = [["twist-v2"]]))]
+    pub designs: Option<Vec<String>>,
+}
+
+fn slop() -> f64 {
+    0.01
+}

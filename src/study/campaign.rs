@@ -1,0 +1,235 @@
+//! A study as a forward model: its cases solved, read as they were measured, with the ruler's nuisances.
+
+use nalgebra::{DMatrix, DVector};
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+
+use super::case::PreparedCase;
+use super::error::StudyError;
+use super::forward::{Condition, Forward, Linear, Observable, Unknown, UnknownKind};
+use super::unknowns::{Target, Targets};
+use crate::input::measurement::Channel;
+use crate::input::study::{LoadedStudy, RulerKind};
+use crate::progress::Progress;
+
+/// A study ready to be predicted.
+#[derive(Debug)]
+pub struct Campaign {
+    /// Name of the study.
+    pub name: String,
+    /// Share of its own prediction by which the model may miss.
+    pub slop: f64,
+    /// Measured rows that the model cannot be asked for, and why not.
+    pub skipped: Vec<SkippedRow>,
+    cases: Vec<PreparedCase>,
+    targets: Targets,
+    observables: Vec<Observable>,
+    conditions: Vec<Condition>,
+    progress: Progress,
+}
+
+/// A measured row that takes no part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SkippedRow {
+    /// Name of the case.
+    pub case: String,
+    /// Line of the measurement file.
+    pub line: usize,
+    /// Channel.
+    pub channel: Channel,
+    /// Why.
+    pub reason: String,
+}
+
+impl Campaign {
+    /// A study with its own effects and, off to begin with, those of `candidates` that can act.
+    ///
+    /// # Errors
+    /// If a case has no solution as it stands, or an input or effect is not known.
+    pub fn new(study: &LoadedStudy, candidates: &[&str], progress: &Progress) -> Result<Campaign, StudyError> {
+        let cases = study.cases.iter().map(|case| PreparedCase::new(case, study, candidates));
+        let mut cases: Vec<PreparedCase> = cases.collect::<Result<_, _>>()?;
+        progress.say(format_args!("{}: solving {} cases", study.study.name, cases.len()));
+        let readable: Vec<Vec<Result<f64, String>>> = cases
+            .par_iter()
+            .map(|case| case.read_each(&case.solve(&case.design, progress)?))
+            .collect::<Result<_, _>>()?;
+        let (mut observables, mut conditions, mut skipped) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, (case, readings)) in cases.iter_mut().zip(readable).enumerate() {
+            let mut kept = Vec::new();
+            for (row, reading) in case.rows.iter().zip(readings) {
+                match reading {
+                    Ok(_) => {
+                        observables.push(Observable::of(row, index));
+                        kept.push(row.clone());
+                    }
+                    Err(reason) => skipped.push(SkippedRow {
+                        case: case.name.clone(),
+                        line: row.line,
+                        channel: row.channel,
+                        reason,
+                    }),
+                }
+            }
+            case.rows = kept;
+            conditions.push(case.condition());
+        }
+        let targets = Targets::new(study, &cases, &observables, candidates)?;
+        Ok(Campaign {
+            name: study.study.name.clone(),
+            slop: study.study.slop,
+            skipped,
+            cases,
+            targets,
+            observables,
+            conditions,
+            progress: progress.unseen(),
+        })
+    }
+
+    /// Values with which the unknowns start.
+    pub fn start(&self) -> Vec<f64> {
+        self.targets.start.clone()
+    }
+
+    /// Observables of a case, as a range of rows.
+    fn rows_of(&self, case: usize) -> std::ops::Range<usize> {
+        let before = |case: usize| self.cases[..case].iter().map(|c| c.rows.len()).sum::<usize>();
+        before(case)..before(case + 1)
+    }
+
+    /// Scale 1 + b and offset of the ruler for an observable.
+    fn ruler(&self, at: &[f64], observable: usize) -> (f64, f64) {
+        let (mut scale, mut offset) = (1.0, 0.0);
+        for (target, value) in self.targets.targets.iter().zip(at) {
+            if let Target::Ruler { kind, rows } = target
+                && rows.contains(&observable)
+            {
+                match kind {
+                    RulerKind::Offset => offset += value,
+                    RulerKind::Scale => scale += value,
+                }
+            }
+        }
+        (scale, offset)
+    }
+
+    /// Design of a case with the unknowns in place.
+    fn design_at(&self, case: usize, at: &[f64]) -> Result<crate::input::Design, StudyError> {
+        let prepared = &self.cases[case];
+        let mut design = prepared.design.clone();
+        for (target, &value) in self.targets.targets.iter().zip(at) {
+            if let Target::Key { key, cases } = target
+                && cases.contains(&case)
+                && design.get(key) != Some(value)
+            {
+                design.set(key, value).map_err(|error| prepared.failed(error))?;
+            }
+        }
+        Ok(design)
+    }
+
+    /// What each case gives, read as measured, side by side; before the ruler.
+    fn each<T: Send>(
+        &self,
+        at: &[f64],
+        give: impl Fn(usize, &PreparedCase, &super::case::Solved) -> Result<T, StudyError> + Sync,
+    ) -> Result<Vec<T>, StudyError> {
+        (0..self.cases.len())
+            .into_par_iter()
+            .map(|index| {
+                let case = &self.cases[index];
+                let design = self.design_at(index, at)?;
+                give(index, case, &case.solve(&design, &self.progress)?)
+            })
+            .collect()
+    }
+}
+
+impl Forward for Campaign {
+    fn unknowns(&self) -> &[Unknown] {
+        &self.targets.unknowns
+    }
+
+    fn observables(&self) -> &[Observable] {
+        &self.observables
+    }
+
+    fn conditions(&self) -> &[Condition] {
+        &self.conditions
+    }
+
+    fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
+        let raw = self.each(at, |_, case, solved| case.read(solved))?.concat();
+        let seen = raw.into_iter().enumerate().map(|(row, y)| {
+            let (scale, offset) = self.ruler(at, row);
+            scale * y + offset
+        });
+        Ok(DVector::from_iterator(self.observables.len(), seen))
+    }
+
+    fn linearize(&self, at: &[f64], wanted: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError> {
+        let wanted: Vec<bool> = self.targets.unknowns.iter().map(wanted).collect();
+        let parts = self.each(at, |index, case, solved| {
+            let mut columns: Vec<(usize, String, Option<f64>)> = Vec::new();
+            for (k, target) in self.targets.targets.iter().enumerate() {
+                if let Target::Key { key, cases } = target
+                    && wanted[k]
+                    && cases.contains(&index)
+                {
+                    columns.push((k, key.clone(), self.switch_step(k, at[k])));
+                }
+            }
+            Ok((case.read(solved)?, case.rates(solved, &columns, &self.progress)?))
+        })?;
+        let size = self.observables.len();
+        let mut value = DVector::zeros(size);
+        let mut jacobian = DMatrix::zeros(size, wanted.len());
+        for (case, (raw, rates)) in parts.into_iter().enumerate() {
+            for (place, row) in self.rows_of(case).enumerate() {
+                let (scale, offset) = self.ruler(at, row);
+                value[row] = scale * raw[place] + offset;
+                for (k, column) in &rates {
+                    jacobian[(row, *k)] = scale * column[place];
+                }
+                for (k, target) in self.targets.targets.iter().enumerate() {
+                    if let Target::Ruler { kind, rows } = target
+                        && wanted[k]
+                        && rows.contains(&row)
+                    {
+                        jacobian[(row, k)] = match kind {
+                            RulerKind::Offset => 1.0,
+                            RulerKind::Scale => raw[place],
+                        };
+                    }
+                }
+            }
+        }
+        Ok(Linear { value, jacobian })
+    }
+
+    fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {
+        let parts = self.each(at, |_, case, solved| case.moment_response(solved, stations))?;
+        let mut response = DMatrix::zeros(self.observables.len(), stations);
+        for (case, part) in parts.into_iter().enumerate() {
+            for (place, row) in self.rows_of(case).enumerate() {
+                let (scale, _) = self.ruler(at, row);
+                for (station, column) in part.iter().enumerate() {
+                    response[(row, station)] = scale * column[place];
+                }
+            }
+        }
+        Ok(response)
+    }
+}
+
+impl Campaign {
+    /// Step by which an effect with a switch is seen from zero; none for the others.
+    fn switch_step(&self, unknown: usize, value: f64) -> Option<f64> {
+        match &self.targets.unknowns[unknown].kind {
+            UnknownKind::Effect {
+                has_switch: true, scale, ..
+            } if value == 0.0 => Some(0.05 * scale),
+            _ => None,
+        }
+    }
+}

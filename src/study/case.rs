@@ -1,0 +1,297 @@
+//! One case of a study: its design solved, and read as it was measured.
+
+use std::collections::BTreeMap;
+use std::fmt::Display;
+
+use nalgebra::Vector3;
+
+use super::error::StudyError;
+use super::forward::{Condition, Observable};
+use crate::aero::{AirLaw, Flow};
+use crate::coupling::sensitivity::Nearby;
+use crate::coupling::strips::Strips;
+use crate::coupling::wing::Wing;
+use crate::coupling::{self, CouplingError, Sensitivity};
+use crate::effects::{is_applicable, named};
+use crate::geometry::Planform;
+use crate::input::Design;
+use crate::input::measurement::{Channel, Row};
+use crate::input::study::{LoadedCase, LoadedStudy};
+use crate::lift::LiftReport;
+use crate::mesh::{Mesh, MeshError, MeshFile, for_design};
+use crate::observation::{Observer, read_channel};
+use crate::progress::Progress;
+
+/// A case with its effects in place.
+#[derive(Debug, Clone)]
+pub struct PreparedCase {
+    /// Name of the case.
+    pub name: String,
+    /// Design, with a table for every effect that may act.
+    pub design: Design,
+    /// Measured rows.
+    pub rows: Vec<Row>,
+    is_held_out: bool,
+    air_table: Option<Vec<[f64; 3]>>,
+    mesh_file: Option<(String, Vec<u8>)>,
+}
+
+/// A solved case: design, outline and solution.
+pub type Solved = Nearby;
+
+impl PreparedCase {
+    /// The case of a study with the study's effects on, and `candidates` that can act at strength 0.
+    ///
+    /// # Errors
+    /// If an effect is not known or cannot act, or the mesh file cannot be read.
+    pub fn new(case: &LoadedCase, study: &LoadedStudy, candidates: &[&str]) -> Result<Self, StudyError> {
+        let mut design = case.loaded.design.clone();
+        let failed = |reason: String| StudyError::Case {
+            case: case.name.clone(),
+            reason,
+        };
+        for effect in &study.study.effect {
+            if effect.designs.as_ref().is_some_and(|designs| !designs.contains(&design.name)) {
+                continue;
+            }
+            let mut table = effect.numbers.clone();
+            table.insert("strength".to_string(), toml::Value::Float(effect.strength));
+            design.effects.insert(effect.name.clone(), table);
+        }
+        for name in candidates {
+            let Some(effect) = named(name) else {
+                return Err(failed(format!("there is no effect {name} (washout effects)")));
+            };
+            if !design.effects.contains_key(*name) && is_applicable(&effect.card(), &design) {
+                let strength = [("strength".to_string(), toml::Value::Float(0.0))];
+                design.effects.insert(name.to_string(), strength.into_iter().collect());
+            }
+        }
+        let mesh_file = case.loaded.read_mesh_file().map_err(|error| failed(error.to_string()))?;
+        Ok(PreparedCase {
+            name: case.name.clone(),
+            design,
+            rows: case.rows.clone(),
+            is_held_out: case.is_held_out,
+            air_table: case.loaded.air_table.clone(),
+            mesh_file,
+        })
+    }
+
+    /// What the case is as a condition.
+    pub fn condition(&self) -> Condition {
+        let design = &self.design;
+        let flow = Flow::from_design(design);
+        let length_m = 1e-3 * design.planform.length_mm.value();
+        let speed = flow.map_or(0.0, |flow| flow.velocity(length_m).norm());
+        let flapping = design.flapping.as_ref();
+        Condition {
+            name: self.name.clone(),
+            wing: design.name.clone(),
+            is_held_out: self.is_held_out,
+            frequency_hz: flapping.map(|flapping| flapping.frequency_hz.value()),
+            half_amplitude_deg: flapping.map(|flapping| flapping.half_amplitude_deg.value()),
+            dynamic_pressure_pa: 0.5 * design.air.density_kg_m3.value() * speed * speed,
+            length_m,
+        }
+    }
+
+    /// A failure of this case.
+    pub fn failed(&self, reason: impl Display) -> StudyError {
+        StudyError::Case {
+            case: self.name.clone(),
+            reason: reason.to_string(),
+        }
+    }
+
+    fn unsolved(&self, error: CouplingError) -> StudyError {
+        match error {
+            CouplingError::Interrupted(cancelled) => StudyError::Cancelled(cancelled),
+            error if error.is_not_converged() => StudyError::Unsolved {
+                case: self.name.clone(),
+                reason: error.to_string(),
+            },
+            error => self.failed(error),
+        }
+    }
+
+    /// Solves the case with a design of its own.
+    ///
+    /// # Errors
+    /// If there is no solution.
+    pub fn solve(&self, design: &Design, progress: &Progress) -> Result<Solved, StudyError> {
+        progress.check()?;
+        let (planform, mesh) = self.mesh(design).map_err(|error| self.failed(error))?;
+        let solution = coupling::solve(design, &planform, &mesh, self.air_table.as_deref(), progress);
+        Ok(Nearby {
+            design: design.clone(),
+            planform,
+            solution: solution.map_err(|error| self.unsolved(error))?,
+        })
+    }
+
+    fn mesh(&self, design: &Design) -> Result<(Planform, Mesh), MeshError> {
+        let file = self.mesh_file.as_ref().map(|(name, bytes)| MeshFile { name, bytes });
+        for_design(design, file)
+    }
+
+    /// What the solved case gives for every row, or why it gives nothing.
+    ///
+    /// # Errors
+    /// If the instrument cannot be set up.
+    pub fn read_each(&self, solved: &Solved) -> Result<Vec<Result<f64, String>>, StudyError> {
+        let Nearby {
+            design,
+            planform,
+            solution,
+        } = solved;
+        let own = Observer::new(design, planform, solution).map_err(|error| self.failed(error))?;
+        let whole = self.whole_wing(solved)?;
+        let mut readings = Vec::new();
+        for row in &self.rows {
+            let reading = match row.instrument.filter(|instrument| *instrument != own.instrument()) {
+                None => read_channel(row, &own, &own.profile(), &whole),
+                Some(instrument) => match own.seen_by(instrument) {
+                    Ok(other) => read_channel(row, &other, &other.profile(), &whole),
+                    Err(error) => Err(error.to_string()),
+                },
+            };
+            readings.push(reading.map(|reading| reading.value));
+        }
+        Ok(readings)
+    }
+
+    /// What the solved case gives for every row.
+    ///
+    /// # Errors
+    /// If a row cannot be read any more.
+    pub fn read(&self, solved: &Solved) -> Result<Vec<f64>, StudyError> {
+        let readings = self.read_each(solved)?.into_iter().zip(&self.rows);
+        let value = |(reading, row): (Result<f64, String>, &Row)| {
+            reading.map_err(|reason| self.failed(format!("line {} of its measurement: {reason}", row.line)))
+        };
+        readings.map(value).collect()
+    }
+
+    fn whole_wing(&self, solved: &Solved) -> Result<BTreeMap<Channel, f64>, StudyError> {
+        let wanted = [Channel::Lift, Channel::Drag, Channel::Power];
+        let mut whole = BTreeMap::new();
+        let Some(flow) = Flow::from_design(&solved.design) else {
+            return Ok(whole);
+        };
+        if !self.rows.iter().any(|row| wanted.contains(&row.channel)) {
+            return Ok(whole);
+        }
+        let law = AirLaw::from_design(&solved.design, self.air_table.as_deref());
+        let law = law.map_err(|error| self.failed(error))?;
+        let report = LiftReport::new(&solved.planform, &law, &flow, &solved.solution.strips);
+        let report = report.map_err(|error| self.failed(error))?;
+        if let Some(mean) = &report.stroke_mean {
+            whole.extend(wanted.into_iter().zip([mean.lift_mn, mean.drag_mn, mean.power_mw]));
+        }
+        Ok(whole)
+    }
+
+    /// Derivatives of the readings with keys of the design: (index, values per row) for each of `columns`
+    /// (index, key, finite step if the response has a kink at zero).
+    ///
+    /// # Errors
+    /// If the coupled tangent is singular, or a key is none.
+    pub fn rates(
+        &self,
+        solved: &Solved,
+        columns: &[(usize, String, Option<f64>)],
+        progress: &Progress,
+    ) -> Result<Vec<(usize, Vec<f64>)>, StudyError> {
+        if columns.is_empty() {
+            return Ok(Vec::new());
+        }
+        let here = self.read(solved)?;
+        let wing = self.wing(solved)?;
+        let remesh = |design: &Design| self.mesh(design);
+        let table = self.air_table.as_deref();
+        let mut sensitivity = Sensitivity::new(&solved.design, &wing, table, &solved.solution, &remesh)
+            .map_err(|error| self.failed(error))?;
+        let mut rates = Vec::new();
+        for (index, key, switch) in columns {
+            progress.check()?;
+            let column = match switch {
+                Some(step) => {
+                    let mut design = solved.design.clone();
+                    design.set(key, *step).map_err(|error| self.failed(error))?;
+                    let there = self.read(&self.solve(&design, progress)?)?;
+                    there.iter().zip(&here).map(|(there, here)| (there - here) / step).collect()
+                }
+                None => {
+                    let rate = sensitivity.rate(key).map_err(|error| self.failed(error))?;
+                    let column = sensitivity.read(&rate, |near| self.read(near).unwrap_or_else(|_| here.clone()));
+                    column.map_err(|error| self.failed(error))?
+                }
+            };
+            rates.push((*index, column));
+        }
+        Ok(rates)
+    }
+
+    fn wing(&self, solved: &Solved) -> Result<Wing, StudyError> {
+        Wing::new(&solved.design, &solved.solution.mesh, self.air_table.as_deref())
+            .map_err(|error| self.failed(error))
+    }
+
+    /// Response of the readings to a unit moment per length about the span axis (N·m/m), spread as a hat around each of
+    /// `stations` places from base to tip.
+    ///
+    /// # Errors
+    /// If the coupled tangent is singular.
+    pub fn moment_response(&self, solved: &Solved, stations: usize) -> Result<Vec<Vec<f64>>, StudyError> {
+        let wing = self.wing(solved)?;
+        let remesh = |design: &Design| self.mesh(design);
+        let table = self.air_table.as_deref();
+        let mut sensitivity = Sensitivity::new(&solved.design, &wing, table, &solved.solution, &remesh)
+            .map_err(|error| self.failed(error))?;
+        let strips = Strips::new(&solved.solution.mesh);
+        let here = self.read(solved)?;
+        let mut columns = Vec::new();
+        for station in 0..stations {
+            let spacing = strips.tip_m() / (stations.max(2) - 1) as f64;
+            let hat = |r_m: f64| (1.0 - (r_m / spacing - station as f64).abs()).max(0.0);
+            let mut force = vec![Vector3::zeros(); solved.solution.mesh.nodes.len()];
+            for strip in &strips.strips {
+                let shape = strip.shape(&solved.solution.state.displacement);
+                let chord = Vector3::new(shape[0], shape[1], shape[2]);
+                let normal = Vector3::new(shape[3], shape[4], shape[5]).cross(&chord).normalize();
+                let pair = normal * (hat(strip.r_m) * strip.width_m / chord.norm());
+                let last = strip.points.len() - 1;
+                strip.spread(|node, share, point| match point {
+                    0 => force[node] -= pair * share,
+                    _ if point == last => force[node] += pair * share,
+                    _ => {}
+                });
+            }
+            let rate = sensitivity.load_rate(&force).map_err(|error| self.failed(error))?;
+            // a small step keeps the reading linear
+            let step = 1e-9;
+            let near = sensitivity.nearby(&rate, step).map_err(|error| self.failed(error))?;
+            let there = self.read(&near)?;
+            columns.push(there.iter().zip(&here).map(|(there, here)| (there - here) / step).collect());
+        }
+        Ok(columns)
+    }
+}
+
+impl Observable {
+    /// A measured row of a condition.
+    pub fn of(row: &Row, condition: usize) -> Observable {
+        Observable {
+            condition,
+            line: row.line,
+            channel: row.channel,
+            run: row.run.clone(),
+            r_mm: row.r_mm,
+            r_to_mm: row.r_to_mm,
+            value: row.value,
+            sigma: row.sigma,
+            bound: row.bound,
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! What a study may move, and where each of its unknowns acts.
+
+use super::case::PreparedCase;
+use super::error::StudyError;
+use super::forward::{Observable, Unknown, UnknownKind};
+use crate::effects::{Card, named};
+use crate::input::study::{LoadedStudy, Ruler, RulerKind, Uncertain};
+
+/// Half-width of the range of an unknown that states none, in standard deviations.
+const WIDE: f64 = 4.0;
+
+/// Where an unknown acts.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Target {
+    /// On a key of the designs of some cases.
+    Key {
+        /// Dotted key.
+        key: String,
+        /// Indices of the cases.
+        cases: Vec<usize>,
+    },
+    /// On the reading of some observables.
+    Ruler {
+        /// What it does.
+        kind: RulerKind,
+        /// Indices of the observables.
+        rows: Vec<usize>,
+    },
+}
+
+/// The unknowns of a study with their targets.
+#[derive(Debug, Clone, Default)]
+pub struct Targets {
+    /// The unknowns.
+    pub unknowns: Vec<Unknown>,
+    /// Where each acts.
+    pub targets: Vec<Target>,
+    /// Where each starts.
+    pub start: Vec<f64>,
+}
+
+impl Targets {
+    /// Inputs first, then the ruler, then effects: those of the study, then the candidates.
+    ///
+    /// # Errors
+    /// If no design has an input, or it states no prior.
+    pub fn new(
+        study: &LoadedStudy,
+        cases: &[PreparedCase],
+        observables: &[Observable],
+        candidates: &[&str],
+    ) -> Result<Targets, StudyError> {
+        let mut found = Targets::default();
+        for uncertain in &study.study.uncertain {
+            found.add_input(uncertain, cases)?;
+        }
+        for ruler in &study.study.ruler {
+            found.add_ruler(ruler, observables);
+        }
+        for effect in &study.study.effect {
+            let Some(known) = named(&effect.name) else {
+                let reason = format!("effect {}: there is no such effect (washout effects)", effect.name);
+                return Err(StudyError::Unknown { reason });
+            };
+            let sigma = effect.sigma.unwrap_or(0.0);
+            found.add_effect(&known.card(), cases, effect.strength, sigma);
+        }
+        for name in candidates {
+            if !study.study.effect.iter().any(|effect| effect.name == *name)
+                && let Some(effect) = named(name)
+            {
+                let card = effect.card();
+                found.add_effect(&card, cases, 0.0, 1.5 * card.parameters[0].scale());
+            }
+        }
+        Ok(found)
+    }
+
+    fn add(&mut self, unknown: Unknown, target: Target, start: f64) {
+        self.unknowns.push(unknown);
+        self.targets.push(target);
+        self.start.push(start);
+    }
+
+    fn add_input(&mut self, uncertain: &Uncertain, cases: &[PreparedCase]) -> Result<(), StudyError> {
+        let key = &uncertain.key;
+        let concerns = |case: &PreparedCase| {
+            let designs = uncertain.designs.as_ref();
+            designs.is_none_or(|designs| designs.contains(&case.design.name)) && case.design.get(key).is_some()
+        };
+        let touched: Vec<usize> = (0..cases.len()).filter(|&index| concerns(&cases[index])).collect();
+        let Some(&first) = touched.first() else {
+            let reason = format!("uncertain {key}: no design of the study has a number there");
+            return Err(StudyError::Unknown { reason });
+        };
+        let design = &cases[first].design;
+        let assumed = design.assumptions().into_iter().find(|assumption| assumption.key == *key);
+        let own = design.get(key).unwrap_or_default();
+        let mean = uncertain.mean.unwrap_or(own);
+        let width = assumed.as_ref().map(|a| (a.range[1] - a.range[0]) / 12.0_f64.sqrt());
+        let stated = uncertain.range.map(|[low, high]| (high - low) / 12.0_f64.sqrt());
+        let Some(sigma) = uncertain.sigma.or(stated).or(width).filter(|sigma| *sigma > 0.0) else {
+            let reason = format!(
+                "uncertain {key}: the designs state it as a fact, so give the sigma of its prior here, or its range"
+            );
+            return Err(StudyError::Unknown { reason });
+        };
+        let wide = [mean - WIDE * sigma, mean + WIDE * sigma];
+        let unknown = Unknown {
+            name: key.clone(),
+            unit: unit_of(key),
+            kind: UnknownKind::Input,
+            mean,
+            sigma,
+            range: uncertain.range.or(assumed.map(|a| a.range)).unwrap_or(wide),
+        };
+        let target = Target::Key {
+            key: key.clone(),
+            cases: touched,
+        };
+        self.add(unknown, target, mean);
+        Ok(())
+    }
+
+    fn add_ruler(&mut self, ruler: &Ruler, observables: &[Observable]) {
+        let mut runs: Vec<&str> = Vec::new();
+        for observable in observables.iter().filter(|o| o.channel == ruler.channel) {
+            let counts = ruler.runs.as_ref().is_none_or(|runs| runs.contains(&observable.run));
+            if counts && !runs.contains(&observable.run.as_str()) {
+                runs.push(&observable.run);
+            }
+        }
+        for run in runs {
+            let belongs = |o: &Observable| o.channel == ruler.channel && o.run == run;
+            let rows = (0..observables.len()).filter(|&row| belongs(&observables[row])).collect();
+            let (word, unit) = match ruler.kind {
+                RulerKind::Offset => ("offset", ruler.channel.unit()),
+                RulerKind::Scale => ("scale", "1"),
+            };
+            let of = if run.is_empty() { String::new() } else { format!(" of run {run}") };
+            let unknown = Unknown {
+                name: format!("{word} of {}{of}", ruler.channel.name()),
+                unit: unit.to_string(),
+                kind: UnknownKind::Ruler,
+                mean: 0.0,
+                sigma: ruler.sigma,
+                range: [-10.0 * ruler.sigma, 10.0 * ruler.sigma],
+            };
+            let kind = ruler.kind;
+            self.add(unknown, Target::Ruler { kind, rows }, 0.0);
+        }
+    }
+
+    /// An effect in all cases whose design has its table; nowhere, no unknown. Without a sigma it is held.
+    fn add_effect(&mut self, card: &Card, cases: &[PreparedCase], strength: f64, sigma: f64) {
+        let has = |case: &PreparedCase| case.design.effects.contains_key(card.name);
+        let touched: Vec<usize> = (0..cases.len()).filter(|&index| has(&cases[index])).collect();
+        if touched.is_empty() || sigma == 0.0 {
+            return;
+        }
+        let parameter = &card.parameters[0];
+        let key = format!("effects.{}.strength", card.name);
+        let unknown = Unknown {
+            name: key.clone(),
+            unit: parameter.unit.to_string(),
+            kind: UnknownKind::Effect {
+                effect: card.name.to_string(),
+                family: card.family.to_string(),
+                scale: parameter.scale(),
+                one_sided: parameter.is_one_sided(),
+                has_switch: card.has_switch,
+            },
+            mean: strength,
+            sigma,
+            range: parameter.range,
+        };
+        self.add(unknown, Target::Key { key, cases: touched }, strength);
+    }
+}
+
+/// Unit in the name of a key; `1` if there is none.
+fn unit_of(key: &str) -> String {
+    let last = key.rsplit('.').next().unwrap_or(key);
+    crate::input::unit_symbol(last).unwrap_or("1").to_string()
+}
