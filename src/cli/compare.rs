@@ -11,8 +11,8 @@ use crate::compare::Comparison;
 use crate::export::comparison;
 use crate::export::text::{Table, number};
 use crate::input::Loaded;
-use crate::input::study::LoadedStudy;
 use crate::input::measurement::Channel;
+use crate::input::study::LoadedStudy;
 use crate::lift::{Ratios, StrokeMeans};
 
 use super::case::{Case, DesignArguments, beside};

@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::{Bound, Channel};
 use crate::study::calibrate::misfit;
-use crate::study::{Campaign, Fit, Forward, Linear, Noise, StudyError, Task, Unknown, UnknownKind, calibrate};
+use crate::study::{
+    Campaign, Fit, Forward, Linear, Noise, StudyError, Task, Unknown, UnknownKind, calibrate,
+};
 
 /// Posterior over prior width below which the data are said to know an unknown.
 const IDENTIFIED: f64 = 0.8;
@@ -139,11 +141,16 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
         free: &free,
         start: &start,
     };
-    let fit = (!free.is_empty() && !rows.is_empty()).then(|| calibrate(campaign, &task)).transpose()?;
+    let fit = (!free.is_empty() && !rows.is_empty())
+        .then(|| calibrate(campaign, &task))
+        .transpose()?;
     let after = fit.as_ref().map_or(&before.value, |fit| &fit.predicted);
     let whitened = |value: &DVector<f64>| {
         let errors = rows.iter().map(|&row| misfit(&observables[row], value[row]));
-        noise.whiten(&DVector::from_iterator(rows.len(), errors)).norm_squared() / rows.len().max(1) as f64
+        noise
+            .whiten(&DVector::from_iterator(rows.len(), errors))
+            .norm_squared()
+            / rows.len().max(1) as f64
     };
     let study_rows = rows_of(campaign, &before, after);
     let mut comparison = StudyComparison {
@@ -151,12 +158,22 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
         title: title.to_string(),
         groups: groups(&study_rows),
         unknowns: fit.as_ref().map_or_else(Vec::new, |fit| unknowns(campaign, fit)),
-        correlations: fit.as_ref().map_or_else(Vec::new, |fit| correlations(campaign, fit)),
+        correlations: fit
+            .as_ref()
+            .map_or_else(Vec::new, |fit| correlations(campaign, fit)),
         chi_square_per_row: [whitened(&before.value), whitened(after)],
         not_compared: campaign
             .skipped
             .iter()
-            .map(|row| format!("{}, line {}, {}: {}", row.case, row.line, row.channel.name(), row.reason))
+            .map(|row| {
+                format!(
+                    "{}, line {}, {}: {}",
+                    row.case,
+                    row.line,
+                    row.channel.name(),
+                    row.reason
+                )
+            })
             .collect(),
         rows: study_rows,
         words: Vec::new(),
@@ -169,8 +186,13 @@ fn rows_of(campaign: &Campaign, before: &Linear, after: &DVector<f64>) -> Vec<St
     let unknowns = campaign.unknowns();
     let row = |(index, observable): (usize, &crate::study::Observable)| {
         let condition = &campaign.conditions()[observable.condition];
-        let spread = unknowns.iter().enumerate().filter(|(_, u)| !matches!(u.kind, UnknownKind::Effect { .. }));
-        let variance: f64 = spread.map(|(k, u)| (before.jacobian[(index, k)] * u.sigma).powi(2)).sum();
+        let spread = unknowns
+            .iter()
+            .enumerate()
+            .filter(|(_, u)| !matches!(u.kind, UnknownKind::Effect { .. }));
+        let variance: f64 = spread
+            .map(|(k, u)| (before.jacobian[(index, k)] * u.sigma).powi(2))
+            .sum();
         StudyRow {
             case: condition.name.clone(),
             wing: condition.wing.clone(),
@@ -210,9 +232,13 @@ fn groups(rows: &[StudyRow]) -> Vec<GroupMisfit> {
         }
     }
     let group = |(wing, channel, is_held_out): (&str, Channel, bool)| {
-        let belongs = |row: &&StudyRow| (row.wing.as_str(), row.channel, row.is_held_out) == (wing, channel, is_held_out);
+        let belongs = |row: &&StudyRow| {
+            (row.wing.as_str(), row.channel, row.is_held_out) == (wing, channel, is_held_out)
+        };
         let members: Vec<&StudyRow> = rows.iter().filter(belongs).collect();
-        let mean = |of: &dyn Fn(&StudyRow) -> f64| members.iter().map(|row| of(row)).sum::<f64>() / members.len() as f64;
+        let mean = |of: &dyn Fn(&StudyRow) -> f64| {
+            members.iter().map(|row| of(row)).sum::<f64>() / members.len() as f64
+        };
         let square = |k: usize| mean(&|row| row.errors()[k].powi(2));
         let measurement = mean(&|row| row.sigma.powi(2));
         let inputs = mean(&|row| row.sigma_of_inputs.powi(2));
@@ -293,7 +319,11 @@ fn words(comparison: &StudyComparison) -> Vec<String> {
             group.rmse[1],
         ));
     }
-    let moved: Vec<&CalibratedUnknown> = comparison.unknowns.iter().filter(|u| u.pull.abs() > 2.0).collect();
+    let moved: Vec<&CalibratedUnknown> = comparison
+        .unknowns
+        .iter()
+        .filter(|u| u.pull.abs() > 2.0)
+        .collect();
     for unknown in moved {
         words.push(format!(
             "{} had to move by {:.1} of its prior's standard deviations: the prior is too narrow, or it stands in for something \
@@ -306,7 +336,10 @@ fn words(comparison: &StudyComparison) -> Vec<String> {
         .map(|unknown| unknown.unknown.name.as_str())
         .collect();
     if !unseen.is_empty() {
-        words.push(format!("These data say little of {}: they stay at their priors.", unseen.join(", ")));
+        words.push(format!(
+            "These data say little of {}: they stay at their priors.",
+            unseen.join(", ")
+        ));
     }
     words
 }

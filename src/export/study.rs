@@ -28,7 +28,11 @@ pub fn page(comparison: &StudyComparison) -> String {
         sections.push(format!("Unknowns that stand for each other\n{}", table.render()));
     }
     if !comparison.not_compared.is_empty() {
-        let lines: String = comparison.not_compared.iter().map(|line| format!("  {line}\n")).collect();
+        let lines: String = comparison
+            .not_compared
+            .iter()
+            .map(|line| format!("  {line}\n"))
+            .collect();
         sections.push(format!("Not compared\n{lines}"));
     }
     let [before, after] = comparison.chi_square_per_row;
@@ -43,7 +47,17 @@ pub fn page(comparison: &StudyComparison) -> String {
 
 fn rows(comparison: &StudyComparison) -> String {
     let mut table = Table::new([
-        "case", "channel", "r_mm", "to_mm", "measured", "sigma", "as_stated", "of_inputs", "calibrated", "error", "in_sigma",
+        "case",
+        "channel",
+        "r_mm",
+        "to_mm",
+        "measured",
+        "sigma",
+        "as_stated",
+        "of_inputs",
+        "calibrated",
+        "error",
+        "in_sigma",
         "use",
     ]);
     for row in &comparison.rows {
@@ -80,8 +94,18 @@ fn decimals(row: &StudyRow) -> usize {
 
 fn groups(comparison: &StudyComparison) -> String {
     let mut table = Table::new([
-        "wing", "channel", "rows", "rmse_stated", "rmse_calibrated", "bias_stated", "bias_calibrated", "sigma_measured",
-        "sigma_inputs", "explained", "unit", "use",
+        "wing",
+        "channel",
+        "rows",
+        "rmse_stated",
+        "rmse_calibrated",
+        "bias_stated",
+        "bias_calibrated",
+        "sigma_measured",
+        "sigma_inputs",
+        "explained",
+        "unit",
+        "use",
     ]);
     for group in &comparison.groups {
         table.row([
@@ -103,7 +127,9 @@ fn groups(comparison: &StudyComparison) -> String {
 }
 
 fn unknowns(comparison: &StudyComparison) -> String {
-    let mut table = Table::new(["name", "prior", "sigma", "value", "error", "pull", "unit", "known"]);
+    let mut table = Table::new([
+        "name", "prior", "sigma", "value", "error", "pull", "unit", "known",
+    ]);
     for unknown in &comparison.unknowns {
         let known = match (unknown.at_end, unknown.is_identified) {
             (true, _) => "at the end of its range",
@@ -117,7 +143,12 @@ fn unknowns(comparison: &StudyComparison) -> String {
             significant(unknown.value, 4),
             significant(unknown.standard_error, 3),
             number(unknown.pull, 2),
-            if unknown.unknown.unit == "1" { "" } else { &unknown.unknown.unit }.to_string(),
+            if unknown.unknown.unit == "1" {
+                ""
+            } else {
+                &unknown.unknown.unit
+            }
+            .to_string(),
             known.to_string(),
         ]);
     }

@@ -44,5 +44,5 @@ pub use assumption::{Assumption, Choice};
 pub use design::Design;
 pub use error::{InputError, Place, Problem, Range};
 pub use load::Loaded;
-pub use unit::unit_symbol;
 pub(crate) use nearest::nearest as nearest_word;
+pub use unit::unit_symbol;

@@ -1,5 +1,7 @@
 //! A study as a forward model: its cases solved, read as they were measured, with the ruler's nuisances.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use nalgebra::{DMatrix, DVector};
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
@@ -25,6 +27,8 @@ pub struct Campaign {
     observables: Vec<Observable>,
     conditions: Vec<Condition>,
     progress: Progress,
+    /// How often all cases were solved, for the progress line.
+    asked: AtomicUsize,
 }
 
 /// A measured row that takes no part.
@@ -45,13 +49,24 @@ impl Campaign {
     ///
     /// # Errors
     /// If a case has no solution as it stands, or an input or effect is not known.
-    pub fn new(study: &LoadedStudy, candidates: &[&str], progress: &Progress) -> Result<Campaign, StudyError> {
-        let cases = study.cases.iter().map(|case| PreparedCase::new(case, study, candidates));
+    pub fn new(
+        study: &LoadedStudy,
+        candidates: &[&str],
+        progress: &Progress,
+    ) -> Result<Campaign, StudyError> {
+        let cases = study
+            .cases
+            .iter()
+            .map(|case| PreparedCase::new(case, study, candidates));
         let mut cases: Vec<PreparedCase> = cases.collect::<Result<_, _>>()?;
-        progress.say(format_args!("{}: solving {} cases", study.study.name, cases.len()));
+        progress.say(format_args!(
+            "{}: solving {} cases",
+            study.study.name,
+            cases.len()
+        ));
         let readable: Vec<Vec<Result<f64, String>>> = cases
             .par_iter()
-            .map(|case| case.read_each(&case.solve(&case.design, progress)?))
+            .map(|case| case.read_each(&case.solve(&case.design, &progress.unseen())?))
             .collect::<Result<_, _>>()?;
         let (mut observables, mut conditions, mut skipped) = (Vec::new(), Vec::new(), Vec::new());
         for (index, (case, readings)) in cases.iter_mut().zip(readable).enumerate() {
@@ -82,7 +97,8 @@ impl Campaign {
             targets,
             observables,
             conditions,
-            progress: progress.unseen(),
+            progress: progress.clone(),
+            asked: AtomicUsize::new(0),
         })
     }
 
@@ -134,12 +150,19 @@ impl Campaign {
         at: &[f64],
         give: impl Fn(usize, &PreparedCase, &super::case::Solved) -> Result<T, StudyError> + Sync,
     ) -> Result<Vec<T>, StudyError> {
+        let times = 1 + self.asked.fetch_add(1, Ordering::Relaxed);
+        self.progress.say(format_args!(
+            "{}: all {} cases, time {times}",
+            self.name,
+            self.cases.len()
+        ));
+        let unseen = self.progress.unseen();
         (0..self.cases.len())
             .into_par_iter()
             .map(|index| {
                 let case = &self.cases[index];
                 let design = self.design_at(index, at)?;
-                give(index, case, &case.solve(&design, &self.progress)?)
+                give(index, case, &case.solve(&design, &unseen)?)
             })
             .collect()
     }
@@ -179,7 +202,10 @@ impl Forward for Campaign {
                     columns.push((k, key.clone(), self.switch_step(k, at[k])));
                 }
             }
-            Ok((case.read(solved)?, case.rates(solved, &columns, &self.progress)?))
+            Ok((
+                case.read(solved)?,
+                case.rates(solved, &columns, &self.progress.unseen())?,
+            ))
         })?;
         let size = self.observables.len();
         let mut value = DVector::zeros(size);
@@ -227,7 +253,9 @@ impl Campaign {
     fn switch_step(&self, unknown: usize, value: f64) -> Option<f64> {
         match &self.targets.unknowns[unknown].kind {
             UnknownKind::Effect {
-                has_switch: true, scale, ..
+                has_switch: true,
+                scale,
+                ..
             } if value == 0.0 => Some(0.05 * scale),
             _ => None,
         }

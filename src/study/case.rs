@@ -51,7 +51,11 @@ impl PreparedCase {
             reason,
         };
         for effect in &study.study.effect {
-            if effect.designs.as_ref().is_some_and(|designs| !designs.contains(&design.name)) {
+            if effect
+                .designs
+                .as_ref()
+                .is_some_and(|designs| !designs.contains(&design.name))
+            {
                 continue;
             }
             let mut table = effect.numbers.clone();
@@ -64,10 +68,15 @@ impl PreparedCase {
             };
             if !design.effects.contains_key(*name) && is_applicable(&effect.card(), &design) {
                 let strength = [("strength".to_string(), toml::Value::Float(0.0))];
-                design.effects.insert(name.to_string(), strength.into_iter().collect());
+                design
+                    .effects
+                    .insert(name.to_string(), strength.into_iter().collect());
             }
         }
-        let mesh_file = case.loaded.read_mesh_file().map_err(|error| failed(error.to_string()))?;
+        let mesh_file = case
+            .loaded
+            .read_mesh_file()
+            .map_err(|error| failed(error.to_string()))?;
         Ok(PreparedCase {
             name: case.name.clone(),
             design,
@@ -131,7 +140,10 @@ impl PreparedCase {
     }
 
     fn mesh(&self, design: &Design) -> Result<(Planform, Mesh), MeshError> {
-        let file = self.mesh_file.as_ref().map(|(name, bytes)| MeshFile { name, bytes });
+        let file = self
+            .mesh_file
+            .as_ref()
+            .map(|(name, bytes)| MeshFile { name, bytes });
         for_design(design, file)
     }
 
@@ -149,7 +161,10 @@ impl PreparedCase {
         let whole = self.whole_wing(solved)?;
         let mut readings = Vec::new();
         for row in &self.rows {
-            let reading = match row.instrument.filter(|instrument| *instrument != own.instrument()) {
+            let reading = match row
+                .instrument
+                .filter(|instrument| *instrument != own.instrument())
+            {
                 None => read_channel(row, &own, &own.profile(), &whole),
                 Some(instrument) => match own.seen_by(instrument) {
                     Ok(other) => read_channel(row, &other, &other.profile(), &whole),
@@ -187,7 +202,11 @@ impl PreparedCase {
         let report = LiftReport::new(&solved.planform, &law, &flow, &solved.solution.strips);
         let report = report.map_err(|error| self.failed(error))?;
         if let Some(mean) = &report.stroke_mean {
-            whole.extend(wanted.into_iter().zip([mean.lift_mn, mean.drag_mn, mean.power_mw]));
+            whole.extend(
+                wanted
+                    .into_iter()
+                    .zip([mean.lift_mn, mean.drag_mn, mean.power_mw]),
+            );
         }
         Ok(whole)
     }
@@ -220,11 +239,16 @@ impl PreparedCase {
                     let mut design = solved.design.clone();
                     design.set(key, *step).map_err(|error| self.failed(error))?;
                     let there = self.read(&self.solve(&design, progress)?)?;
-                    there.iter().zip(&here).map(|(there, here)| (there - here) / step).collect()
+                    there
+                        .iter()
+                        .zip(&here)
+                        .map(|(there, here)| (there - here) / step)
+                        .collect()
                 }
                 None => {
                     let rate = sensitivity.rate(key).map_err(|error| self.failed(error))?;
-                    let column = sensitivity.read(&rate, |near| self.read(near).unwrap_or_else(|_| here.clone()));
+                    let column =
+                        sensitivity.read(&rate, |near| self.read(near).unwrap_or_else(|_| here.clone()));
                     column.map_err(|error| self.failed(error))?
                 }
             };
@@ -259,7 +283,9 @@ impl PreparedCase {
             for strip in &strips.strips {
                 let shape = strip.shape(&solved.solution.state.displacement);
                 let chord = Vector3::new(shape[0], shape[1], shape[2]);
-                let normal = Vector3::new(shape[3], shape[4], shape[5]).cross(&chord).normalize();
+                let normal = Vector3::new(shape[3], shape[4], shape[5])
+                    .cross(&chord)
+                    .normalize();
                 let pair = normal * (hat(strip.r_m) * strip.width_m / chord.norm());
                 let last = strip.points.len() - 1;
                 strip.spread(|node, share, point| match point {
@@ -268,12 +294,22 @@ impl PreparedCase {
                     _ => {}
                 });
             }
-            let rate = sensitivity.load_rate(&force).map_err(|error| self.failed(error))?;
+            let rate = sensitivity
+                .load_rate(&force)
+                .map_err(|error| self.failed(error))?;
             // a small step keeps the reading linear
             let step = 1e-9;
-            let near = sensitivity.nearby(&rate, step).map_err(|error| self.failed(error))?;
+            let near = sensitivity
+                .nearby(&rate, step)
+                .map_err(|error| self.failed(error))?;
             let there = self.read(&near)?;
-            columns.push(there.iter().zip(&here).map(|(there, here)| (there - here) / step).collect());
+            columns.push(
+                there
+                    .iter()
+                    .zip(&here)
+                    .map(|(there, here)| (there - here) / step)
+                    .collect(),
+            );
         }
         Ok(columns)
     }

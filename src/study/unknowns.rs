@@ -59,7 +59,10 @@ impl Targets {
         }
         for effect in &study.study.effect {
             let Some(known) = named(&effect.name) else {
-                let reason = format!("effect {}: there is no such effect (washout effects)", effect.name);
+                let reason = format!(
+                    "effect {}: there is no such effect (washout effects)",
+                    effect.name
+                );
                 return Err(StudyError::Unknown { reason });
             };
             let sigma = effect.sigma.unwrap_or(0.0);
@@ -86,18 +89,26 @@ impl Targets {
         let key = &uncertain.key;
         let concerns = |case: &PreparedCase| {
             let designs = uncertain.designs.as_ref();
-            designs.is_none_or(|designs| designs.contains(&case.design.name)) && case.design.get(key).is_some()
+            designs.is_none_or(|designs| designs.contains(&case.design.name))
+                && case.design.get(key).is_some()
         };
-        let touched: Vec<usize> = (0..cases.len()).filter(|&index| concerns(&cases[index])).collect();
+        let touched: Vec<usize> = (0..cases.len())
+            .filter(|&index| concerns(&cases[index]))
+            .collect();
         let Some(&first) = touched.first() else {
             let reason = format!("uncertain {key}: no design of the study has a number there");
             return Err(StudyError::Unknown { reason });
         };
         let design = &cases[first].design;
-        let assumed = design.assumptions().into_iter().find(|assumption| assumption.key == *key);
+        let assumed = design
+            .assumptions()
+            .into_iter()
+            .find(|assumption| assumption.key == *key);
         let own = design.get(key).unwrap_or_default();
         let mean = uncertain.mean.unwrap_or(own);
-        let width = assumed.as_ref().map(|a| (a.range[1] - a.range[0]) / 12.0_f64.sqrt());
+        let width = assumed
+            .as_ref()
+            .map(|a| (a.range[1] - a.range[0]) / 12.0_f64.sqrt());
         let stated = uncertain.range.map(|[low, high]| (high - low) / 12.0_f64.sqrt());
         let Some(sigma) = uncertain.sigma.or(stated).or(width).filter(|sigma| *sigma > 0.0) else {
             let reason = format!(
@@ -125,19 +136,28 @@ impl Targets {
     fn add_ruler(&mut self, ruler: &Ruler, observables: &[Observable]) {
         let mut runs: Vec<&str> = Vec::new();
         for observable in observables.iter().filter(|o| o.channel == ruler.channel) {
-            let counts = ruler.runs.as_ref().is_none_or(|runs| runs.contains(&observable.run));
+            let counts = ruler
+                .runs
+                .as_ref()
+                .is_none_or(|runs| runs.contains(&observable.run));
             if counts && !runs.contains(&observable.run.as_str()) {
                 runs.push(&observable.run);
             }
         }
         for run in runs {
             let belongs = |o: &Observable| o.channel == ruler.channel && o.run == run;
-            let rows = (0..observables.len()).filter(|&row| belongs(&observables[row])).collect();
+            let rows = (0..observables.len())
+                .filter(|&row| belongs(&observables[row]))
+                .collect();
             let (word, unit) = match ruler.kind {
                 RulerKind::Offset => ("offset", ruler.channel.unit()),
                 RulerKind::Scale => ("scale", "1"),
             };
-            let of = if run.is_empty() { String::new() } else { format!(" of run {run}") };
+            let of = if run.is_empty() {
+                String::new()
+            } else {
+                format!(" of run {run}")
+            };
             let unknown = Unknown {
                 name: format!("{word} of {}{of}", ruler.channel.name()),
                 unit: unit.to_string(),

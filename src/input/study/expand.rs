@@ -22,7 +22,9 @@ impl<'a> Form<'a> {
                 return Err("a brace is opened and never closed".to_string());
             };
             if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') {
-                return Err(format!("\"{name}\" is no name for a number (letters, digits and _)"));
+                return Err(format!(
+                    "\"{name}\" is no name for a number (letters, digits and _)"
+                ));
             }
             if !literal.is_empty() {
                 parts.push(Part::Literal(literal));
@@ -71,11 +73,15 @@ pub(super) fn put_in(setting: &str, numbers: &[(&str, f64)]) -> Result<String, S
             None => (inside, 1.0),
             Some((name, factor)) => {
                 let factor = factor.trim().parse();
-                (name.trim(), factor.map_err(|_| format!("{{{inside}}} must be {{NAME*NUMBER}}"))?)
+                (
+                    name.trim(),
+                    factor.map_err(|_| format!("{{{inside}}} must be {{NAME*NUMBER}}"))?,
+                )
             }
         };
         let found = numbers.iter().find(|(key, _)| *key == name);
-        let (_, value): &(&str, f64) = found.ok_or_else(|| format!("there is no number {{{name}}} in measured"))?;
+        let (_, value): &(&str, f64) =
+            found.ok_or_else(|| format!("there is no number {{{name}}} in measured"))?;
         text.push_str(&format!("{:?}", value * factor));
         rest = next;
     }
@@ -90,18 +96,27 @@ mod tests {
     #[test]
     fn a_form_reads_its_numbers_and_refuses_other_names() {
         let form = Form::parse("aero-{angle}-{speed}").unwrap();
-        assert_eq!(form.read("aero-2.2-30"), Some(vec![("angle", 2.2), ("speed", 30.0)]));
+        assert_eq!(
+            form.read("aero-2.2-30"),
+            Some(vec![("angle", 2.2), ("speed", 30.0)])
+        );
         for other in ["aero-2.2", "aero-2.2-30x", "gravity-1-2", "aero--", "aero-x-1"] {
             assert_eq!(form.read(other), None, "{other}");
         }
-        assert_eq!(Form::parse("twist-v2").unwrap().read("twist-v2"), Some(Vec::new()));
+        assert_eq!(
+            Form::parse("twist-v2").unwrap().read("twist-v2"),
+            Some(Vec::new())
+        );
         assert!(Form::parse("a-{b").is_err() && Form::parse("a-{}").is_err());
     }
 
     #[test]
     fn settings_take_numbers_and_multiples_of_them() {
         let numbers = [("mass", 200.0)];
-        assert_eq!(put_in("load[0].mass_kg={mass*0.001}", &numbers).unwrap(), "load[0].mass_kg=0.2");
+        assert_eq!(
+            put_in("load[0].mass_kg={mass*0.001}", &numbers).unwrap(),
+            "load[0].mass_kg=0.2"
+        );
         assert_eq!(put_in("x={mass}", &numbers).unwrap(), "x=200.0");
         assert!(put_in("x={m}", &numbers).unwrap_err().contains("no number {m}"));
         assert!(put_in("x={mass*y}", &numbers).is_err());

@@ -80,7 +80,11 @@ impl LoadedStudy {
 
 fn check(study: &Study, root: &Node) -> Result<(), InputError> {
     let name = &study.name;
-    if name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || "_-".contains(c)) {
+    if name.is_empty()
+        || !name
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || "_-".contains(c))
+    {
         let cure = "Use letters, digits, - and _, e.g. name = \"my-study\"";
         return refuse(root, "name", "must be usable as the name of a folder", &[], cure);
     }
@@ -115,7 +119,10 @@ fn family(
         if path.is_file() {
             return Ok(path);
         }
-        let cure = format!("Looked for {}; paths are relative to the study", file::shown(&path));
+        let cure = format!(
+            "Looked for {}; paths are relative to the study",
+            file::shown(&path)
+        );
         refuse(root, &key(name), "no such file", &[], cure)
     };
     let design_path = beside("design", &case.design)?;
@@ -129,16 +136,35 @@ fn family(
         }
     };
     let names = all.cases();
-    let found: Vec<_> = names.iter().filter_map(|name| Some((*name, form.read(name)?))).collect();
+    let found: Vec<_> = names
+        .iter()
+        .filter_map(|name| Some((*name, form.read(name)?)))
+        .collect();
     if found.is_empty() {
         let shown = names.iter().take(8).copied().collect::<Vec<_>>().join(", ");
         let more = if names.len() > 8 { ", …" } else { "" };
         let cure = format!("These are the cases of {}: {shown}{more}", all.file);
-        return refuse(root, &key("measured"), "no measured case has this name", &[], cure);
+        return refuse(
+            root,
+            &key("measured"),
+            "no measured case has this name",
+            &[],
+            cure,
+        );
     }
-    if let Some(other) = case.held_out.iter().find(|held| !found.iter().any(|(name, _)| name == held)) {
+    if let Some(other) = case
+        .held_out
+        .iter()
+        .find(|held| !found.iter().any(|(name, _)| name == held))
+    {
         let cure = format!("Name cases of the form {}", case.measured);
-        return refuse(root, &key("held_out"), format!("{other} is none of these cases"), &["measured"], cure);
+        return refuse(
+            root,
+            &key("held_out"),
+            format!("{other} is none of these cases"),
+            &["measured"],
+            cure,
+        );
     }
     for (name, numbers) in found {
         let mut changes = Vec::new();
@@ -146,7 +172,8 @@ fn family(
             match put_in(set, &numbers) {
                 Ok(change) => changes.push(change),
                 Err(message) => {
-                    let cure = "Write e.g. set = [\"load[0].mass_kg={mass}\"] with measured = \"bending-{mass}\"";
+                    let cure =
+                        "Write e.g. set = [\"load[0].mass_kg={mass}\"] with measured = \"bending-{mass}\"";
                     return refuse(root, &key("set"), message, &["measured"], cure);
                 }
             }
@@ -155,7 +182,11 @@ fn family(
         let loaded = Design::load(&design_path, &changes)?;
         let measurement = all.case(name);
         measurement.check_stations(&loaded.design)?;
-        let counts = |row: &Row| case.channels.as_ref().is_none_or(|channels| channels.contains(&row.channel));
+        let counts = |row: &Row| {
+            case.channels
+                .as_ref()
+                .is_none_or(|channels| channels.contains(&row.channel))
+        };
         cases.push(LoadedCase {
             name: name.to_string(),
             loaded,
@@ -169,15 +200,32 @@ fn family(
 
 /// Refuses names of designs that no case has.
 fn known_designs(study: &Study, root: &Node, cases: &[LoadedCase]) -> Result<(), InputError> {
-    let named = study.uncertain.iter().enumerate().map(|(k, u)| (format!("uncertain[{k}].designs"), &u.designs));
-    let effects = study.effect.iter().enumerate().map(|(k, e)| (format!("effect[{k}].designs"), &e.designs));
+    let named = study
+        .uncertain
+        .iter()
+        .enumerate()
+        .map(|(k, u)| (format!("uncertain[{k}].designs"), &u.designs));
+    let effects = study
+        .effect
+        .iter()
+        .enumerate()
+        .map(|(k, e)| (format!("effect[{k}].designs"), &e.designs));
     for (key, designs) in named.chain(effects) {
         for name in designs.iter().flatten() {
             if !cases.iter().any(|case| case.loaded.design.name == *name) {
-                let mut known: Vec<&str> = cases.iter().map(|case| case.loaded.design.name.as_str()).collect();
+                let mut known: Vec<&str> = cases
+                    .iter()
+                    .map(|case| case.loaded.design.name.as_str())
+                    .collect();
                 known.dedup();
                 let cure = format!("The cases have the designs {}", known.join(", "));
-                return refuse(root, &key, format!("no case has a design {name}"), &["case"], cure);
+                return refuse(
+                    root,
+                    &key,
+                    format!("no case has a design {name}"),
+                    &["case"],
+                    cure,
+                );
             }
         }
     }
