@@ -75,7 +75,7 @@ pub(super) fn check_ribs(design: &Design, root: &Node) -> Result<(), InputError>
         return Ok(());
     };
     let others = [("film", design.film.is_some()), ("spar", !design.spar.is_empty())];
-    for (other, _) in others.into_iter().filter(|(_, stands)| *stands) {
+    if let Some((other, _)) = others.into_iter().find(|(_, stands)| *stands) {
         let message = format!("cannot stand together with {other}");
         let cure = "Keep [ribs] for a wing that is a beam, or [film] and [[spar]] for one of film";
         return refuse(root, "ribs", message, &[other], cure);
