@@ -20,6 +20,9 @@ alone (against the own extrapolated value), not against the reference.
 
 References are *seen* (read in a public transcription of the publication), *derived* (a closed form, or a solution by
 independent means) or from *memory*; what rests on memory alone is shown and not judged.
+
+Validation asks for nature instead: its limit is two standard deviations of the measurement, as assumed before any
+comparison was run. Wings whose measurement needs offsets of the ruler or uncertain inputs are studies, not cases.
 ";
 
 /// The page of documentation; no timings, so that it does not change from run to run.
@@ -87,7 +90,7 @@ fn table(cases: &[CaseReport], timed: bool) -> String {
             error("coarse"),
             error("middle"),
             error("fine"),
-            percent(Some(quantity.tolerance)),
+            quantity.limit(),
             quantity.order_words(),
             case.meshes.last().map_or(String::new(), |mesh| mesh.mesh.clone()),
         ];

@@ -174,7 +174,7 @@ impl VerifyReport {
                     significant(quantity.reference, 5),
                     quantity.ours.map_or("–".to_string(), |ours| significant(ours, 5)),
                     percent(quantity.error()),
-                    percent(Some(quantity.tolerance)),
+                    quantity.limit(),
                     quantity.order_words(),
                     mesh.map_or(String::new(), |mesh| mesh.mesh.clone()),
                     number(case.time_s(), 1),
@@ -333,6 +333,11 @@ impl QuantityReport {
     /// Error on the finest mesh.
     pub fn error(&self) -> Option<f64> {
         self.errors.last().copied().flatten()
+    }
+
+    /// Its limit in percent; a dash where none is judged.
+    pub fn limit(&self) -> String {
+        percent((self.verdict != "excluded").then_some(self.tolerance))
     }
 
     /// What it is, with the number of points of a curve.

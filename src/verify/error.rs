@@ -3,6 +3,7 @@
 use crate::coupling::CouplingError;
 use crate::geometry::GeometryError;
 use crate::input::InputError;
+use crate::mesh::MeshError;
 use crate::progress::Cancelled;
 use crate::structure::StructureError;
 
@@ -21,6 +22,9 @@ pub enum VerifyError {
     /// The outline of a case is refused.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
+    /// The wing of a case cannot be meshed.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
     /// The tangent at rest is not positive definite.
     #[error("the structure at rest has {negative} negative pivots; please report this as a bug")]
     Unstable {

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cases/NAME.rs ─→ run (each case on a coarse, a middle, a fine mesh, side by side) ─→ judge (error, order, pass)
-//!   set-up from chain, grid, strip_wing; solved by answer
+//!   set-up from chain, grid, strip_wing, measured_wing; solved by answer
 //! ```
 //!
 //! A case is plain data and one function; all of them stand in [`cases::ALL`].
@@ -18,6 +18,8 @@ pub mod grid;
 pub mod answer;
 
 pub mod strip_wing;
+
+pub mod measured_wing;
 
 pub mod buckling;
 

@@ -9,7 +9,9 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 
 use crate::progress::Progress;
-use crate::verify::buckling::critical_load;
+use crate::structure::Loads;
+use crate::verify::buckling::critical_share;
+use crate::verify::chain::{chain, section, straight};
 use crate::verify::{Answer, Case, Kind, Level, Order, Quantity, VerifyError};
 
 /// The case.
@@ -32,12 +34,10 @@ pub const CASE: Case = Case {
 
 fn run(level: Level, progress: &Progress) -> Result<Answer, VerifyError> {
     let elements = level.times(12);
-    let load = critical_load(
-        elements,
-        [1e8, 1e8, 1e8, 1.0, 1.0, 3.0],
-        -Vector3::x(),
-        [1.2, 3.7],
-        progress,
-    )?;
+    let section = section([1e8, 1e8, 1e8, 1.0, 1.0, 3.0])?;
+    let model = chain(straight(1.0, elements), &Vector3::z(), section)?;
+    let mut unit = Loads::none(elements + 1);
+    unit.force_n[elements].x = -1.0;
+    let load = critical_share(&model, &unit, [1.2, 3.7], progress)?;
     Ok(Answer::new(format!("{elements} beams"), [load]))
 }

@@ -66,6 +66,8 @@ pub mod sze_pull_out;
 
 pub mod sze_slit_ring;
 
+pub mod tang_dowell_gravity;
+
 pub mod taut_rectangle;
 
 pub mod tension_field;
@@ -127,6 +129,7 @@ pub const ALL: &[&Case] = &[
     &cantilever_plate_frequencies::CASE,
     &supported_plate_frequencies::CASE,
     &drum::CASE,
+    &tang_dowell_gravity::CASE,
 ];
 
 /// The case of a name; `_` may stand for `-`.

@@ -92,6 +92,13 @@ pub const CASE: Case = Case {
             confidence: Confidence::Memory,
             ..POINT
         },
+        Quantity {
+            name: "b/a = 5, clamped, point load",
+            reference: || vec![7.23e-3],
+            source: "MacNeal & Harder 1985",
+            confidence: Confidence::Memory,
+            ..POINT
+        },
     ],
     short: Level::Middle,
     run,
@@ -99,7 +106,7 @@ pub const CASE: Case = Case {
 
 fn run(level: Level, _: &Progress) -> Result<Answer, VerifyError> {
     let cells = level.times(8);
-    let mut found = [0.0; 7];
+    let mut found = [0.0; 8];
     let set_ups = [
         (1.0, false, false),
         (1.0, true, false),
@@ -108,6 +115,7 @@ fn run(level: Level, _: &Progress) -> Result<Answer, VerifyError> {
         (5.0, true, false),
         (5.0, false, true),
         (1.0, true, true),
+        (5.0, true, true),
     ];
     for (value, (long, clamped, point)) in found.iter_mut().zip(set_ups) {
         *value = quarter(cells, long, clamped, point)?;
