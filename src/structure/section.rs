@@ -238,6 +238,23 @@ impl Section {
         })
     }
 
+    /// The section with its flapwise bending and its torsional stiffness multiplied, couplings by the square roots, so
+    /// that it stays positive definite.
+    #[must_use]
+    pub fn with_factors(mut self, bending_flap: f64, torsion: f64) -> Self {
+        if bending_flap == 1.0 && torsion == 1.0 {
+            return self;
+        }
+        for (strain, factor) in [(4, bending_flap), (3, torsion)] {
+            let root = factor.sqrt();
+            for other in 0..6 {
+                self.compliance[(strain, other)] /= root;
+                self.compliance[(other, strain)] /= root;
+            }
+        }
+        self
+    }
+
     /// Axial stiffness with free bending and twist, N.
     pub fn axial_stiffness_n(&self) -> f64 {
         1.0 / self.compliance[(0, 0)]
@@ -355,6 +372,18 @@ mod tests {
         assert!((strip.ei_edge_n_m2() / (e * t * 0.1_f64.powi(3) / 12.0) - 1.0).abs() < 1e-12);
         assert!((strip.gj_n_m2() / (g * 0.1 * t.powi(3) / 3.0) - 1.0).abs() < 1e-12);
         assert!(strip.compliance[(3, 4)].abs() < 1e-9 * strip.compliance[(3, 3)]);
+    }
+
+    #[test]
+    fn factors_multiply_stiffness_and_take_couplings_along_by_their_roots() {
+        let mut k = Matrix6::from_diagonal(&nalgebra::Vector6::new(5.0, 6.0, 7.0, 2.0, 3.0, 9.0));
+        (k[(3, 4)], k[(4, 3)]) = (0.5, 0.5);
+        (k[(0, 5)], k[(5, 0)]) = (1.0, 1.0);
+        let section = Section::from_stiffness(&k, 0.0).unwrap().with_factors(4.0, 9.0);
+        let scaled = section.compliance.try_inverse().unwrap();
+        for (i, j, expected) in [(3, 3, 18.0), (4, 4, 12.0), (3, 4, 3.0), (0, 5, 1.0), (0, 0, 5.0)] {
+            assert!((scaled[(i, j)] - expected).abs() < 1e-12, "{i} {j}");
+        }
     }
 
     #[test]

@@ -166,7 +166,12 @@ fn section_of(design: &Design, part: BeamPart) -> Result<Section, StructureError
                 .rod
                 .get(index)
                 .ok_or_else(|| missing(format!("rod {index}")))?;
-            material::section(design, &rod.section, rod.material.as_ref())
+            let section = material::section(design, &rod.section, rod.material.as_ref())?;
+            let structure = &design.structure;
+            Ok(section.with_factors(
+                structure.rod_bending_factor.value(),
+                structure.rod_torsion_factor.value(),
+            ))
         }
         BeamPart::Rib(_) => rib_section(design),
         BeamPart::Spar(index) => {

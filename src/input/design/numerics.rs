@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::input::quantity::Quantity;
+
 /// Structural model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -13,6 +15,12 @@ pub struct Structure {
     /// The factor on the drilling stiffness of the film; results must not depend on it.
     #[schemars(extend("minimum" = 1e-6, "maximum" = 1e6, "examples" = [1.0]))]
     pub drilling_factor: f64,
+    /// The factor on the flapwise bending stiffness of the rod, all its pieces; couplings grow with its square root.
+    #[schemars(extend("minimum" = 0.01, "maximum" = 100.0, "examples" = [1.0]))]
+    pub rod_bending_factor: Quantity,
+    /// The factor on the torsional stiffness of the rod, all its pieces; couplings grow with its square root.
+    #[schemars(extend("minimum" = 0.01, "maximum" = 100.0, "examples" = [1.0]))]
+    pub rod_torsion_factor: Quantity,
     /// The number of load increments to start with; results do not depend on it.
     #[schemars(extend("minimum" = 1, "maximum" = 10000, "examples" = [1]))]
     pub load_increments: usize,
@@ -81,6 +89,8 @@ impl Default for Structure {
         Structure {
             kinematics: Kinematics::LargeRotation,
             drilling_factor: 1.0,
+            rod_bending_factor: Quantity::Stated(1.0),
+            rod_torsion_factor: Quantity::Stated(1.0),
             load_increments: 1,
         }
     }
