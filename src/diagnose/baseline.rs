@@ -81,7 +81,11 @@ impl<'a> Baseline<'a> {
         progress.check()?;
         progress.say("derivatives with every effect");
         let slopes = slopes_of_missing(forward, &data, &first.at, settings)?;
-        let moment = forward.moment_response(&first.at, settings.stations)?;
+        let mut moment = forward.moment_response(&first.at, settings.stations)?;
+        let kept = data.kept_bounds(forward, &first.predicted);
+        for &row in &kept {
+            moment.row_mut(row).fill(0.0);
+        }
         progress.check()?;
         let value = first.predicted.clone();
         let fields = fields(forward, &data, &moment, &value);
@@ -96,7 +100,7 @@ impl<'a> Baseline<'a> {
         let whitened = Whitened::new(&local, &scatter.noise)?;
         let directions = Directions::new(&data, &slopes, &whitened);
         let seen = seen(&fields, &whitened);
-        let likelihood = Likelihood::of(size, settings);
+        let likelihood = Likelihood::of(size - kept.len(), settings);
         Ok(Baseline {
             forward,
             settings,

@@ -4,6 +4,8 @@ use std::cmp::Ordering;
 
 use nalgebra::DVector;
 
+use crate::input::measurement::Bound;
+use crate::study::calibrate::misfit;
 use crate::study::{Fit, Forward, Noise, Observable, Task, Unknown, UnknownKind, calibrate};
 
 use super::error::DiagnoseError;
@@ -54,6 +56,15 @@ impl Data {
             model,
             missing,
         })
+    }
+
+    /// Fitted observables that are bounds which the model keeps with predictions `value`: they carry no information.
+    pub fn kept_bounds(&self, forward: &dyn Forward, value: &DVector<f64>) -> Vec<usize> {
+        let observables = forward.observables();
+        let is_kept = |row: usize| {
+            observables[row].bound != Bound::None && misfit(&observables[row], value[row]) == 0.0
+        };
+        self.rows.iter().copied().filter(|&row| is_kept(row)).collect()
     }
 
     /// Conditions that are fitted, each with the positions of its observables in [`Data::rows`].

@@ -4,7 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::input::measurement::Channel;
+use crate::input::measurement::{Bound, Channel};
 use crate::study::{Condition, Forward};
 
 use super::data::Data;
@@ -198,7 +198,8 @@ impl Places {
             let length_mm = 1e3 * forward.conditions()[condition].length_m;
             let at = |position: usize| {
                 let observable = &observables[data.rows[position]];
-                (observable.channel == Channel::Twist).then_some(observable.r_mm.unwrap_or(0.0) / length_mm)
+                let is_value = observable.channel == Channel::Twist && observable.bound == Bound::None;
+                is_value.then_some(observable.r_mm.unwrap_or(0.0) / length_mm)
             };
             let mut line: Vec<[f64; 2]> = positions
                 .iter()

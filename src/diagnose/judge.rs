@@ -3,12 +3,13 @@
 use crate::progress::Progress;
 
 use super::baseline::Baseline;
+use super::conclude::{conclude, gate};
 use super::error::DiagnoseError;
-use super::evidence::{LinearEvidence, ln_sum, of_one};
+use super::evidence::{LinearEvidence, of_one};
 use super::library::{Family, Scales, Trial, families, heaviest};
 use super::novel::{Weighed, weigh};
 use super::null::Significance;
-use super::posterior::{Belief, Case, Weight, beliefs, class_around, level_class};
+use super::posterior::Belief;
 use super::refit::{Explanation, Refits};
 use super::screening::{Directions, is_one_sided, slopes_of_missing};
 use super::whitened::Whitened;
@@ -17,10 +18,6 @@ use super::whitened::Whitened;
 const HOPELESS: f64 = 25.0;
 /// Pairs are fitted anew only if the linear model puts one this close to the best single effect.
 const PAIR_CHANCE: f64 = 8.0;
-/// Misfit of the best known explanation less probable than this: it is no explanation.
-const INADEQUATE: f64 = 1e-3;
-/// Odds from which on an unnamed field is preferred to an adequate known explanation.
-const NOVEL_ODDS: f64 = 3.0;
 
 /// Everything that was weighed.
 pub struct Judgement {
@@ -51,6 +48,13 @@ pub struct Judgement {
 }
 
 impl Judgement {
+    /// Whether the best single effect leaves a misfit that is beyond chance.
+    pub fn needs_second(&self, baseline: &Baseline) -> bool {
+        let level = baseline.settings.significance;
+        self.after_best
+            .is_some_and(|left| left.p_null < level || left.p_largest_score.max(left.p_signs) < level)
+    }
+
     /// The trial of that index: singles, then pairs.
     pub fn trial(&self, index: usize) -> &Trial {
         self.singles
@@ -311,105 +315,5 @@ fn refit_pairs(
             judgement.refits.push((first + pair, explanation));
         }
     }
-    Ok(())
-}
-
-/// Probabilities.
-fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64) {
-    let prior = baseline.settings.prior;
-    let weight_of = |families: &[usize]| {
-        let trials = judgement.singles.iter().chain(&judgement.pairs).enumerate();
-        let own: Vec<f64> = trials
-            .filter(|(_, trial)| trial.families == families)
-            .map(|(index, trial)| trial.ln_prior + judgement.ln_evidence[index])
-            .collect();
-        ln_sum(own.iter().copied())
-    };
-    let ln_likelihood = |families: &[usize]| match judgement.best_of(families) {
-        Some((_, Some(explanation))) => baseline.likelihood.ln(explanation.q),
-        Some((index, None)) => baseline.likelihood.ln(judgement.trial(index).linear.q),
-        None => f64::NEG_INFINITY,
-    };
-    let count = judgement.families.len();
-    let mut weights: Vec<Weight> = (0..count)
-        .map(|family| Weight {
-            case: Case::One(family),
-            ln_weight: weight_of(&[family]),
-            ln_likelihood: ln_likelihood(&[family]),
-        })
-        .collect();
-    let heaviest_family = (0..count).max_by(|&a, &b| weights[a].ln_weight.total_cmp(&weights[b].ln_weight));
-    if let Some(first) = heaviest_family {
-        let near: Vec<usize> = (0..count)
-            .filter(|&k| weights[k].ln_weight > weights[first].ln_weight - 7.0)
-            .collect();
-        let place = near.iter().position(|&k| k == first).unwrap_or(0);
-        let class = class_around(place, near.len(), &|a, b| {
-            judgement.distance(baseline, near[a], near[b])
-        });
-        let class: Vec<usize> = class.into_iter().map(|k| near[k]).collect();
-        level_class(&mut weights, &class);
-    }
-    for a in 0..count {
-        for b in a + 1..count {
-            weights.push(Weight {
-                case: Case::Two(a, b),
-                ln_weight: weight_of(&[a, b]),
-                ln_likelihood: f64::NEG_INFINITY,
-            });
-        }
-    }
-    for (case, prior, ln_gain) in [
-        (Case::Nothing, prior.nothing, 0.0),
-        (Case::Novel, prior.novel, judgement.weighed.ln_gain),
-    ] {
-        weights.push(Weight {
-            case,
-            ln_weight: prior.ln() + ln_nothing + ln_gain,
-            ln_likelihood: f64::NEG_INFINITY,
-        });
-    }
-    judgement.beliefs = beliefs(&weights, baseline.settings.tempering);
-}
-
-/// Is the best known explanation one at all? May the best pair be named?
-fn gate(judgement: &mut Judgement, baseline: &Baseline) -> Result<(), DiagnoseError> {
-    let of = |case: &Case| {
-        judgement
-            .beliefs
-            .iter()
-            .find(|belief| belief.case == *case)
-            .map_or(0.0, |b| b.probability)
-    };
-    let known = judgement
-        .beliefs
-        .iter()
-        .find(|b| matches!(b.case, Case::One(_) | Case::Two(..)));
-    let Some(known) = known.cloned() else {
-        return Ok(());
-    };
-    let members = match known.case {
-        Case::Two(a, b) => vec![a, b],
-        Case::One(a) => vec![a],
-        Case::Nothing | Case::Novel => Vec::new(),
-    };
-    let local = judgement
-        .best_of(&members)
-        .and_then(|(_, explanation)| explanation?.local.clone());
-    let mut inadequate = false;
-    if let Some(local) = local {
-        let whitened = Whitened::new(&local, &baseline.scatter.noise)?;
-        let none = Directions::none(&whitened);
-        let left = baseline.significance(&whitened, &none);
-        inadequate = 2.0 * left.p_misfit.min(left.p_field) < INADEQUATE;
-        judgement.after_known = Some(left);
-    }
-    let odds = of(&Case::Novel) / known.probability.max(f64::MIN_POSITIVE);
-    let first_is_novel = judgement.beliefs.first().is_some_and(|b| b.case == Case::Novel);
-    judgement.is_novel = inadequate || (odds >= NOVEL_ODDS && first_is_novel);
-    let needs_second = judgement
-        .after_best
-        .is_some_and(|left| left.p_null < baseline.settings.significance);
-    judgement.pair_is_accepted = matches!(known.case, Case::Two(..)) && needs_second && !judgement.is_novel;
     Ok(())
 }

@@ -4,6 +4,8 @@ pub mod added_variable;
 
 pub mod baseline;
 
+pub mod conclude;
+
 pub mod data;
 
 pub mod draws;
@@ -32,6 +34,8 @@ pub mod novel_words;
 
 pub mod null;
 
+pub mod plan;
+
 pub mod posterior;
 
 pub mod refit;
@@ -55,6 +59,7 @@ pub mod whitened;
 pub mod words;
 
 pub use error::DiagnoseError;
+pub use plan::{Plan, plan};
 pub use settings::{PriorOdds, Settings};
 pub use verdict::{Diagnosis, Verdict};
 

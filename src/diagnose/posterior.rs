@@ -29,6 +29,8 @@ pub struct Weight {
     pub ln_weight: f64,
     /// Logarithm of the likelihood of its best fit alone, prices of priors included.
     pub ln_likelihood: f64,
+    /// Families that may be missing besides without the data telling, with their part of the weight (logarithms).
+    pub seconds: Vec<(usize, f64)>,
 }
 
 /// A hypothesis with its probability.
@@ -40,6 +42,8 @@ pub struct Belief {
     pub probability: f64,
     /// Whether it belongs to the smallest set that holds the truth with 95 %.
     pub in_set: bool,
+    /// Families that may be missing besides without the data telling, with their part of the probability.
+    pub seconds: Vec<(usize, f64)>,
 }
 
 /// Hypotheses, most probable first. Evidence is raised to the power `tempering`; the priors stand in `ln_weight` already.
@@ -51,6 +55,7 @@ pub fn beliefs(weights: &[Weight], tempering: f64) -> Vec<Belief> {
             case: weight.case.clone(),
             probability: (tempering * weight.ln_weight - total).exp(),
             in_set: false,
+            seconds: seconds(weight),
         })
         .collect();
     beliefs.sort_by(|a, b| b.probability.total_cmp(&a.probability));
@@ -63,6 +68,24 @@ pub fn beliefs(weights: &[Weight], tempering: f64) -> Vec<Belief> {
         sum += belief.probability;
     }
     beliefs
+}
+
+/// Parts of the probability of a hypothesis that come with a second family, largest first.
+fn seconds(weight: &Weight) -> Vec<(usize, f64)> {
+    let mut parts: Vec<(usize, f64)> = weight
+        .seconds
+        .iter()
+        .map(|&(family, part)| (family, (part - weight.ln_weight).exp()))
+        .collect();
+    parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+    parts
+}
+
+/// Adds the weight of a pair to that of the one of it that the data show: the other may be there or not.
+pub fn fold(weights: &mut [Weight], into: usize, second: usize, ln_weight: f64) {
+    let total = ln_sum([weights[into].ln_weight, ln_weight].into_iter());
+    weights[into].ln_weight = total;
+    weights[into].seconds.push((second, ln_weight));
 }
 
 /// Shares the probability of explanations that the data cannot tell apart (`class`: positions in `weights`) by how
@@ -107,6 +130,7 @@ mod tests {
             case,
             ln_weight,
             ln_likelihood: 0.0,
+            seconds: Vec::new(),
         }
     }
 

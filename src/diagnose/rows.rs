@@ -6,11 +6,13 @@ use super::baseline::Baseline;
 use super::held_out::{by_condition, by_wing, ln_density};
 use super::judge::Judgement;
 use super::posterior::{Belief, Case};
-use super::screening::{ENOUGH_POWER, effect_of};
-use super::verdict::{EffectRow, Hypothesis, LookAlike, Strength};
+use super::screening::{ENOUGH_POWER, effect_of, family_wise};
+use super::verdict::{EffectRow, Hypothesis, LookAlike, Second, Strength};
 
 /// Strengths beyond this many scales are implausible.
 const PLAUSIBLE: f64 = 3.0;
+/// Second effects with a smaller part of a hypothesis' probability are not listed.
+const LEAST_SHARE: f64 = 0.005;
 /// Look-alikes listed for each effect.
 pub const LOOK_ALIKES: usize = 4;
 
@@ -95,6 +97,15 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -
     Hypothesis {
         effects,
         families: family_names.collect(),
+        perhaps_with: belief
+            .seconds
+            .iter()
+            .filter(|(_, share)| *share > LEAST_SHARE)
+            .map(|&(family, share)| Second {
+                family: judgement.families[family].name.clone(),
+                share,
+            })
+            .collect(),
         probability: belief.probability,
         strength: strengths.first().map(|s| s.value),
         standard_error: strengths.first().map(|s| s.standard_error),
@@ -117,7 +128,7 @@ fn is_plausible(unknown: &Unknown, value: f64) -> bool {
 /// A row for every missing effect.
 pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow> {
     let directions = &baseline.directions;
-    let significance = baseline.settings.significance;
+    let significance = family_wise(baseline.settings.significance, baseline.data.missing.len());
     let base = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
     let mut rows = Vec::new();
     for (k, &i) in baseline.data.missing.iter().enumerate() {

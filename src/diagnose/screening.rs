@@ -15,11 +15,16 @@ use super::whitened::Whitened;
 /// Power from which on an effect of its plausible size counts as detectable.
 pub const ENOUGH_POWER: f64 = 0.8;
 
+/// Level of one score when any of `count` effects, or either of two other tests, may raise the alarm.
+pub fn family_wise(level: f64, count: usize) -> f64 {
+    level / (3 * count.max(1)) as f64
+}
+
 /// What one glance tells of an effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Sight {
-    /// Its score is beyond chance, judged alone.
+    /// Its score is beyond chance, though many were tried.
     Present,
     /// It would have been seen if it had its plausible size, and was not.
     Absent,
@@ -95,6 +100,9 @@ pub fn slopes_of_missing(
             });
         }
     }
+    for row in data.kept_bounds(forward, &linear.value) {
+        slopes.row_mut(row).fill(0.0);
+    }
     Ok(slopes)
 }
 
@@ -155,7 +163,7 @@ impl Directions {
         1.0 - normal.cdf(normal.inverse_cdf(1.0 - tail) - distance)
     }
 
-    /// Verdict of one glance at effect `k`, judged alone at `level`.
+    /// Verdict of one glance at effect `k`, at `level`.
     pub fn sight(&self, k: usize, unknown: &Unknown, level: f64) -> Sight {
         let one_sided = is_one_sided(unknown);
         let score = if one_sided {

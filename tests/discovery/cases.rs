@@ -14,6 +14,8 @@ pub enum Kind {
     NullQuiet,
     /// Nothing missing, one number 8 σ off.
     NullOutlier,
+    /// Nothing missing, twice the background error: 2 % in chord and stiffness, 3 % in the air law.
+    NullRough,
     Single,
     Pair,
     Novel,
@@ -91,7 +93,10 @@ pub fn case(kind: Kind, seed: u64) -> Case {
     let sigma_deg = 0.2 + 0.5 * draws.uniform(1, 0).powi(2) * 1.6;
     let mut toy = good_campaign(sigma_deg);
     let (hidden, families) = hidden(kind, draws);
-    let nature = Nature::drawn(draws, hidden);
+    let mut nature = Nature::drawn(draws, hidden);
+    if kind == Kind::NullRough {
+        nature.background[..3].iter_mut().for_each(|error| *error *= 2.0);
+    }
     let noise = if kind == Kind::NullQuiet { 1.3 } else { 1.0 };
     measure(&mut toy, &nature, draws, noise);
     if kind == Kind::NullOutlier {
@@ -113,7 +118,7 @@ fn hidden(kind: Kind, draws: Draws) -> (Vec<Hidden>, Vec<&'static str>) {
         .collect();
     let pick = |k: u64| names[(draws.uniform(3, k) * names.len() as f64) as usize];
     match kind {
-        Kind::Null | Kind::NullQuiet | Kind::NullOutlier => (Vec::new(), Vec::new()),
+        Kind::Null | Kind::NullQuiet | Kind::NullOutlier | Kind::NullRough => (Vec::new(), Vec::new()),
         Kind::Single => {
             let k = pick(0);
             (vec![effect(k, draws, 0)], vec![EFFECTS[k].family])
@@ -141,7 +146,7 @@ fn hidden(kind: Kind, draws: Draws) -> (Vec<Hidden>, Vec<&'static str>) {
     }
 }
 
-/// An effect with 0.4 to 1.6 times its scale.
+/// An effect with 0.4 to 2.4 times its scale.
 fn effect(k: usize, draws: Draws, which: u64) -> Hidden {
     let known = &EFFECTS[k];
     let sign = if known.one_sided || draws.uniform(5, which) < 0.5 {
@@ -149,7 +154,7 @@ fn effect(k: usize, draws: Draws, which: u64) -> Hidden {
     } else {
         -1.0
     };
-    let strength = sign * known.scale * (0.4 + 1.2 * draws.uniform(4, which));
+    let strength = sign * known.scale * (0.4 + 2.0 * draws.uniform(4, which));
     match known.place {
         Some(_) => Hidden::Damage(0.16 + 0.62 * draws.uniform(6, which), strength),
         None => Hidden::Known(known.name, strength),

@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 use washout::diagnose::draws::Draws;
-use washout::diagnose::{Diagnosis, Settings, Verdict, diagnose, diagnose_with};
+use washout::diagnose::{Diagnosis, Plan, Settings, Verdict, diagnose, diagnose_with, plan};
 use washout::progress::Progress;
 use washout::study::{Forward, UnknownKind};
 
@@ -335,4 +335,19 @@ fn a_library_without_effects_or_a_study_without_data_is_refused() {
     let mut toy = good_campaign(0.3);
     toy.conditions.iter_mut().for_each(|c| c.is_held_out = true);
     assert!(diagnose(&toy, &Settings::default(), &Progress::quiet()).is_err());
+}
+
+#[test]
+fn a_plan_tells_what_could_be_seen_before_anything_is_measured() {
+    let good = plan(&good_campaign(0.3), &Settings::default(), &Progress::quiet()).expect("a plan");
+    let poor = plan(&poor_campaign(0.3), &Settings::default(), &Progress::quiet()).expect("a plan");
+    let of = |plan: &Plan, name: &str| {
+        let found = plan.effects.iter().find(|effect| effect.effect == name);
+        found.cloned().expect("that effect")
+    };
+    assert!(of(&good, "film_tension").power > of(&poor, "film_tension").power);
+    assert!(of(&good, "root_compliance").power > 0.8);
+    assert!(of(&good, "root_compliance").confused_with[0].effect == "clamp_slip");
+    // a factor on the air coefficient is what the calibration takes
+    assert!(of(&good, "coefficient_scale").absorbed > of(&good, "root_compliance").absorbed);
 }

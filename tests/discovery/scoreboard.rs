@@ -81,6 +81,44 @@ impl Outcome {
             .any(|h| h.in_set && self.same(&h.families) && !h.effects.contains(&"novel".into()))
     }
 
+    /// Whether a hypothesis of the set names one of a pair and lists the other as perhaps missing besides.
+    pub fn truth_in_set_perhaps(&self) -> bool {
+        let known = |name: &str| self.case.families.contains(&name);
+        self.truth_in_set()
+            || self.said.hypotheses.iter().any(|h| {
+                h.in_set
+                    && h.families.len() == 1
+                    && known(&h.families[0])
+                    && h.perhaps_with.iter().any(|s| known(&s.family))
+            })
+    }
+
+    /// Whether both of a pair are 5 sigma from none and 3 sigma from each other.
+    pub fn is_clear_pair(&self) -> bool {
+        let at = |which: usize| {
+            let strength = match self.case.nature.hidden[which] {
+                Hidden::Known(_, strength) | Hidden::Damage(_, strength) => strength,
+                _ => 0.0,
+            };
+            let own = self
+                .said
+                .effects
+                .iter()
+                .filter(|row| row.family == self.case.families[which]);
+            let row = own
+                .max_by(|a, b| a.score.abs().total_cmp(&b.score.abs()))
+                .expect("the true effect");
+            ((strength / row.scale * row.detectability).abs(), row)
+        };
+        let ((first, row), (second, other)) = (at(0), at(1));
+        let cosine = row
+            .look_alikes
+            .iter()
+            .find(|l| l.effect == other.effect)
+            .map_or(0.0, |l| l.cosine);
+        first.min(second) >= 5.0 && first.min(second) * (1.0 - cosine * cosine).sqrt() >= 3.0
+    }
+
     pub fn novel_in_set(&self) -> bool {
         self.said.verdict == Verdict::Novel
             || self
@@ -142,6 +180,7 @@ pub fn print(seed: u64, scale: f64, settings: &Settings, verbose: bool) {
         (Kind::Null, "null"),
         (Kind::NullQuiet, "null, sigma 30 % short"),
         (Kind::NullOutlier, "null, outlier"),
+        (Kind::NullRough, "null, background doubled"),
     ] {
         let outcomes = run(kind, seed, count(50), settings);
         println!(
@@ -198,10 +237,15 @@ fn list(outcomes: &[Outcome], verbose: bool, which: &dyn Fn(&Outcome) -> bool) {
 fn believe(outcomes: &[Outcome], beliefs: &mut Vec<(f64, bool)>) {
     for outcome in outcomes.iter().filter(|o| o.is_alarm()) {
         let first = &outcome.said.hypotheses[0];
-        let right = if outcome.case.families.is_empty() {
+        let truth = &outcome.case.families;
+        let stated = |name: &&str| {
+            first.families.iter().any(|f| f == name) || first.perhaps_with.iter().any(|s| s.family == *name)
+        };
+        let right = if truth.is_empty() {
             first.effects == ["novel"]
         } else {
-            outcome.is_named_right() && first.effects != ["novel"]
+            let named = first.families.iter().all(|f| truth.contains(&f.as_str()));
+            named && !first.families.is_empty() && truth.iter().all(|name| stated(name))
         };
         beliefs.push((first.probability, right));
     }
@@ -302,6 +346,17 @@ fn pairs(seed: u64, count: u64, settings: &Settings, verbose: bool, beliefs: &mu
     println!(
         "   mean size of the set {:.2}",
         seen.iter().map(|o| o.set_size() as f64).sum::<f64>() / seen.len() as f64
+    );
+    let clear: Vec<&&Outcome> = seen.iter().filter(|o| o.is_clear_pair()).collect();
+    println!(
+        "   truth in the set, or one and perhaps the other {}",
+        Share::of(seen.iter().map(|o| o.truth_in_set_perhaps()))
+    );
+    println!(
+        "   both clear: one of the two right {}, both right {}, in the set {}",
+        Share::of(clear.iter().map(|o| dominant(o))),
+        Share::of(clear.iter().map(|o| o.is_named_right())),
+        Share::of(clear.iter().map(|o| o.truth_in_set()))
     );
     println!(
         "   verdict pair {}, novel {}",

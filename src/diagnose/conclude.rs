@@ -1,0 +1,137 @@
+//! From evidence to an answer: probabilities, whether a pair stands for itself, whether anything known is adequate.
+
+use super::baseline::Baseline;
+use super::error::DiagnoseError;
+use super::evidence::ln_sum;
+use super::judge::Judgement;
+use super::library::Trial;
+use super::posterior::{Case, Weight, beliefs, class_around, fold, level_class};
+use super::screening::Directions;
+use super::whitened::Whitened;
+
+/// Misfit of the best known explanation less probable than this: it is no explanation.
+const INADEQUATE: f64 = 1e-3;
+/// Odds from which on an unnamed field is preferred to an adequate known explanation.
+const NOVEL_ODDS: f64 = 3.0;
+/// ln of the factor by which a second effect must raise the evidence to stand beside the first as a pair of its own.
+const SECOND: f64 = 1.1;
+
+/// Gives every hypothesis its probability; `ln_nothing`: evidence of the model as it is.
+pub fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64) {
+    let prior = baseline.settings.prior;
+    let weight_of = |families: &[usize]| {
+        let trials = judgement.singles.iter().chain(&judgement.pairs).enumerate();
+        let own: Vec<f64> = trials
+            .filter(|(_, trial)| trial.families == families)
+            .map(|(index, trial)| trial.ln_prior + judgement.ln_evidence[index])
+            .collect();
+        ln_sum(own.iter().copied())
+    };
+    let ln_likelihood = |families: &[usize]| match judgement.best_of(families) {
+        Some((_, Some(explanation))) => baseline.likelihood.ln(explanation.q),
+        Some((index, None)) => baseline.likelihood.ln(judgement.trial(index).linear.q),
+        None => f64::NEG_INFINITY,
+    };
+    let count = judgement.families.len();
+    let mut weights: Vec<Weight> = (0..count)
+        .map(|family| Weight {
+            case: Case::One(family),
+            ln_weight: weight_of(&[family]),
+            ln_likelihood: ln_likelihood(&[family]),
+            seconds: Vec::new(),
+        })
+        .collect();
+    let heaviest_family = (0..count).max_by(|&a, &b| weights[a].ln_weight.total_cmp(&weights[b].ln_weight));
+    if let Some(first) = heaviest_family {
+        let near: Vec<usize> = (0..count)
+            .filter(|&k| weights[k].ln_weight > weights[first].ln_weight - 7.0)
+            .collect();
+        let place = near.iter().position(|&k| k == first).unwrap_or(0);
+        let class = class_around(place, near.len(), &|a, b| {
+            judgement.distance(baseline, near[a], near[b])
+        });
+        let class: Vec<usize> = class.into_iter().map(|k| near[k]).collect();
+        level_class(&mut weights, &class);
+    }
+    let mean = |trials: &[Trial], families: &[usize]| {
+        let prior = trials
+            .iter()
+            .filter(|trial| trial.families == families)
+            .map(|trial| trial.ln_prior);
+        weight_of(families) - ln_sum(prior.collect::<Vec<f64>>().into_iter())
+    };
+    let alone: Vec<f64> = (0..count)
+        .map(|family| mean(&judgement.singles, &[family]))
+        .collect();
+    let needs_second = judgement.needs_second(baseline);
+    for a in 0..count {
+        for b in a + 1..count {
+            let (shown, other) = if alone[a] >= alone[b] { (a, b) } else { (b, a) };
+            let ln_weight = weight_of(&[a, b]);
+            if needs_second && mean(&judgement.pairs, &[a, b]) - alone[shown] > SECOND {
+                weights.push(Weight {
+                    case: Case::Two(a, b),
+                    ln_weight,
+                    ln_likelihood: f64::NEG_INFINITY,
+                    seconds: Vec::new(),
+                });
+            } else {
+                fold(&mut weights, shown, other, ln_weight);
+            }
+        }
+    }
+    for (case, prior, ln_gain) in [
+        (Case::Nothing, prior.nothing, 0.0),
+        (Case::Novel, prior.novel, judgement.weighed.ln_gain),
+    ] {
+        weights.push(Weight {
+            case,
+            ln_weight: prior.ln() + ln_nothing + ln_gain,
+            ln_likelihood: f64::NEG_INFINITY,
+            seconds: Vec::new(),
+        });
+    }
+    judgement.beliefs = beliefs(&weights, baseline.settings.tempering);
+}
+
+/// Is the best known explanation one at all? May the best pair be named?
+///
+/// # Errors
+/// If the slopes of a fit are not finite.
+pub fn gate(judgement: &mut Judgement, baseline: &Baseline) -> Result<(), DiagnoseError> {
+    let of = |case: &Case| {
+        judgement
+            .beliefs
+            .iter()
+            .find(|belief| belief.case == *case)
+            .map_or(0.0, |b| b.probability)
+    };
+    let known = judgement
+        .beliefs
+        .iter()
+        .find(|b| matches!(b.case, Case::One(_) | Case::Two(..)));
+    let Some(known) = known.cloned() else {
+        return Ok(());
+    };
+    let members = match known.case {
+        Case::Two(a, b) => vec![a, b],
+        Case::One(a) => vec![a],
+        Case::Nothing | Case::Novel => Vec::new(),
+    };
+    let local = judgement
+        .best_of(&members)
+        .and_then(|(_, explanation)| explanation?.local.clone());
+    let mut inadequate = false;
+    if let Some(local) = local {
+        let whitened = Whitened::new(&local, &baseline.scatter.noise)?;
+        let none = Directions::none(&whitened);
+        let left = baseline.significance(&whitened, &none);
+        inadequate = 2.0 * left.p_misfit.min(left.p_field) < INADEQUATE;
+        judgement.after_known = Some(left);
+    }
+    let odds = of(&Case::Novel) / known.probability.max(f64::MIN_POSITIVE);
+    let first_is_novel = judgement.beliefs.first().is_some_and(|b| b.case == Case::Novel);
+    judgement.is_novel = inadequate || (odds >= NOVEL_ODDS && first_is_novel);
+    judgement.pair_is_accepted = matches!(known.case, Case::Two(..)) && !judgement.is_novel;
+    Ok(())
+}

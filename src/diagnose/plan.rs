@@ -1,0 +1,152 @@
+//! Before any measurement: which effects a planned campaign could see, and which it could tell apart.
+
+use nalgebra::{DMatrix, DVector};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::progress::Progress;
+use crate::study::Forward;
+
+use super::data::{Data, Scatter};
+use super::error::DiagnoseError;
+use super::posterior::SEPARATE;
+use super::screening::{Directions, ENOUGH_POWER, effect_of, family_wise, slopes_of_missing};
+use super::settings::Settings;
+use super::verdict::LookAlike;
+use super::whitened::{Local, Whitened};
+
+/// What a planned campaign could tell.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Plan {
+    /// The answer in one sentence.
+    pub sentence: String,
+    /// Numbers that would be measured.
+    pub numbers: usize,
+    /// Every effect, the most visible first.
+    pub effects: Vec<PlannedEffect>,
+}
+
+/// What a planned campaign could tell of one effect.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PlannedEffect {
+    /// The effect.
+    pub effect: String,
+    /// Its family.
+    pub family: String,
+    /// Size of strength that is plausible, in `unit`.
+    pub scale: f64,
+    /// Unit of the strength.
+    pub unit: String,
+    /// Standard error that its strength would have.
+    pub standard_error: f64,
+    /// Distance from none, in standard deviations, at its plausible size.
+    pub detectability: f64,
+    /// Probability to see it at its plausible size.
+    pub power: f64,
+    /// Share of its signature that the model's own unknowns would absorb.
+    pub absorbed: f64,
+    /// Effects of other families that could not be told from it at its plausible size, nearest first.
+    pub confused_with: Vec<LookAlike>,
+}
+
+/// Judges the campaign whose observables `forward` lists; their values do not matter, their noise does.
+///
+/// # Errors
+/// If there is nothing to measure or no effect to look for, a result is not finite, or the user asked to stop.
+pub fn plan(forward: &dyn Forward, settings: &Settings, progress: &Progress) -> Result<Plan, DiagnoseError> {
+    settings.check()?;
+    let data = Data::new(forward)?;
+    let unknowns = forward.unknowns();
+    let means: Vec<f64> = unknowns.iter().map(|unknown| unknown.mean).collect();
+    progress.say("derivatives with every effect");
+    let is_of_model = |name: &str| data.model.iter().any(|&i| unknowns[i].name == name);
+    let linear = forward.linearize(&means, &|unknown| is_of_model(&unknown.name))?;
+    progress.check()?;
+    let slopes = slopes_of_missing(forward, &data, &means, settings)?;
+    let size = data.rows.len();
+    let scale = settings.noise_scale.unwrap_or(1.0);
+    let scatter = Scatter::new(forward, &data, &linear.value, settings, scale, vec![1.0; size])?;
+    let own = DMatrix::from_fn(size, data.model.len(), |row, k| {
+        linear.jacobian[(data.rows[row], data.model[k])] * unknowns[data.model[k]].sigma
+    });
+    let local = Local {
+        at_means: DVector::zeros(size),
+        slopes: own,
+        rows: data.rows.clone(),
+    };
+    let whitened = Whitened::new(&local, &scatter.noise)?;
+    let directions = Directions::new(&data, &slopes, &whitened);
+    let before = scatter
+        .noise
+        .whiten_columns(&slopes.select_rows(data.rows.iter()));
+    let level = family_wise(settings.significance, data.missing.len());
+    let mut effects: Vec<PlannedEffect> = (0..data.missing.len())
+        .filter_map(|k| {
+            let unknown = &unknowns[data.missing[k]];
+            let (effect, family, scale, _) = effect_of(unknown)?;
+            let (length, whole) = (directions.lengths[k], before.column(k).norm());
+            Some(PlannedEffect {
+                effect: effect.to_string(),
+                family: family.to_string(),
+                scale,
+                unit: unknown.unit.clone(),
+                standard_error: unknown.sigma / length.max(1e-9),
+                detectability: scale / unknown.sigma * length,
+                power: directions.power(k, unknown, level),
+                absorbed: if whole > 0.0 {
+                    1.0 - (length / whole).min(1.0)
+                } else {
+                    0.0
+                },
+                confused_with: confused(forward, &data, &directions, k),
+            })
+        })
+        .collect();
+    effects.sort_by(|a, b| b.detectability.total_cmp(&a.detectability));
+    Ok(Plan {
+        sentence: sentence(&effects),
+        numbers: size,
+        effects,
+    })
+}
+
+fn confused(forward: &dyn Forward, data: &Data, directions: &Directions, k: usize) -> Vec<LookAlike> {
+    let of = |j: usize| effect_of(&forward.unknowns()[data.missing[j]]);
+    let (Some((_, family, scale, _)), sigma) = (of(k), forward.unknowns()[data.missing[k]].sigma) else {
+        return Vec::new();
+    };
+    let distance = scale / sigma * directions.lengths[k];
+    let mut found: Vec<LookAlike> = (0..data.missing.len())
+        .filter_map(|j| {
+            let (effect, other, _, _) = of(j)?;
+            let cosine = directions.cosine(k, j);
+            let separation_sigma = distance * (1.0 - cosine * cosine).max(0.0).sqrt();
+            (other != family && directions.lengths[j] > 0.0 && separation_sigma < SEPARATE).then(|| {
+                LookAlike {
+                    effect: effect.to_string(),
+                    cosine,
+                    separation_sigma,
+                }
+            })
+        })
+        .collect();
+    found.sort_by(|a, b| b.cosine.abs().total_cmp(&a.cosine.abs()));
+    found
+}
+
+fn sentence(effects: &[PlannedEffect]) -> String {
+    let seen: Vec<&PlannedEffect> = effects
+        .iter()
+        .filter(|effect| effect.power >= ENOUGH_POWER)
+        .collect();
+    let told = seen
+        .iter()
+        .filter(|effect| effect.confused_with.is_empty())
+        .count();
+    format!(
+        "Of {} effects of plausible size this campaign could see {} and tell {} of them from every other.",
+        effects.len(),
+        seen.len(),
+        told
+    )
+}
