@@ -86,7 +86,7 @@ fn mix(
     mapped: &DVector<f64>,
 ) -> DVector<f64> {
     let changes: Vec<_> = history.iter().map(|(r, g)| (residual - r, mapped - g)).collect();
-    if changes.is_empty() {
+    if changes.is_empty() || residual.is_empty() {
         return mapped.clone();
     }
     let columns: Vec<_> = changes.iter().map(|(r, _)| r.clone()).collect();
@@ -113,6 +113,20 @@ mod tests {
         (0..3)
             .map(|i| fixed[i] + (0..3).map(|j| m[i][j] * (x[j] - fixed[j])).sum::<f64>())
             .collect()
+    }
+
+    #[test]
+    fn without_strips_there_is_nothing_to_mix_and_no_panic() {
+        for kind in [
+            design::Accelerator::None,
+            design::Accelerator::Aitken,
+            design::Accelerator::Anderson,
+        ] {
+            let mut accelerator = Accelerator::new(kind);
+            for _ in 0..3 {
+                assert!(accelerator.next(&[], &[]).is_empty());
+            }
+        }
     }
 
     fn iterations(kind: design::Accelerator) -> Option<usize> {

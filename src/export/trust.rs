@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::text::{number, significant};
-use super::verification::{CaseReport, VerifyReport, percent, rows};
+use super::verification::{CaseReport, QuantityReport, VerifyReport, percent, rows};
 
 /// What stands above the tables of the page.
 const HEAD: &str = "\
@@ -55,7 +55,31 @@ fn tables(report: &VerifyReport, timed: bool) -> String {
         }
         text.push('\n');
     }
-    text + &notes(report)
+    text + &missed(report) + &notes(report)
+}
+
+/// What fails, in a list; nothing if nothing does.
+fn missed(report: &VerifyReport) -> String {
+    let fails = |q: &&QuantityReport| q.verdict == "error" || q.verdict == "order";
+    let mut text = String::new();
+    for case in report.cases() {
+        for quantity in case.quantities.iter().filter(fails) {
+            let what = if quantity.verdict == "error" {
+                format!(
+                    "{} % off, limit {} %",
+                    percent(quantity.error()),
+                    quantity.limit()
+                )
+            } else {
+                format!("order {}", quantity.order_words())
+            };
+            let _ = writeln!(text, "- `{}`, {}: {what}.", case.name, quantity.name);
+        }
+    }
+    if text.is_empty() {
+        return text;
+    }
+    format!("## Missed\n\n{text}\n")
 }
 
 fn table(cases: &[CaseReport], timed: bool) -> String {
@@ -129,9 +153,27 @@ fn notes(report: &VerifyReport) -> String {
         }
     }
     text += "\n## Without an expected order\n\n";
-    for (case, quantity) in report.cases().flat_map(|case| rows(std::slice::from_ref(case))) {
-        if let Some(why) = &quantity.order_exempt {
-            let _ = writeln!(text, "- `{}`, {}: {why}.", case.name, quantity.name);
+    for case in report.cases() {
+        let mut reasons: Vec<&String> = case
+            .quantities
+            .iter()
+            .filter_map(|q| q.order_exempt.as_ref())
+            .collect();
+        reasons.dedup();
+        for reason in reasons {
+            let exempt = |q: &&QuantityReport| q.order_exempt.as_ref() == Some(reason);
+            let names: Vec<&str> = case
+                .quantities
+                .iter()
+                .filter(exempt)
+                .map(|q| q.name.as_str())
+                .collect();
+            let which = if names.len() == case.quantities.len() {
+                String::new()
+            } else {
+                format!(" ({})", names.join("; "))
+            };
+            let _ = writeln!(text, "- `{}`{which}: {reason}.", case.name);
         }
     }
     text
