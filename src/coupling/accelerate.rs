@@ -40,7 +40,8 @@ impl Accelerator {
                 factor: 1.0,
                 last: None,
             },
-            design::Accelerator::Anderson => Accelerator::Anderson {
+            // where Newton's method gives up, the fixed point goes on
+            design::Accelerator::Anderson | design::Accelerator::Newton => Accelerator::Anderson {
                 history: VecDeque::new(),
             },
         }

@@ -40,13 +40,18 @@ impl<'a, 'm> Feedback<'a, 'm> {
 
     /// Solves (K − A S) x = b by freedom of the pattern; `None` if the coupled tangent is singular.
     pub fn solve(&mut self, right: &[f64]) -> Option<Vec<f64>> {
+        self.solve_to(right, 1e-12)
+    }
+
+    /// The same to a residual of the shapes relative to that of no air.
+    pub fn solve_to(&mut self, right: &[f64], tolerance: f64) -> Option<Vec<f64>> {
         if self.air.is_empty() {
             let mut x = right.to_vec();
             self.equilibrium.solve_tangent(&mut x, 1);
             return Some(x);
         }
         let seen = self.shapes_of(right);
-        let y = self.gmres(&seen)?;
+        let y = self.gmres(&seen, tolerance)?;
         let air = self.wing.air_force_change(&self.air, &y);
         let mut x: Vec<f64> = right
             .iter()
@@ -114,7 +119,7 @@ impl<'a, 'm> Feedback<'a, 'm> {
     }
 
     /// (I − J)⁻¹ b by GMRES (Saad & Schultz 1986).
-    fn gmres(&mut self, right: &[f64]) -> Option<Vec<f64>> {
+    fn gmres(&mut self, right: &[f64], tolerance: f64) -> Option<Vec<f64>> {
         let right = DVector::from_column_slice(right);
         let norm = right.norm();
         if norm == 0.0 {
@@ -133,12 +138,12 @@ impl<'a, 'm> Feedback<'a, 'm> {
             target[0] = norm;
             let solution = projected.clone().svd(true, true).solve(&target, 1e-14).ok()?;
             let residual = (&projected * &solution - &target).norm();
-            if residual <= 1e-12 * norm || !more {
+            if residual <= tolerance * norm || !more {
                 let mut y = DVector::zeros(right.len());
                 for (vector, weight) in basis.iter().zip(solution.iter()) {
                     y += vector * *weight;
                 }
-                return (residual <= 1e-6 * norm).then(|| y.data.into());
+                return (residual <= tolerance.max(1e-6) * norm).then(|| y.data.into());
             }
         }
         None

@@ -32,6 +32,23 @@ pub struct Coupled {
     pub critical_ratio: Option<f64>,
 }
 
+impl Coupled {
+    /// Before the first iteration.
+    pub(super) fn at(state: State, loads: Loads) -> Self {
+        Coupled {
+            state,
+            loads,
+            residual: f64::INFINITY,
+            twist_change_deg: f64::INFINITY,
+            iterations: 0,
+            newton_steps: 0,
+            twist_history_deg: Vec::new(),
+            negative_pivots: 0,
+            critical_ratio: None,
+        }
+    }
+}
+
 /// The shape without load; with film pre-tension the one that it pulls the wing into.
 ///
 /// # Errors
@@ -73,17 +90,7 @@ pub fn iterate(
     let mut accelerator = Accelerator::new(coupling.accelerator);
     let mut shapes = wing.strips.shapes(rest);
     let rest_twist = twists(&shapes);
-    let mut coupled = Coupled {
-        state: rest.clone(),
-        loads: Loads::none(wing.model.nodes.len()),
-        residual: f64::INFINITY,
-        twist_change_deg: f64::INFINITY,
-        iterations: 0,
-        newton_steps: 0,
-        twist_history_deg: Vec::new(),
-        negative_pivots: 0,
-        critical_ratio: None,
-    };
+    let mut coupled = Coupled::at(rest.clone(), Loads::none(wing.model.nodes.len()));
     // arms turn with their nodes, so the start has the same arms without force
     coupled.loads.arms.clone_from(&wing.bench.arms);
     for arm in &mut coupled.loads.arms {
@@ -109,12 +116,7 @@ pub fn iterate(
         settings.increments = 1;
         let mapped = wing.strips.shapes(&coupled.state);
         let (old, new) = (twists(&shapes), twists(&mapped));
-        let change = old
-            .iter()
-            .zip(&new)
-            .map(|(a, b)| (a - b).abs())
-            .fold(0.0, f64::max);
-        coupled.twist_change_deg = change.to_degrees();
+        coupled.twist_change_deg = largest_difference(&old, &new).to_degrees();
         coupled.twist_history_deg.push(
             new.iter()
                 .zip(&rest_twist)
@@ -161,7 +163,11 @@ fn residual(wing: &Wing, equilibrium: &Equilibrium, state: &State, solved: &Load
     equilibrium.relative(&residual, scale)
 }
 
-fn stable(
+/// The solution with what decides its stability.
+///
+/// # Errors
+/// If it stands beyond divergence.
+pub(super) fn stable(
     wing: &Wing,
     equilibrium: &mut Equilibrium,
     rest: &State,
@@ -208,9 +214,14 @@ fn patience_lost(
 }
 
 /// Twist of each strip's chord vector against the wing plane, rad.
-fn twists(shapes: &[f64]) -> Vec<f64> {
+pub(super) fn twists(shapes: &[f64]) -> Vec<f64> {
     shapes
         .chunks_exact(6)
         .map(|shape| shape[2].atan2(shape[1]))
         .collect()
+}
+
+/// Largest difference between two lists.
+pub(super) fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }

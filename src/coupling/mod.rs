@@ -12,6 +12,8 @@ pub mod feedback;
 
 pub mod fixed_point;
 
+pub mod newton;
+
 pub mod sensitivity;
 
 pub mod solution;
@@ -27,10 +29,11 @@ pub use error::{CouplingError, SensitivityError};
 pub use sensitivity::Sensitivity;
 
 use crate::geometry::Planform;
-use crate::input::design::Design;
+use crate::input::design::{Accelerator, Design};
 use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::Equilibrium;
+use crate::structure::state::State;
 
 use air::Air;
 use fixed_point::Coupled;
@@ -45,23 +48,32 @@ use wing::Wing;
 /// If design and mesh do not belong together, or the wing has no equilibrium that is found.
 pub fn solve(
     design: &Design,
+    planform: &Planform,
+    mesh: &Mesh,
+    air_table: Option<&[[f64; 3]]>,
+    progress: &Progress,
+) -> Result<Solution, CouplingError> {
+    solve_from(design, planform, mesh, air_table, None, progress)
+}
+
+/// As [`solve`], from the solution of a design nearby on a mesh with the same pattern: the same shape in fewer steps. Without
+/// one, or with one on another pattern, it starts from the shape without load.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_from(
+    design: &Design,
     _planform: &Planform,
     mesh: &Mesh,
     air_table: Option<&[[f64; 3]]>,
+    nearby: Option<&Solution>,
     progress: &Progress,
 ) -> Result<Solution, CouplingError> {
     progress.check()?;
     let wing = Wing::new(design, mesh, air_table)?;
     let mut equilibrium = Equilibrium::new(&wing.model)?;
     let (rest, steps) = fixed_point::cured(&wing, &mut equilibrium, progress)?;
-    let mut coupled = fixed_point::iterate(
-        &wing,
-        &mut equilibrium,
-        &rest,
-        &design.coupling,
-        &design.structure,
-        progress,
-    )?;
+    let mut coupled = couple(design, &wing, &mut equilibrium, &rest, nearby, progress)?;
     coupled.newton_steps += steps;
     let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false);
     if let Some(Air { law, .. }) = &wing.air {
@@ -81,6 +93,47 @@ pub fn solve(
         rest,
         state: coupled.state,
     })
+}
+
+/// By Newton's method where the design asks for it, from nearby and from rest; else, and where it does not settle on a stable
+/// shape, by the fixed point.
+fn couple(
+    design: &Design,
+    wing: &Wing,
+    equilibrium: &mut Equilibrium,
+    rest: &State,
+    nearby: Option<&Solution>,
+    progress: &Progress,
+) -> Result<Coupled, CouplingError> {
+    let Design {
+        coupling, structure, ..
+    } = design;
+    let mut lost = 0;
+    if coupling.accelerator == Accelerator::Newton && !wing.linear && structure.load_increments == 1 {
+        let nearby = nearby.and_then(|solution| newton::carried(wing, solution));
+        let near = nearby.iter().map(|shape| (shape, true));
+        for (shape, is_loaded) in near.chain([(rest, false)]) {
+            let start = newton::Start {
+                rest,
+                shape,
+                is_loaded,
+            };
+            match newton::iterate(wing, equilibrium, start, coupling, progress)? {
+                Ok(mut found) => {
+                    lost += found.newton_steps;
+                    found.newton_steps = lost;
+                    match fixed_point::stable(wing, equilibrium, rest, found) {
+                        Ok(found) if found.negative_pivots == 0 => return Ok(found),
+                        _ => {}
+                    }
+                }
+                Err(steps) => lost += steps,
+            }
+        }
+    }
+    let mut found = fixed_point::iterate(wing, equilibrium, rest, coupling, structure, progress)?;
+    found.newton_steps += lost;
+    Ok(found)
 }
 
 fn report(wing: &Wing, equilibrium: &Equilibrium, coupled: &Coupled) -> SolveReport {

@@ -20,6 +20,8 @@ pub mod material;
 
 pub mod membrane;
 
+pub mod mixed;
+
 pub mod model;
 
 pub mod modes;
@@ -53,6 +55,7 @@ pub use equilibrium::Equilibrium;
 pub use error::StructureError;
 pub use loads::{ArmForce, LinearForce, Loads};
 pub use mass::{MassProperties, mass_matrix};
+pub use mixed::Mixed;
 pub use model::{Model, PointMass, Spring};
 pub use modes::{Mode, Vibration, lowest_modes};
 pub use newton::{NewtonReport, NewtonSettings};

@@ -245,14 +245,37 @@ impl Model {
         aid: Option<&Aid>,
         values: &mut [f64],
     ) -> Vec<f64> {
+        self.assemble(pattern, state, loads, aid, values).residual
+    }
+
+    /// As [`Model::tangent`], with the residual that a mixed step starts from too.
+    pub fn assemble(
+        &self,
+        pattern: &Pattern,
+        state: &State,
+        loads: &Loads,
+        aid: Option<&Aid>,
+        values: &mut [f64],
+    ) -> Assembled {
         let guess = aid.and_then(|aid| aid.guess.as_ref());
         let carried = aid.map_or(0.0, |aid| aid.carried);
+        let is_mixed = aid.is_some_and(|aid| aid.is_mixed);
         let mut residual = vec![0.0; pattern.len()];
+        // what the linear laws of a mixed step add to the residual
+        let mut excess = vec![0.0; if is_mixed { pattern.len() } else { 0 }];
         for (part, shells) in self.shells.chunks(CHUNK).enumerate() {
             let response = |(index, shell): (usize, &Shell)| {
                 let (u, q) = self.shell_state(shell, state);
-                let guess = guess.and_then(|guess| guess.shells.get(part * CHUNK + index));
-                shell.response(&self.sheets[shell.sheet], &u, &q, guess, carried)
+                let guess = guess.and_then(|guess| guess.shell(part * CHUNK + index));
+                let sheet = &self.sheets[shell.sheet];
+                match guess {
+                    Some(about) if is_mixed => shell.mixed_response(sheet, &u, &q, about),
+                    _ => {
+                        let response = shell.response(sheet, &u, &q, guess, carried);
+                        let force = response.force;
+                        (response, force)
+                    }
+                }
             };
             // computed side by side, added one after the other: the sums do not depend on the number of threads
             let responses: Vec<_> = shells
@@ -261,8 +284,12 @@ impl Model {
                 .with_min_len(64)
                 .map(response)
                 .collect();
-            for (index, (shell, response)) in shells.iter().zip(&responses).enumerate() {
-                scatter(pattern, &mut residual, &shell.nodes, response.force.as_slice());
+            for (index, (shell, (response, force))) in shells.iter().zip(&responses).enumerate() {
+                scatter(pattern, &mut residual, &shell.nodes, force.as_slice());
+                if is_mixed {
+                    let more = response.force - force;
+                    scatter(pattern, &mut excess, &shell.nodes, more.as_slice());
+                }
                 pattern.add_shell(values, part * CHUNK + index, shell.nodes, |i, j| {
                     response.stiffness[(i, j)]
                 });
@@ -287,7 +314,12 @@ impl Model {
         }
         loads.add_tangent(pattern, state, values);
         loads.subtract(pattern, state, &mut residual);
-        residual
+        let linearized = if is_mixed {
+            residual.iter().zip(&excess).map(|(r, more)| r + more).collect()
+        } else {
+            residual.clone()
+        };
+        Assembled { residual, linearized }
     }
 
     /// Local freedoms of the elements after a step (by freedom of `pattern`) from `state`, to first order; `shells`:
@@ -336,13 +368,24 @@ pub struct Aid {
     pub guess: Option<Guess>,
     /// Share of compression that films pretend to carry.
     pub carried: f64,
+    /// Whether films take force and law from the guess too (see [`super::mixed`]).
+    pub is_mixed: bool,
+}
+
+/// What an assembly gives besides the tangent, by freedom, N and N·m.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assembled {
+    /// Internal forces less loads.
+    pub residual: Vec<f64>,
+    /// The same with the laws that a mixed step takes for linear: what its step undoes.
+    pub linearized: Vec<f64>,
 }
 
 /// Local freedoms of the elements that a step is expected to lead to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Guess {
-    shells: Vec<SVector<f64, 18>>,
-    beams: Vec<SVector<f64, 12>>,
+    pub(super) shells: Vec<SVector<f64, 18>>,
+    pub(super) beams: Vec<SVector<f64, 12>>,
 }
 
 impl Spring {

@@ -202,6 +202,27 @@ impl Equilibrium<'_> {
         way: Way,
         raise: &mut f64,
     ) -> Result<Vec<f64>, StructureError> {
+        self.factorize_raised(state, tension, way == Way::Searched, raise)?;
+        let mut step = self.descent(residual);
+        self.factor.solve(&mut step, 1);
+        Ok(step)
+    }
+
+    /// The residual turned round, nothing where freedoms are held.
+    pub(super) fn descent(&self, residual: &[f64]) -> Vec<f64> {
+        let part = |(r, &held): (&f64, &bool)| if held { 0.0 } else { -r };
+        residual.iter().zip(&self.held).map(part).collect()
+    }
+
+    /// Factorizes the tangent that stands in `values` with a fictitious tension (N/m), raised until it is positive definite;
+    /// without tension it may stay indefinite unless it `must_be_positive`.
+    pub(super) fn factorize_raised(
+        &mut self,
+        state: &State,
+        tension: f64,
+        must_be_positive: bool,
+        raise: &mut f64,
+    ) -> Result<(), StructureError> {
         self.is_linear = false;
         if tension > 0.0 {
             self.model
@@ -219,11 +240,11 @@ impl Equilibrium<'_> {
                 self.pattern.raise_diagonal(&mut self.work, *raise);
             }
             if self.factor.positive(&self.pattern, &self.work) {
-                break;
+                return Ok(());
             }
-            if way == Way::Whole && tension == 0.0 {
+            if !must_be_positive && tension == 0.0 {
                 self.factor.indefinite(&self.pattern, &self.work)?;
-                break;
+                return Ok(());
             }
             *raise = if *raise > 0.0 { 10.0 * *raise } else { 1e-8 };
             tries += 1;
@@ -231,13 +252,6 @@ impl Equilibrium<'_> {
                 return Err(StructureError::Singular { node: 0 });
             }
         }
-        let mut step: Vec<f64> = residual
-            .iter()
-            .zip(&self.held)
-            .map(|(r, &held)| if held { 0.0 } else { -r })
-            .collect();
-        self.factor.solve(&mut step, 1);
-        Ok(step)
     }
 
     /// Moves along a step as far as the energy falls; gives the share of the step too.
@@ -284,7 +298,7 @@ impl Equilibrium<'_> {
     }
 
     /// Longest share of a step to take: no node turns by more than 0.5 rad.
-    fn longest(&self, step: &[f64]) -> f64 {
+    pub(super) fn longest(&self, step: &[f64]) -> f64 {
         let turn = |spin: &[f64]| spin[3..6].iter().map(|r| r * r).sum::<f64>();
         let largest = step.chunks_exact(6).map(turn).fold(0.0, f64::max).sqrt();
         if largest > 0.5 { 0.5 / largest } else { 1.0 }

@@ -154,7 +154,7 @@ impl Shell {
         p + frame.local_change(&p, step)
     }
 
-    fn local(&self, sheet: &Sheet, p: &SVector<f64, 18>, carried: f64) -> Response<18> {
+    pub(super) fn local(&self, sheet: &Sheet, p: &SVector<f64, 18>, carried: f64) -> Response<18> {
         let (energy, force) = self.local_force(sheet, p);
         let mut local = Response {
             energy,
@@ -188,7 +188,7 @@ impl Shell {
         (energy, frame.global_force(&p, &force))
     }
 
-    fn local_force(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> (f64, SVector<f64, 18>) {
+    pub(super) fn local_force(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> (f64, SVector<f64, 18>) {
         let mut force = self.initial_force + self.stiffness * p;
         let mut energy = p.dot(&(0.5 * (force + self.initial_force)));
         if let Some(film) = self.film(sheet, p) {

@@ -57,8 +57,8 @@ pub struct MeshSettings {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Coupling {
-    /// The acceleration of the fixed point.
-    #[schemars(extend("examples" = ["anderson"]))]
+    /// The way air and structure meet: Newton's method on both, or a fixed point with or without acceleration.
+    #[schemars(extend("examples" = ["newton"]))]
     pub accelerator: Accelerator,
     /// The largest change of twist between two iterations at convergence.
     #[schemars(extend("minimum" = 1e-12, "maximum" = 1.0, "examples" = [1e-6]))]
@@ -66,21 +66,24 @@ pub struct Coupling {
     /// The coupled residual at convergence, relative to the air load.
     #[schemars(extend("minimum" = 1e-14, "maximum" = 0.01, "examples" = [1e-8]))]
     pub residual_tolerance: f64,
-    /// The number of iterations after which it gives up.
+    /// The number of iterations (Newton steps, then of the fixed point) after which it gives up.
     #[schemars(extend("minimum" = 1, "maximum" = 100000, "examples" = [60]))]
     pub max_iterations: usize,
 }
 
-/// Acceleration of the fixed point.
+/// Way in which air and structure meet; results do not depend on it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Accelerator {
-    /// Plain iteration.
+    /// Newton's method on air and structure together; with load increments, linear kinematics or where it does not
+    /// settle, the fixed point with Anderson acceleration.
+    #[default]
+    Newton,
+    /// Plain fixed point.
     None,
     /// Aitken's dynamic relaxation.
     Aitken,
     /// Anderson acceleration.
-    #[default]
     Anderson,
 }
 
@@ -109,7 +112,7 @@ impl Default for MeshSettings {
 impl Default for Coupling {
     fn default() -> Self {
         Coupling {
-            accelerator: Accelerator::Anderson,
+            accelerator: Accelerator::Newton,
             twist_tolerance_deg: 1e-6,
             residual_tolerance: 1e-7,
             max_iterations: 60,
