@@ -67,10 +67,20 @@ impl Case {
 
     /// The loaded shape.
     pub fn solve(&self, progress: &Progress) -> Result<Solution, CouplingError> {
+        self.solve_from(None, progress)
+    }
+
+    /// The same, found sooner from the solution of a case nearby.
+    pub fn solve_from(
+        &self,
+        nearby: Option<&Solution>,
+        progress: &Progress,
+    ) -> Result<Solution, CouplingError> {
         let Loaded {
             design, air_table, ..
         } = &self.loaded;
-        coupling::solve(design, &self.planform, &self.mesh, air_table.as_deref(), progress)
+        let air_table = air_table.as_deref();
+        coupling::solve_from(design, &self.planform, &self.mesh, air_table, nearby, progress)
     }
 
     /// What is wrong with the design, as a failure that names its file.

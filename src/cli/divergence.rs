@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::aero::Flow;
 use crate::coupling::CouplingError;
+use crate::coupling::solution::Solution;
 use crate::export::text::{Table, number, significant, wrapped};
 use crate::observation::twist_at;
 
@@ -61,7 +62,7 @@ pub struct DivergenceStep {
     pub tip_twist_deg: Option<f64>,
     /// Lift of one wing as solved.
     pub lift_mn: f64,
-    /// Fixed-point iterations.
+    /// Iterations between air and structure.
     pub iterations: usize,
 }
 
@@ -100,13 +101,14 @@ impl Divergence {
             undecided: Vec::new(),
             limit: None,
         };
+        let mut last = None;
         for step in 1..=self.steps {
             let value = highest * f64::from(step) / f64::from(self.steps);
-            match sweep.solve(value)? {
+            match sweep.solve(value, &mut last)? {
                 Ok(found) => report.steps.push(found),
                 Err(Without::Patience(reason)) => report.undecided.push(Undecided { value, reason }),
                 Err(Without::Equilibrium(reason)) => {
-                    report.limit = Some(sweep.narrow(&mut report.steps, value, reason)?);
+                    report.limit = Some(sweep.narrow(&mut report.steps, last, value, reason)?);
                     break;
                 }
             }
@@ -153,8 +155,12 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// The equilibrium at a value, or why there is none.
-    fn solve(&self, value: f64) -> Result<Result<DivergenceStep, Without>, Failure> {
+    /// The equilibrium at a value, sought from the last one that was found; or why there is none.
+    fn solve(
+        &self,
+        value: f64,
+        last: &mut Option<Solution>,
+    ) -> Result<Result<DivergenceStep, Without>, Failure> {
         let progress = self.console.progress();
         progress.say(format_args!(
             "solving at {} = {}",
@@ -162,7 +168,7 @@ impl<'a> Sweep<'a> {
             significant(value, 4)
         ));
         let case = self.at(value)?;
-        let solution = match case.solve(progress) {
+        let solution = match case.solve_from(last.as_ref(), progress) {
             Ok(solution) => solution,
             Err(CouplingError::Interrupted(cancelled)) => return Err(cancelled.into()),
             Err(error @ CouplingError::OutOfPatience { .. }) => {
@@ -175,13 +181,15 @@ impl<'a> Sweep<'a> {
         };
         let design = &case.loaded.design;
         let tip_m = design.observation.tip_station * case.planform.length_m();
-        Ok(Ok(DivergenceStep {
+        let found = DivergenceStep {
             value,
             tip_dynamic_pressure_pa: tip_dynamic_pressure_pa(&case),
             tip_twist_deg: twist_at(design, &case.planform, &solution, tip_m).map(f64::to_degrees),
             lift_mn: lift(&case, &solution)?.map_or(0.0, |report| report.solved.lift_mn),
             iterations: solution.report.iterations,
-        }))
+        };
+        *last = Some(solution);
+        Ok(Ok(found))
     }
 
     fn at(&self, value: f64) -> Result<Case, Failure> {
@@ -194,13 +202,14 @@ impl<'a> Sweep<'a> {
     fn narrow(
         &self,
         steps: &mut Vec<DivergenceStep>,
+        mut last: Option<Solution>,
         mut failed: f64,
         mut reason: String,
     ) -> Result<DivergenceLimit, Failure> {
         let mut converged = steps.last().map_or(0.0, |step| step.value);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (converged + failed);
-            match self.solve(middle)? {
+            match self.solve(middle, &mut last)? {
                 Ok(found) => {
                     converged = middle;
                     steps.push(found);

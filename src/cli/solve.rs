@@ -61,9 +61,11 @@ impl Solve {
         let reading = Reading::of(&case, &solution, &BTreeMap::new())?;
         let uncertainty = self
             .uncertainty
-            .map(|samples| band(&case, &reading, samples, progress));
+            .map(|samples| band(&case, &solution, &reading, samples, progress));
         let uncertainty = uncertainty.transpose()?;
-        let stroke = self.stroke.map(|phases| stroke::solve(&case, phases, progress));
+        let stroke = self
+            .stroke
+            .map(|phases| stroke::solve(&case, &solution, phases, progress));
         let stroke: Option<StrokeRun> = stroke.transpose()?;
         let design = &case.loaded.design;
         let numbers = engineering(design, &case.planform, &solution, progress);
@@ -133,11 +135,18 @@ fn check_stop(case: &Case, solution: &Solution) -> Result<(), Failure> {
     Ok(())
 }
 
-fn band(case: &Case, reading: &Reading, samples: usize, progress: &Progress) -> Result<Uncertainty, Failure> {
+fn band(
+    case: &Case,
+    solution: &Solution,
+    reading: &Reading,
+    samples: usize,
+    progress: &Progress,
+) -> Result<Uncertainty, Failure> {
     let outputs = ProfileOutputs::new(&reading.profile, &stretches_mm(reading));
     let unseen = progress.unseen();
-    let evaluate =
-        |design: &Design| -> Result<Vec<f64>, String> { outputs.read(&profile_of(case, design, &unseen)?) };
+    let evaluate = |design: &Design| -> Result<Vec<f64>, String> {
+        outputs.read(&profile_of(case, solution, design, &unseen)?)
+    };
     let settings = UncertaintySettings {
         samples,
         ..UncertaintySettings::default()
@@ -165,8 +174,16 @@ fn stretches_mm(reading: &Reading) -> Vec<[f64; 2]> {
     fitted.map(|stage| [stage.from_mm, stage.to_mm]).collect()
 }
 
-fn profile_of(case: &Case, design: &Design, progress: &Progress) -> Result<TwistProfile, String> {
+/// The profile of another design, solved from the solution of the case.
+fn profile_of(
+    case: &Case,
+    solution: &Solution,
+    design: &Design,
+    progress: &Progress,
+) -> Result<TwistProfile, String> {
     let case = case.with(design.clone()).map_err(|error| error.to_string())?;
-    let solution = case.solve(progress).map_err(|error| error.to_string())?;
+    let solution = case
+        .solve_from(Some(solution), progress)
+        .map_err(|error| error.to_string())?;
     read_profile(&case.loaded.design, &case.planform, &solution).map_err(|error| error.to_string())
 }

@@ -25,10 +25,10 @@ pub struct StrokeRun {
     shapes: Vec<Vec<u8>>,
 }
 
-/// Solves at `count` phases, evenly from mid-stroke to just before the reversal.
+/// Solves at `count` phases, evenly from mid-stroke to just before the reversal; the first from `nearby`, each from the one before.
 ///
 /// Nothing here has inertia or memory, so both sides of mid-stroke are the same.
-pub fn solve(case: &Case, count: u16, progress: &Progress) -> Result<StrokeRun, Failure> {
+pub fn solve(case: &Case, nearby: &Solution, count: u16, progress: &Progress) -> Result<StrokeRun, Failure> {
     let Some(flapping) = &case.loaded.design.flapping else {
         return Err(Failure::Option {
             option: "--stroke",
@@ -37,14 +37,19 @@ pub fn solve(case: &Case, count: u16, progress: &Progress) -> Result<StrokeRun, 
     };
     let stop_angle_rad = flapping.stop_angle_deg.value().to_radians();
     let (mut phases, mut shapes, mut twists) = (Vec::new(), Vec::new(), Vec::new());
+    let mut last = nearby.clone();
     for index in 0..count {
         let phase_rad = FRAC_PI_2 * f64::from(index) / f64::from(count);
         let phase_deg = phase_rad.to_degrees();
         progress.say(format_args!("solving at phase {phase_deg:.1} deg of the stroke"));
         let case = at_phase(case, phase_deg)?;
-        let solution = case
-            .solve(progress)
-            .map_err(|source| not_solved(&case, phase_deg, source))?;
+        // the phase of the design is solved already
+        let solution = if phase_deg == flapping.phase_deg {
+            nearby.clone()
+        } else {
+            case.solve_from(Some(&last), progress)
+                .map_err(|source| not_solved(&case, phase_deg, source))?
+        };
         let twist = TwistAlongSpan::from_strips(&solution.strips, stop_angle_rad);
         twists.push((phase_rad, twist.map_err(|error| case.fault(error))?));
         shapes.push(shape(&case, &solution)?);
@@ -56,6 +61,7 @@ pub fn solve(case: &Case, count: u16, progress: &Progress) -> Result<StrokeRun, 
             forces: lift(&case, &solution)?.map(|report| report.solved),
             file: format!("wing-phase-{index:02}.vtu"),
         });
+        last = solution;
     }
     let mean = means(case, |_| TwistHistory::solved(twists))?;
     let mean =

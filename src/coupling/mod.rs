@@ -1,4 +1,4 @@
-//! Air and structure together: load and shape transfer, residual, fixed point, sensitivity.
+//! Air and structure together: load and shape transfer, residual, Newton's method, fixed point, sensitivity.
 
 pub mod accelerate;
 

@@ -58,7 +58,7 @@ pub struct SolveReport {
     pub residual: f64,
     /// Largest change of twist in the last iteration, deg.
     pub twist_change_deg: f64,
-    /// Fixed-point iterations.
+    /// Updates of the air load: Newton steps on air and structure together, or fixed-point iterations.
     pub iterations: usize,
     /// Newton steps of the structure in all.
     pub newton_steps: usize,

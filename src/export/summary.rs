@@ -159,7 +159,7 @@ pub struct SolveSummary {
     pub outcome: Outcome,
     /// Degrees of freedom.
     pub dof: usize,
-    /// Fixed-point iterations between air and structure.
+    /// Updates of the air load: Newton steps on air and structure together, or fixed-point iterations.
     pub iterations: usize,
     /// Newton steps of the structure in all.
     pub newton_steps: usize,

@@ -23,7 +23,7 @@ fn base_model(name: &str) -> Loaded {
     assert!(design.effects.is_empty());
     assert_eq!(design.structure.kinematics, Kinematics::LargeRotation);
     assert_eq!(design.structure.drilling_factor, 1.0);
-    assert_eq!(design.coupling.accelerator, Accelerator::Anderson);
+    assert_eq!(design.coupling.accelerator, Accelerator::Newton);
     assert_eq!(film.compression, FilmCompression::TensionField);
     assert_eq!(film.pretension_n_per_m.value(), 0.0);
     assert_eq!(design.root.chord, RootChord::Free);

@@ -20,6 +20,7 @@ fn load_increments_and_accelerator_leave_twist_and_lift_within_a_millionth() {
             "structure.load_increments=10",
             "coupling.accelerator=none",
             "coupling.accelerator=aitken",
+            "coupling.accelerator=anderson",
         ] {
             let other = shipped(name, &[set]);
             let again = other.solve();

@@ -8,3 +8,4 @@ mod sensitivity;
 mod support;
 mod tangent;
 mod uniform_wing;
+mod warm_start;

@@ -88,7 +88,7 @@ pub struct Design {
     /// The mesh density.
     #[serde(default)]
     pub mesh: MeshSettings,
-    /// The settings of the fixed point between air and structure.
+    /// The settings of the iteration between air and structure.
     #[serde(default)]
     pub coupling: Coupling,
     /// Where and how twist is read.

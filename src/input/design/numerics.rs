@@ -1,4 +1,4 @@
-//! How it is solved: kinematics, mesh density, fixed point.
+//! How it is solved: kinematics, mesh density, coupling.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -53,7 +53,7 @@ pub struct MeshSettings {
     pub file: Option<String>,
 }
 
-/// Fixed point between air and structure.
+/// How air and structure meet.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Coupling {
