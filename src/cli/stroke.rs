@@ -44,7 +44,7 @@ pub fn solve(case: &Case, nearby: &Solution, count: u16, progress: &Progress) ->
         progress.say(format_args!("solving at phase {phase_deg:.1} deg of the stroke"));
         let case = at_phase(case, phase_deg)?;
         // the phase of the design is solved already
-        let solution = if phase_deg == flapping.phase_deg {
+        let solution = if phase_deg == flapping.phase_deg.value() {
             nearby.clone()
         } else {
             case.solve_from(Some(&last), progress)
