@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::progress::Progress;
 use crate::study::{Fit, Forward};
 
-use super::data::{Data, Scatter};
+use super::data::{Data, Scatter, start};
 use super::draws::Draws;
 use super::error::DiagnoseError;
 use super::evidence::Likelihood;
@@ -31,7 +31,7 @@ pub struct Baseline<'a> {
     pub settings: &'a Settings,
     /// What is fitted.
     pub data: Data,
-    /// Predictions at the prior means.
+    /// Predictions where the unknowns start.
     pub raw: DVector<f64>,
     /// Predictions by which the admitted error is scaled.
     pub value: DVector<f64>,
@@ -66,18 +66,18 @@ impl<'a> Baseline<'a> {
         progress: &Progress,
     ) -> Result<Baseline<'a>, DiagnoseError> {
         settings.check()?;
-        let data = Data::new(forward)?;
+        let start = start(forward, settings)?;
+        let data = Data::new(forward, &start)?;
         let size = data.rows.len();
-        let means: Vec<f64> = forward.unknowns().iter().map(|unknown| unknown.mean).collect();
         progress.say("fitting the model as it is");
-        let raw = forward.predict(&means)?;
+        let raw = forward.predict(&start)?;
         if raw.iter().any(|value| !value.is_finite()) {
             return Err(DiagnoseError::NotFinite {
-                what: "the prior means".into(),
+                what: "its start".into(),
             });
         }
         let stated = Scatter::new(forward, &data, &raw, settings, 1.0, vec![1.0; size])?;
-        let first = stated.fit(forward, &data, &data.model, &means)?;
+        let first = stated.fit(forward, &data, &data.model, &start)?;
         progress.check()?;
         progress.say("derivatives with every effect");
         let slopes = slopes_of_missing(forward, &data, &first.at, settings)?;

@@ -24,17 +24,34 @@ pub struct Data {
     pub missing: Vec<usize>,
 }
 
-/// Whether an unknown is the strength of an effect that the model lacks: its prior is centred at none.
-pub fn is_missing(unknown: &Unknown) -> bool {
-    matches!(unknown.kind, UnknownKind::Effect { .. }) && unknown.mean == 0.0
+/// Whether an unknown is the strength of an effect that the model lacks: its prior is centred at none, and so it starts.
+pub fn is_missing(unknown: &Unknown, start: f64) -> bool {
+    matches!(unknown.kind, UnknownKind::Effect { .. }) && unknown.mean == 0.0 && start == 0.0
+}
+
+/// Where the unknowns start: as the settings say, or at the means of their priors.
+///
+/// # Errors
+/// If the settings give another count of values.
+pub fn start(forward: &dyn Forward, settings: &Settings) -> Result<Vec<f64>, DiagnoseError> {
+    let unknowns = forward.unknowns();
+    match &settings.start {
+        None => Ok(unknowns.iter().map(|unknown| unknown.mean).collect()),
+        Some(start) if start.len() == unknowns.len() => Ok(start.clone()),
+        Some(start) => Err(DiagnoseError::BadSetting {
+            name: "count of start values",
+            value: start.len() as f64,
+            cure: "give one value for each unknown",
+        }),
+    }
 }
 
 impl Data {
-    /// Of a model.
+    /// Of a model whose unknowns start at `start`.
     ///
     /// # Errors
     /// If there is nothing to fit or no effect to try.
-    pub fn new(forward: &dyn Forward) -> Result<Data, DiagnoseError> {
+    pub fn new(forward: &dyn Forward, start: &[f64]) -> Result<Data, DiagnoseError> {
         let (observables, conditions) = (forward.observables(), forward.conditions());
         let order = |&a: &usize, &b: &usize| compare(forward, a, b);
         let (mut held_out, mut rows): (Vec<usize>, Vec<usize>) =
@@ -43,7 +60,7 @@ impl Data {
         held_out.sort_by(order);
         let unknowns = forward.unknowns();
         let (missing, model): (Vec<usize>, Vec<usize>) =
-            (0..unknowns.len()).partition(|&i| is_missing(&unknowns[i]));
+            (0..unknowns.len()).partition(|&i| is_missing(&unknowns[i], start[i]));
         if rows.is_empty() {
             return Err(DiagnoseError::NoData);
         }

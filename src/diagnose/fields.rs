@@ -29,7 +29,7 @@ pub enum Law {
     Free,
     /// A moment per length −b(x) θ.
     Spring,
-    /// A twist rate β(x) dθ/dx: the wing is softer than modelled.
+    /// A twist rate β(x) dθ/dx: the wing is softer than modelled. (Of the deflection, where no twist was read.)
     Compliance,
     /// An error of the reading, the same in all conditions.
     Sensor,
@@ -175,7 +175,7 @@ struct Places {
     /// Prediction and stated standard deviation.
     value: DVector<f64>,
     sigma: DVector<f64>,
-    /// Hat functions of the stations at the observables that read twist.
+    /// Hat functions of the stations at the observables that read twist (deflection, if none does).
     hats: DMatrix<f64>,
     /// Predicted twist of the observable's condition at the stations (for all channels).
     twist_at_stations: DMatrix<f64>,
@@ -194,11 +194,17 @@ impl Places {
             twist_at_stations: DMatrix::zeros(size, stations),
             compliance: DMatrix::zeros(size, stations),
         };
+        let is_twist = |&row: &usize| observables[row].channel == Channel::Twist;
+        let channel = if data.rows.iter().any(is_twist) {
+            Channel::Twist
+        } else {
+            Channel::Deflection
+        };
         for (condition, positions) in data.conditions(forward) {
             let length_mm = 1e3 * forward.conditions()[condition].length_m;
             let at = |position: usize| {
                 let observable = &observables[data.rows[position]];
-                let is_value = observable.channel == Channel::Twist && observable.bound == Bound::None;
+                let is_value = observable.channel == channel && observable.bound == Bound::None;
                 is_value.then_some(observable.r_mm.unwrap_or(0.0) / length_mm)
             };
             let mut line: Vec<[f64; 2]> = positions

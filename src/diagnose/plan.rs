@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::progress::Progress;
 use crate::study::Forward;
 
-use super::data::{Data, Scatter};
+use super::data::{Data, Scatter, start};
 use super::error::DiagnoseError;
 use super::posterior::SEPARATE;
 use super::screening::{Directions, ENOUGH_POWER, effect_of, family_wise, slopes_of_missing};
@@ -55,14 +55,14 @@ pub struct PlannedEffect {
 /// If there is nothing to measure or no effect to look for, a result is not finite, or the user asked to stop.
 pub fn plan(forward: &dyn Forward, settings: &Settings, progress: &Progress) -> Result<Plan, DiagnoseError> {
     settings.check()?;
-    let data = Data::new(forward)?;
+    let start = start(forward, settings)?;
+    let data = Data::new(forward, &start)?;
     let unknowns = forward.unknowns();
-    let means: Vec<f64> = unknowns.iter().map(|unknown| unknown.mean).collect();
     progress.say("derivatives with every effect");
     let is_of_model = |name: &str| data.model.iter().any(|&i| unknowns[i].name == name);
-    let linear = forward.linearize(&means, &|unknown| is_of_model(&unknown.name))?;
+    let linear = forward.linearize(&start, &|unknown| is_of_model(&unknown.name))?;
     progress.check()?;
-    let slopes = slopes_of_missing(forward, &data, &means, settings)?;
+    let slopes = slopes_of_missing(forward, &data, &start, settings)?;
     let size = data.rows.len();
     let scale = settings.noise_scale.unwrap_or(1.0);
     let scatter = Scatter::new(forward, &data, &linear.value, settings, scale, vec![1.0; size])?;

@@ -15,6 +15,9 @@ pub struct Settings {
     pub significance: f64,
     /// How many numbers the stated standard deviations are worth when the noise is estimated from the data.
     pub noise_trust: usize,
+    /// Where the unknowns start, in their units; at the means of their priors otherwise. An effect that starts off zero is
+    /// part of the model.
+    pub start: Option<Vec<f64>>,
     /// Factor on the stated standard deviations, if it is known; estimated from the data otherwise.
     pub noise_scale: Option<f64>,
     /// Draws of noise that the significance is judged by.
@@ -30,7 +33,7 @@ pub struct Settings {
     /// Places along the span by which a missing load is reconstructed.
     pub stations: usize,
     /// Step by which effects with a kink at zero are seen, as a share of their scale; without it the derivative that
-    /// the model states is taken.
+    /// the model states is taken, which then must have seen such effects from a step itself.
     pub switch_step: Option<f64>,
     /// Power to which evidence is raised before it becomes a probability: below 1 it is less sure of itself.
     pub tempering: f64,
@@ -67,6 +70,7 @@ impl Default for Settings {
             slop: 0.01,
             significance: 0.01,
             noise_trust: 5,
+            start: None,
             noise_scale: None,
             draws: 8000,
             seed: 1,
@@ -74,7 +78,7 @@ impl Default for Settings {
             refits: 8,
             pair_refits: 6,
             stations: 16,
-            switch_step: Some(0.05),
+            switch_step: None,
             tempering: 1.0,
         }
     }

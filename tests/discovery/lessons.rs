@@ -1,10 +1,12 @@
 //! What a prototype taught, each lesson as a test.
 
-use nalgebra::DVector;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use nalgebra::{DMatrix, DVector};
 use washout::diagnose::draws::Draws;
 use washout::diagnose::{Diagnosis, Plan, Settings, Verdict, diagnose, diagnose_with, plan};
 use washout::progress::Progress;
-use washout::study::{Forward, UnknownKind};
+use washout::study::{Condition, Forward, Linear, Observable, StudyError, Unknown, UnknownKind};
 
 use crate::cases::{Kind, case, good_campaign, measure, poor_campaign};
 use crate::rod::Toy;
@@ -199,7 +201,7 @@ fn shuffled_signs_of_the_residual_read_as_nothing_missing() {
 /// A toy without one of its effects.
 struct Without<'a> {
     toy: &'a Toy,
-    unknowns: Vec<washout::study::Unknown>,
+    unknowns: Vec<Unknown>,
     left_out: usize,
 }
 
@@ -227,32 +229,24 @@ impl<'a> Without<'a> {
 }
 
 impl Forward for Without<'_> {
-    fn unknowns(&self) -> &[washout::study::Unknown] {
+    fn unknowns(&self) -> &[Unknown] {
         &self.unknowns
     }
-    fn observables(&self) -> &[washout::study::Observable] {
+    fn observables(&self) -> &[Observable] {
         &self.toy.observables
     }
-    fn conditions(&self) -> &[washout::study::Condition] {
+    fn conditions(&self) -> &[Condition] {
         &self.toy.conditions
     }
-    fn predict(&self, at: &[f64]) -> Result<DVector<f64>, washout::study::StudyError> {
+    fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
         self.toy.predict(&self.whole(at))
     }
-    fn linearize(
-        &self,
-        at: &[f64],
-        wanted: &dyn Fn(&washout::study::Unknown) -> bool,
-    ) -> Result<washout::study::Linear, washout::study::StudyError> {
+    fn linearize(&self, at: &[f64], wanted: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError> {
         let mut linear = self.toy.linearize(&self.whole(at), wanted)?;
         linear.jacobian = linear.jacobian.remove_column(self.left_out);
         Ok(linear)
     }
-    fn moment_response(
-        &self,
-        at: &[f64],
-        stations: usize,
-    ) -> Result<nalgebra::DMatrix<f64>, washout::study::StudyError> {
+    fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {
         self.toy.moment_response(&self.whole(at), stations)
     }
 }
@@ -277,7 +271,7 @@ fn without_the_true_effect_in_the_library_no_other_is_named() {
 
 #[test]
 fn an_effect_that_was_added_is_part_of_the_model() {
-    let mut toy = study(vec![Hidden::Known("film_tension", 1.0)], 10);
+    let toy = study(vec![Hidden::Known("film_tension", 1.0)], 10);
     let index = toy
         .unknowns
         .iter()
@@ -285,15 +279,19 @@ fn an_effect_that_was_added_is_part_of_the_model() {
         .expect("that effect");
     let before = said(&toy);
     assert!(!matches!(before.verdict, Verdict::Nothing));
-    toy.unknowns[index].mean = before.hypotheses[0].strength.expect("a strength");
-    let after = said(&toy);
+    let mut start = vec![0.0; toy.unknowns.len()];
+    start[index] = before.hypotheses[0].strength.expect("a strength");
+    let settings = Settings {
+        start: Some(start),
+        ..Settings::default()
+    };
+    let after = diagnose(&toy, &settings, &Progress::quiet()).expect("a diagnosis");
     assert_eq!(after.verdict, Verdict::Nothing, "{}", after.sentence);
     assert!(after.effects.iter().all(|row| row.effect != "film_tension"));
 }
 
 #[test]
-fn the_next_experiment_is_where_rivals_part() {
-    let toy = study(vec![Hidden::Known("film_tension", 0.5)], 11);
+fn the_next_experiment_is_where_rivals_part_and_twins_part_nowhere() {
     let candidates = Toy::new(
         &crate::cases::WINGS,
         &[
@@ -304,12 +302,23 @@ fn the_next_experiment_is_where_rivals_part() {
         &[0.2, 0.4, 0.6, 0.8, 0.98],
         0.3,
     );
-    let said = diagnose_with(&toy, Some(&candidates), &Settings::default(), &Progress::quiet())
-        .expect("a diagnosis");
-    let next = said.next_experiment.expect("rivals");
-    assert_eq!(next.candidates.len(), 3);
-    // hardly any load, hardly any difference
-    assert_eq!(next.candidates[2].name, "thick-10-20", "{next:?}");
+    let next = |hidden: Hidden, seed: u64| {
+        let toy = study(vec![hidden], seed);
+        diagnose_with(&toy, Some(&candidates), &Settings::default(), &Progress::quiet())
+            .expect("a diagnosis")
+            .next_experiment
+    };
+    let twins = next(Hidden::Known("root_compliance", 150.0), 2).expect("rivals");
+    assert!(
+        twins.best.is_none() && twins.sentence.starts_with("No listed experiment"),
+        "{twins:?}"
+    );
+    let rivals = (11..30)
+        .find_map(|seed| next(Hidden::Known("stall", 0.8), seed))
+        .expect("rivals");
+    assert_eq!(rivals.candidates.len(), 3);
+    // rivals that agree where they were fitted part where the wing is driven harder
+    assert_eq!(rivals.candidates[0].name, "thin-35-70", "{rivals:?}");
 }
 
 #[test]
@@ -350,4 +359,53 @@ fn a_plan_tells_what_could_be_seen_before_anything_is_measured() {
     assert!(of(&good, "root_compliance").confused_with[0].effect == "clamp_slip");
     // a factor on the air coefficient is what the calibration takes
     assert!(of(&good, "coefficient_scale").absorbed > of(&good, "root_compliance").absorbed);
+}
+
+/// A toy that counts what it is asked.
+struct Counted<'a> {
+    toy: &'a Toy,
+    whole: AtomicUsize,
+    few: AtomicUsize,
+}
+
+impl Forward for Counted<'_> {
+    fn unknowns(&self) -> &[Unknown] {
+        &self.toy.unknowns
+    }
+    fn observables(&self) -> &[Observable] {
+        &self.toy.observables
+    }
+    fn conditions(&self) -> &[Condition] {
+        &self.toy.conditions
+    }
+    fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
+        self.toy.predict(at)
+    }
+    fn linearize(&self, at: &[f64], wanted: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError> {
+        let asked = self.toy.unknowns.iter().filter(|unknown| wanted(unknown)).count();
+        let count = if asked > 10 { &self.whole } else { &self.few };
+        count.fetch_add(1, Ordering::Relaxed);
+        self.toy.linearize(at, wanted)
+    }
+    fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {
+        self.toy.moment_response(at, stations)
+    }
+}
+
+#[test]
+fn all_effects_are_linearized_twice_and_few_unknowns_some_forty_times() {
+    for hidden in [
+        Hidden::Known("film_tension", 1.0),
+        Hidden::Known("camera_scale", 0.0),
+    ] {
+        let toy = study(vec![hidden], 12);
+        let counted = Counted {
+            toy: &toy,
+            whole: AtomicUsize::new(0),
+            few: AtomicUsize::new(0),
+        };
+        diagnose(&counted, &Settings::default(), &Progress::quiet()).expect("a diagnosis");
+        let (whole, few) = (counted.whole.into_inner(), counted.few.into_inner());
+        assert!(whole <= 2 && few <= 60, "{whole} {few}");
+    }
 }
