@@ -5,6 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::coupling::CouplingError;
+use crate::diagnose::DiagnoseError;
 use crate::export::ExportError;
 use crate::input::InputError;
 use crate::progress::Cancelled;
@@ -79,6 +80,14 @@ pub enum Failure {
         study: PathBuf,
         /// Why.
         source: StudyError,
+    },
+    /// A study that gives no diagnosis.
+    #[error("{}: {source}", study.display())]
+    Diagnosis {
+        /// The study file.
+        study: PathBuf,
+        /// Why.
+        source: DiagnoseError,
     },
     /// An option that this design does not allow.
     #[error("{option}: {reason}")]
@@ -158,6 +167,11 @@ impl Failure {
             } => 130,
             Failure::Coupling { .. } | Failure::Phase { .. } | Failure::Option { .. } => 2,
             Failure::Unstable { .. } => 3,
+            Failure::Diagnosis { source, .. } => match source {
+                DiagnoseError::Study(source) => source.exit_code(),
+                DiagnoseError::Cancelled(_) => 130,
+                _ => 2,
+            },
             Failure::Study(source) | Failure::OfStudy { source, .. } => source.exit_code(),
             Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } | Failure::NoMeasurement { .. } => 2,

@@ -31,6 +31,10 @@ pub mod schema;
 
 pub mod effects;
 
+pub mod diagnose;
+
+pub mod add;
+
 pub mod diff;
 
 pub mod verify;
@@ -90,6 +94,10 @@ pub enum Verb {
     Init(init::Init),
     /// Print the JSON schema of a file or of an output
     Schema(schema::Schema),
+    /// Find which physics the model of a study lacks, and how sure that is
+    Diagnose(diagnose::Diagnose),
+    /// Add an effect to the model of a study, and see the error fall
+    Add(add::Add),
     /// List the physics that can be added to a design, or print the card of one
     Effects(effects::ListEffects),
     /// Compare two runs: inputs, results, twist
@@ -114,6 +122,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Mesh(verb) => verb.run(&console),
         Verb::Init(verb) => verb.run(&console),
         Verb::Schema(verb) => verb.run(&console),
+        Verb::Diagnose(verb) => verb.run(&console),
+        Verb::Add(verb) => verb.run(&console),
         Verb::Effects(verb) => verb.run(&console),
         Verb::Diff(verb) => verb.run(&console),
         Verb::Verify(verb) => verb.run(&console),

@@ -1,11 +1,10 @@
 //! `washout verify`: the published cases, run and judged.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::export::ExportError;
+use crate::export::file::write_whole;
 use crate::export::run::RunFolder;
 use crate::export::text::Table;
 use crate::export::trust::{markdown, trust_page};
@@ -64,7 +63,7 @@ impl Verify {
         console.progress().check()?;
         let path = folder.commit()?;
         if let Some(page) = &self.page {
-            write(page, &trust_page(&report))?;
+            write_whole(page, trust_page(&report).as_bytes())?;
         }
         let files = format!("\nFiles in {}: {}\n", path.display(), report.files.join(" "));
         console.result(&(report.page() + &files), &report)?;
@@ -86,10 +85,6 @@ impl Verify {
         };
         self.cases.iter().map(find).collect()
     }
-}
-
-fn write(path: &Path, text: &str) -> Result<(), ExportError> {
-    fs::write(path, text).map_err(ExportError::file("write", path))
 }
 
 fn names(cases: &[&Case]) -> Vec<&'static str> {

@@ -2,6 +2,8 @@
 
 pub mod error;
 
+pub mod file;
+
 pub mod vtu;
 
 pub mod wing;
@@ -21,6 +23,8 @@ pub mod collect;
 pub mod run;
 
 pub mod comparison;
+
+pub mod diagnosis;
 
 pub mod difference;
 

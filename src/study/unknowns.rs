@@ -190,7 +190,7 @@ impl Targets {
                 one_sided: parameter.is_one_sided(),
                 has_switch: card.has_switch,
             },
-            mean: strength,
+            mean: 0.0,
             sigma,
             range: parameter.range,
         };

@@ -56,8 +56,15 @@ impl LoadedStudy {
     /// # Errors
     /// Whatever is wrong with it, with place and cure.
     pub fn load(path: &Path, sets: &[String]) -> Result<LoadedStudy, InputError> {
-        let text = file::read_text(path, "study file")?;
-        let root = Node::parse_file(&file::shown(path), &text)?;
+        LoadedStudy::from_text(path, &file::read_text(path, "study file")?, sets)
+    }
+
+    /// Reads a study from its text as if it stood at `path`.
+    ///
+    /// # Errors
+    /// As [`LoadedStudy::load`].
+    pub fn from_text(path: &Path, text: &str, sets: &[String]) -> Result<LoadedStudy, InputError> {
+        let root = Node::parse_file(&file::shown(path), text)?;
         format_is_one(&root)?;
         form::check(&root, keys::study())?;
         let study = Study::deserialize(root.to_value()).map_err(|error| {

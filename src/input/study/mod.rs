@@ -164,7 +164,7 @@ pub struct StudyEffect {
     /// The strength with which it starts.
     #[schemars(extend("minimum" = -1e12, "maximum" = 1e12, "examples" = [0.8]))]
     pub strength: f64,
-    /// The standard deviation of the prior of its strength; without one it stays as it is.
+    /// The standard deviation of the prior of its strength, about 0; without one the strength stays as it is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e12, "examples" = [0.2]))]
     pub sigma: Option<f64>,

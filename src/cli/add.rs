@@ -1,0 +1,182 @@
+//! `washout add`: an effect joins the model of a study, and the error falls, or does not.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use toml_edit::{ArrayOfTables, DocumentMut, Item, value};
+
+use crate::compare::StudyComparison;
+use crate::compare::study::compare_study;
+use crate::effects::named;
+use crate::export::file::write_whole;
+use crate::export::text::{Table, significant};
+use crate::input::study::LoadedStudy;
+use crate::study::Campaign;
+
+use super::{Console, Failure};
+
+/// Arguments of `washout add`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout add skin-bending --to studies/pre-pazy-skin.toml --output with-skin.toml
+  washout add skin-bending --to with-skin.toml --remove
+
+The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of
+the strength stays as wide as what is plausible. Comments of the study are kept.")]
+pub struct Add {
+    /// The effect
+    pub effect: String,
+    /// The study
+    #[arg(long, value_name = "STUDY")]
+    pub to: PathBuf,
+    /// Take the effect out instead
+    #[arg(long)]
+    pub remove: bool,
+    /// Write the study here instead of over the old one; paths in it stay relative to it, so keep the folder
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// What `washout add` prints.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct AddReport {
+    /// The study as written.
+    pub written: PathBuf,
+    /// The effect.
+    pub effect: String,
+    /// Its fitted strength and standard error; none if it was taken out.
+    pub strength: Option<[f64; 2]>,
+    /// Root mean square errors: as stated, calibrated without the effect, with it.
+    pub ladder: Vec<AddRung>,
+}
+
+/// Errors of a channel of a wing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct AddRung {
+    /// The wing.
+    pub wing: String,
+    /// The channel.
+    pub channel: String,
+    /// Unit of the errors.
+    pub unit: String,
+    /// Whether it was kept out of the fit.
+    pub is_held_out: bool,
+    /// Root mean square error of the model as stated.
+    pub stated: f64,
+    /// Calibrated, before.
+    pub before: f64,
+    /// Calibrated, after.
+    pub after: f64,
+    /// Root mean square sigma of the measurement.
+    pub noise: f64,
+}
+
+impl Add {
+    /// Fits, writes and shows.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let Some(effect) = named(&self.effect) else {
+            let reason = format!("there is no effect {} (washout effects)", self.effect);
+            return Err(Failure::Option { option: "washout add EFFECT", reason });
+        };
+        let card = effect.card();
+        let target = self.output.clone().unwrap_or_else(|| self.to.clone());
+        let before = self.compared(&LoadedStudy::load(&self.to, &[])?, console)?;
+        let text = std::fs::read_to_string(&self.to).map_err(|error| Failure::Option {
+            option: "--to",
+            reason: format!("{}: {error}", self.to.display()),
+        })?;
+        let changed = self.changed(&text, 0.0, 1.5 * card.parameters[0].scale())?;
+        let after = self.compared(&LoadedStudy::from_text(&self.to, &changed, &[])?, console)?;
+        let key = format!("effects.{}.strength", card.name);
+        let found = after.unknowns.iter().find(|unknown| unknown.unknown.name == key);
+        let strength = found.map(|unknown| [unknown.value, unknown.standard_error]);
+        let text = match strength {
+            Some([value, _]) => self.changed(&text, value, 1.5 * card.parameters[0].scale())?,
+            None => changed,
+        };
+        write_whole(&target, text.as_bytes())?;
+        let report = AddReport {
+            written: target,
+            effect: card.name.to_string(),
+            strength,
+            ladder: ladder(&before, &after),
+        };
+        console.result(&page(&report), &report)
+    }
+
+    fn compared(&self, study: &LoadedStudy, console: &Console) -> Result<StudyComparison, Failure> {
+        let fault = |source| Failure::OfStudy {
+            study: self.to.clone(),
+            source,
+        };
+        let campaign = Campaign::new(study, &[], console.progress()).map_err(fault)?;
+        compare_study(&campaign, &study.study.title).map_err(fault)
+    }
+
+    /// The study's text with the effect in it, or out of it.
+    fn changed(&self, text: &str, strength: f64, sigma: f64) -> Result<String, Failure> {
+        let fault = |reason: String| Failure::Option { option: "--to", reason };
+        let mut document: DocumentMut = text.parse().map_err(|error: toml_edit::TomlError| fault(error.to_string()))?;
+        let tables = document.entry("effect").or_insert(Item::ArrayOfTables(ArrayOfTables::new()));
+        let Some(tables) = tables.as_array_of_tables_mut() else {
+            return Err(fault("effect must be written as tables [[effect]]".to_string()));
+        };
+        let is_it = |table: &toml_edit::Table| table.get("name").and_then(Item::as_str) == Some(self.effect.as_str());
+        let stands = tables.iter().any(is_it);
+        if self.remove {
+            if !stands {
+                return Err(fault(format!("{} is not in this study", self.effect)));
+            }
+            tables.retain(|table| !is_it(table));
+        } else if let Some(table) = tables.iter_mut().find(|table| is_it(table)) {
+            table["strength"] = value(strength);
+        } else {
+            let mut table = toml_edit::Table::new();
+            table["name"] = value(self.effect.as_str());
+            table["strength"] = value(strength);
+            table["sigma"] = value(sigma);
+            tables.push(table);
+        }
+        if tables.is_empty() {
+            document.remove("effect");
+        }
+        Ok(document.to_string())
+    }
+}
+
+fn ladder(before: &StudyComparison, after: &StudyComparison) -> Vec<AddRung> {
+    let rungs = before.groups.iter().zip(&after.groups).map(|(old, new)| AddRung {
+        wing: old.wing.clone(),
+        channel: old.channel.name().to_string(),
+        unit: old.unit.clone(),
+        is_held_out: old.is_held_out,
+        stated: old.rmse[0],
+        before: old.rmse[1],
+        after: new.rmse[1],
+        noise: old.sigma_of_measurement,
+    });
+    rungs.collect()
+}
+
+fn page(report: &AddReport) -> String {
+    let what = match report.strength {
+        Some([value, error]) => format!("{} with strength {} ± {}", report.effect, significant(value, 4), significant(error, 2)),
+        None => format!("without {}", report.effect),
+    };
+    let mut table = Table::new(["wing", "channel", "as_stated", "calibrated", "now", "noise", "unit", "use"]);
+    for rung in &report.ladder {
+        table.row([
+            rung.wing.clone(),
+            rung.channel.clone(),
+            significant(rung.stated, 3),
+            significant(rung.before, 3),
+            significant(rung.after, 3),
+            significant(rung.noise, 3),
+            rung.unit.clone(),
+            if rung.is_held_out { "held out" } else { "fit" }.to_string(),
+        ]);
+    }
+    format!("{}: {what}\n\nRoot mean square error\n{}", report.written.display(), table.render())
+}

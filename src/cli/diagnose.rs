@@ -1,0 +1,70 @@
+//! `washout diagnose`: which physics the model of a study lacks, and how sure that is.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::diagnose::{DiagnoseError, Settings, diagnose};
+use crate::effects::ALL;
+use crate::export::diagnosis::page;
+use crate::input::study::LoadedStudy;
+use crate::study::Campaign;
+
+use super::{Console, Failure};
+
+/// Arguments of `washout diagnose`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout diagnose studies/pre-pazy-skin.toml
+  washout diagnose my-study.toml --effect root-flexure --effect tip-loss-prandtl       these two only
+  washout diagnose my-study.toml --json | jq .verdict
+
+The verdict comes first, in one sentence; then what it rests on. Writes no files.")]
+pub struct Diagnose {
+    /// The study
+    pub study: PathBuf,
+    /// Change a key in every design of the study; can be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Try this effect; can be given many times [default: those that the study names, or all that can act]
+    #[arg(long, value_name = "NAME")]
+    pub effect: Vec<String>,
+    /// Probability of a false alarm that is accepted where nothing is missing
+    #[arg(long, value_name = "P", default_value_t = 0.01)]
+    pub significance: f64,
+    /// Seed of the draws of noise
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+}
+
+impl Diagnose {
+    /// Diagnoses.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let progress = console.progress();
+        let study = LoadedStudy::load(&self.study, &self.set)?;
+        let fault = |source: DiagnoseError| Failure::Diagnosis {
+            study: self.study.clone(),
+            source,
+        };
+        let names = candidates(&study, &self.effect);
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let campaign = Campaign::new(&study, &names, progress).map_err(|error| fault(error.into()))?;
+        let settings = Settings {
+            slop: campaign.slop,
+            significance: self.significance,
+            seed: self.seed,
+            ..Settings::default()
+        };
+        let diagnosis = diagnose(&campaign, &settings, progress).map_err(fault)?;
+        console.result(&page(&campaign.name, &diagnosis), &diagnosis)
+    }
+}
+
+/// Effects to be tried: those asked for, those that the study names, or all.
+pub fn candidates(study: &LoadedStudy, asked: &[String]) -> Vec<String> {
+    match (asked, &study.study.candidates) {
+        ([], None) => ALL.iter().map(|effect| effect.card().name.to_string()).collect(),
+        ([], Some(named)) => named.clone(),
+        (asked, _) => asked.to_vec(),
+    }
+}

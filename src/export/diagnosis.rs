@@ -1,0 +1,219 @@
+//! A diagnosis, as text: the sentence first, then what it rests on.
+
+use crate::diagnose::ladder::Rung;
+use crate::diagnose::novel::Reconstruction;
+use crate::diagnose::screening::Sight;
+use crate::diagnose::verdict::{EffectRow, Hypothesis};
+use crate::diagnose::{Diagnosis, Verdict};
+
+use super::text::{Table, number, significant, wrapped};
+
+/// Effects whose rows are shown when there are more.
+const SHOWN: usize = 24;
+
+/// The page of `washout diagnose`.
+pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
+    let mut sections = vec![format!("{study}\n\n{}", wrapped(&diagnosis.sentence, 0))];
+    sections.push(format!("Hypotheses\n{}", hypotheses(&diagnosis.hypotheses)));
+    sections.push(format!(
+        "Effects (score: distance from none in sigma; detectable: sigma that the plausible size would have)\n{}",
+        effects(&diagnosis.effects)
+    ));
+    if !diagnosis.unseen.is_empty() {
+        let names = diagnosis.unseen.join(", ");
+        sections.push(format!("Not visible in this campaign at their plausible size\n{}", wrapped(&names, 2)));
+    }
+    sections.push(format!("Where the calibrated model fails\n{}", misfit(diagnosis)));
+    sections.push(format!("Error from the model as stated down to the noise\n{}", ladder(&diagnosis.ladder)));
+    if let (Verdict::Novel, Some(found)) = (diagnosis.verdict, &diagnosis.novel.reconstruction) {
+        sections.push(format!("What is missing, along the span\n{}", reconstruction(found)));
+        if let Some(draft) = &diagnosis.novel.draft {
+            let text = format!("{}\n  [effects.custom]\n  # {}\n", draft.expression, draft.what);
+            sections.push(format!("A formula to start from (x = r/R)\n  {text}"));
+        }
+    }
+    if !diagnosis.predictions.is_empty() {
+        sections.push(format!("Held-out cases\n{}", predictions(diagnosis)));
+    }
+    if let Some(next) = &diagnosis.next_experiment {
+        let mut table = Table::new(["experiment", "separation_in_sigma"]);
+        for candidate in &next.candidates {
+            table.row([candidate.name.clone(), number(candidate.separation_sigma, 1)]);
+        }
+        sections.push(format!("What to measure next\n{}{}", wrapped(&next.sentence, 2), table.render()));
+    }
+    let p = &diagnosis.significance;
+    let noise = &diagnosis.noise;
+    let mut notes: String = diagnosis.notes.iter().map(|note| wrapped(note, 2)).collect();
+    notes.push_str(&wrapped(
+        &format!(
+            "{} numbers fitted; noise {} times as stated{}. If nothing were missing, a misfit like this would have the probability \
+             {} (largest score {}, misfit {}, smooth field {}, signs {}).",
+            noise.numbers,
+            significant(noise.scale, 3),
+            if noise.on_trust { ", taken on trust" } else { "" },
+            significant(p.p_null, 2),
+            significant(p.p_largest_score, 2),
+            significant(p.p_misfit, 2),
+            significant(p.p_field, 2),
+            significant(p.p_signs, 2)
+        ),
+        2,
+    ));
+    for outlier in &noise.outliers {
+        let line = format!(
+            "{}, line {}: far from what all others tell; its sigma was widened {} times.",
+            outlier.condition,
+            outlier.line,
+            significant(outlier.widening, 2)
+        );
+        notes.push_str(&wrapped(&line, 2));
+    }
+    sections.push(format!("Mind\n{notes}"));
+    sections.join("\n")
+}
+
+fn hypotheses(hypotheses: &[Hypothesis]) -> String {
+    let mut table = Table::new(["what is missing", "probability", "strength", "error", "plausible", "in_95_set", "gain_left_out"]);
+    for hypothesis in hypotheses {
+        let what = match hypothesis.effects.as_slice() {
+            [] => "nothing".to_string(),
+            [only] if only == "novel" => "none that is known".to_string(),
+            effects => effects.join(" + "),
+        };
+        let strengths = |of: &dyn Fn(&crate::diagnose::verdict::Strength) -> f64| {
+            let parts = hypothesis.strengths.iter().map(|s| significant(of(s), 3));
+            parts.collect::<Vec<_>>().join(" / ")
+        };
+        table.row([
+            what,
+            number(hypothesis.probability, 3),
+            strengths(&|s| s.value),
+            strengths(&|s| s.standard_error),
+            yes(hypothesis.plausible),
+            yes(hypothesis.in_set),
+            hypothesis.gain_left_out_conditions.map_or(String::new(), |gain| number(gain, 1)),
+        ]);
+    }
+    table.render()
+}
+
+fn yes(is: bool) -> String {
+    if is { "yes" } else { "no" }.to_string()
+}
+
+fn effects(effects: &[EffectRow]) -> String {
+    let mut order: Vec<&EffectRow> = effects.iter().collect();
+    order.sort_by(|a, b| b.score.abs().total_cmp(&a.score.abs()));
+    let mut table = Table::new([
+        "effect", "score", "one_step", "error", "refitted", "error", "plausible", "detectable", "seen", "ln_evidence", "nearest look-alike",
+        "apart_sigma",
+    ]);
+    for row in order.iter().take(SHOWN) {
+        let near = row.look_alikes.first();
+        let error = |error: f64| if error < 1e300 { significant(error, 2) } else { String::new() };
+        table.row([
+            row.effect.clone(),
+            number(row.score, 1),
+            significant(row.one_step, 3),
+            error(row.one_step_error),
+            row.refitted.map_or(String::new(), |value| significant(value, 3)),
+            row.refitted_error.map_or(String::new(), error),
+            yes(row.plausible),
+            number(row.detectability, 1),
+            match row.sight {
+                Sight::Present => "present",
+                Sight::Absent => "absent",
+                Sight::Undecidable => "undecidable",
+            }
+            .to_string(),
+            number(row.ln_evidence, 1),
+            near.map_or(String::new(), |near| format!("{} ({})", near.effect, number(near.cosine, 2))),
+            near.map_or(String::new(), |near| number(near.separation_sigma, 1)),
+        ]);
+    }
+    let more = effects.len().saturating_sub(SHOWN);
+    let rest = if more > 0 { format!("  … and {more} more with smaller scores (--json)\n") } else { String::new() };
+    format!("{}{rest}", table.render())
+}
+
+fn misfit(diagnosis: &Diagnosis) -> String {
+    let mut groups: Vec<_> = diagnosis.misfit.by_condition.iter().collect();
+    groups.sort_by(|a, b| b.share.total_cmp(&a.share));
+    let mut table = Table::new(["case", "channel", "numbers", "share", "mean_error", "uncertainty", "rms", "rms_in_sigma"]);
+    for group in groups.iter().take(12) {
+        table.row([
+            group.condition.clone(),
+            group.channel.name().to_string(),
+            group.numbers.to_string(),
+            format!("{:.0} %", 100.0 * group.share),
+            significant(group.mean_error, 3),
+            significant(group.mean_uncertainty, 2),
+            significant(group.rms, 3),
+            number(group.rms_sigma, 1),
+        ]);
+    }
+    let mut text = table.render();
+    for pull in diagnosis.misfit.pulls.iter().filter(|pull| pull.is_flagged) {
+        let line = format!(
+            "{} was pulled to {} ({} of its prior's sigma): it may stand in for what is missing.",
+            pull.unknown,
+            significant(pull.value, 4),
+            number(pull.pull, 1)
+        );
+        text.push_str(&wrapped(&line, 2));
+    }
+    text
+}
+
+/// The ladder of the error.
+pub fn ladder(rungs: &[Rung]) -> String {
+    let mut table = Table::new(["model", "channel", "in_sample", "left_out", "held_out", "unit"]);
+    for rung in rungs {
+        let shown = |value: Option<f64>| value.map_or(String::new(), |value| significant(value, 3));
+        table.row([
+            rung.name.clone(),
+            rung.channel.name().to_string(),
+            significant(rung.in_sample, 3),
+            shown(rung.left_out),
+            shown(rung.held_out),
+            rung.channel.unit().to_string(),
+        ]);
+    }
+    table.render()
+}
+
+fn reconstruction(found: &Reconstruction) -> String {
+    let mut text = String::new();
+    for profile in &found.field {
+        if let Some(condition) = &profile.condition {
+            text.push_str(&format!("  in {condition}\n"));
+        }
+        let mut table = Table::new(["r_over_R", "value", "sigma", "unit"]);
+        for point in &profile.points {
+            table.row([
+                number(point.r_over_length, 2),
+                significant(point.value, 3),
+                significant(point.standard_deviation, 2),
+                found.unit.clone(),
+            ]);
+        }
+        text.push_str(&table.render());
+    }
+    text
+}
+
+fn predictions(diagnosis: &Diagnosis) -> String {
+    let mut table = Table::new(["case", "line", "measured", "calibrated", "explained", "sigma"]);
+    for prediction in &diagnosis.predictions {
+        table.row([
+            prediction.condition.clone(),
+            prediction.line.to_string(),
+            significant(prediction.measured, 4),
+            significant(prediction.calibrated, 4),
+            significant(prediction.explained, 4),
+            significant(prediction.standard_deviation, 2),
+        ]);
+    }
+    table.render()
+}

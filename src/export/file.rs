@@ -1,0 +1,24 @@
+//! One file, written whole or not at all.
+
+use std::io::Write;
+use std::path::Path;
+
+use tempfile::NamedTempFile;
+
+use super::ExportError;
+
+/// Writes a file beside its place and moves it there when it is complete; an old one is replaced.
+///
+/// # Errors
+/// If it cannot be written; then what stood there still stands.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), ExportError> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut file = NamedTempFile::new_in(folder).map_err(ExportError::file("write", path))?;
+    file.write_all(bytes).map_err(ExportError::file("write", path))?;
+    let persisted = file.persist(path).map_err(|error| error.error);
+    persisted.map_err(ExportError::file("write", path))?;
+    Ok(())
+}
