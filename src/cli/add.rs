@@ -78,7 +78,10 @@ impl Add {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let Some(effect) = named(&self.effect) else {
             let reason = format!("there is no effect {} (washout effects)", self.effect);
-            return Err(Failure::Option { option: "washout add EFFECT", reason });
+            return Err(Failure::Option {
+                option: "washout add EFFECT",
+                reason,
+            });
         };
         let card = effect.card();
         let target = self.output.clone().unwrap_or_else(|| self.to.clone());
@@ -117,13 +120,21 @@ impl Add {
 
     /// The study's text with the effect in it, or out of it.
     fn changed(&self, text: &str, strength: f64, sigma: f64) -> Result<String, Failure> {
-        let fault = |reason: String| Failure::Option { option: "--to", reason };
-        let mut document: DocumentMut = text.parse().map_err(|error: toml_edit::TomlError| fault(error.to_string()))?;
-        let tables = document.entry("effect").or_insert(Item::ArrayOfTables(ArrayOfTables::new()));
+        let fault = |reason: String| Failure::Option {
+            option: "--to",
+            reason,
+        };
+        let mut document: DocumentMut = text
+            .parse()
+            .map_err(|error: toml_edit::TomlError| fault(error.to_string()))?;
+        let tables = document
+            .entry("effect")
+            .or_insert(Item::ArrayOfTables(ArrayOfTables::new()));
         let Some(tables) = tables.as_array_of_tables_mut() else {
             return Err(fault("effect must be written as tables [[effect]]".to_string()));
         };
-        let is_it = |table: &toml_edit::Table| table.get("name").and_then(Item::as_str) == Some(self.effect.as_str());
+        let is_it =
+            |table: &toml_edit::Table| table.get("name").and_then(Item::as_str) == Some(self.effect.as_str());
         let stands = tables.iter().any(is_it);
         if self.remove {
             if !stands {
@@ -162,10 +173,24 @@ fn ladder(before: &StudyComparison, after: &StudyComparison) -> Vec<AddRung> {
 
 fn page(report: &AddReport) -> String {
     let what = match report.strength {
-        Some([value, error]) => format!("{} with strength {} ± {}", report.effect, significant(value, 4), significant(error, 2)),
+        Some([value, error]) => format!(
+            "{} with strength {} ± {}",
+            report.effect,
+            significant(value, 4),
+            significant(error, 2)
+        ),
         None => format!("without {}", report.effect),
     };
-    let mut table = Table::new(["wing", "channel", "as_stated", "calibrated", "now", "noise", "unit", "use"]);
+    let mut table = Table::new([
+        "wing",
+        "channel",
+        "as_stated",
+        "calibrated",
+        "now",
+        "noise",
+        "unit",
+        "use",
+    ]);
     for rung in &report.ladder {
         table.row([
             rung.wing.clone(),
@@ -178,5 +203,9 @@ fn page(report: &AddReport) -> String {
             if rung.is_held_out { "held out" } else { "fit" }.to_string(),
         ]);
     }
-    format!("{}: {what}\n\nRoot mean square error\n{}", report.written.display(), table.render())
+    format!(
+        "{}: {what}\n\nRoot mean square error\n{}",
+        report.written.display(),
+        table.render()
+    )
 }

@@ -7,13 +7,14 @@
 
 use nalgebra::Vector3;
 
+use crate::effects::bind;
 use crate::geometry::Planform;
 use crate::input::design::Design;
 use crate::mesh::{Mesh, MeshError};
 use crate::structure::state::State;
 use crate::structure::{Equilibrium, Loads};
 
-use super::error::SensitivityError;
+use super::error::{CouplingError, SensitivityError};
 use super::feedback::Feedback;
 use super::solution::Solution;
 use super::wing::Wing;
@@ -321,6 +322,7 @@ impl<'a> Sensitivity<'a> {
         // the rate of a load has no key
         if !key.is_empty() {
             design.set(key, value)?;
+            bind(&design).map_err(CouplingError::from)?;
         }
         let (planform, mesh) = (self.remesh)(&design)?;
         let solved = &self.solution.mesh;

@@ -21,12 +21,21 @@ pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
     ));
     if !diagnosis.unseen.is_empty() {
         let names = diagnosis.unseen.join(", ");
-        sections.push(format!("Not visible in this campaign at their plausible size\n{}", wrapped(&names, 2)));
+        sections.push(format!(
+            "Not visible in this campaign at their plausible size\n{}",
+            wrapped(&names, 2)
+        ));
     }
     sections.push(format!("Where the calibrated model fails\n{}", misfit(diagnosis)));
-    sections.push(format!("Error from the model as stated down to the noise\n{}", ladder(&diagnosis.ladder)));
+    sections.push(format!(
+        "Error from the model as stated down to the noise\n{}",
+        ladder(&diagnosis.ladder)
+    ));
     if let (Verdict::Novel, Some(found)) = (diagnosis.verdict, &diagnosis.novel.reconstruction) {
-        sections.push(format!("What is missing, along the span\n{}", reconstruction(found)));
+        sections.push(format!(
+            "What is missing, along the span\n{}",
+            reconstruction(found)
+        ));
         if let Some(draft) = &diagnosis.novel.draft {
             let text = format!("{}\n  [effects.custom]\n  # {}\n", draft.expression, draft.what);
             sections.push(format!("A formula to start from (x = r/R)\n  {text}"));
@@ -40,7 +49,11 @@ pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
         for candidate in &next.candidates {
             table.row([candidate.name.clone(), number(candidate.separation_sigma, 1)]);
         }
-        sections.push(format!("What to measure next\n{}{}", wrapped(&next.sentence, 2), table.render()));
+        sections.push(format!(
+            "What to measure next\n{}{}",
+            wrapped(&next.sentence, 2),
+            table.render()
+        ));
     }
     let p = &diagnosis.significance;
     let noise = &diagnosis.noise;
@@ -74,7 +87,15 @@ pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
 }
 
 fn hypotheses(hypotheses: &[Hypothesis]) -> String {
-    let mut table = Table::new(["what is missing", "probability", "strength", "error", "plausible", "in_95_set", "gain_left_out"]);
+    let mut table = Table::new([
+        "what is missing",
+        "probability",
+        "strength",
+        "error",
+        "plausible",
+        "in_95_set",
+        "gain_left_out",
+    ]);
     for hypothesis in hypotheses {
         let what = match hypothesis.effects.as_slice() {
             [] => "nothing".to_string(),
@@ -92,7 +113,9 @@ fn hypotheses(hypotheses: &[Hypothesis]) -> String {
             strengths(&|s| s.standard_error),
             yes(hypothesis.plausible),
             yes(hypothesis.in_set),
-            hypothesis.gain_left_out_conditions.map_or(String::new(), |gain| number(gain, 1)),
+            hypothesis
+                .gain_left_out_conditions
+                .map_or(String::new(), |gain| number(gain, 1)),
         ]);
     }
     table.render()
@@ -106,12 +129,28 @@ fn effects(effects: &[EffectRow]) -> String {
     let mut order: Vec<&EffectRow> = effects.iter().collect();
     order.sort_by(|a, b| b.score.abs().total_cmp(&a.score.abs()));
     let mut table = Table::new([
-        "effect", "score", "one_step", "error", "refitted", "error", "plausible", "detectable", "seen", "ln_evidence", "nearest look-alike",
+        "effect",
+        "score",
+        "one_step",
+        "error",
+        "refitted",
+        "error",
+        "plausible",
+        "detectable",
+        "seen",
+        "ln_evidence",
+        "nearest look-alike",
         "apart_sigma",
     ]);
     for row in order.iter().take(SHOWN) {
         let near = row.look_alikes.first();
-        let error = |error: f64| if error < 1e300 { significant(error, 2) } else { String::new() };
+        let error = |error: f64| {
+            if error < 1e300 {
+                significant(error, 2)
+            } else {
+                String::new()
+            }
+        };
         table.row([
             row.effect.clone(),
             number(row.score, 1),
@@ -128,19 +167,34 @@ fn effects(effects: &[EffectRow]) -> String {
             }
             .to_string(),
             number(row.ln_evidence, 1),
-            near.map_or(String::new(), |near| format!("{} ({})", near.effect, number(near.cosine, 2))),
+            near.map_or(String::new(), |near| {
+                format!("{} ({})", near.effect, number(near.cosine, 2))
+            }),
             near.map_or(String::new(), |near| number(near.separation_sigma, 1)),
         ]);
     }
     let more = effects.len().saturating_sub(SHOWN);
-    let rest = if more > 0 { format!("  … and {more} more with smaller scores (--json)\n") } else { String::new() };
+    let rest = if more > 0 {
+        format!("  … and {more} more with smaller scores (--json)\n")
+    } else {
+        String::new()
+    };
     format!("{}{rest}", table.render())
 }
 
 fn misfit(diagnosis: &Diagnosis) -> String {
     let mut groups: Vec<_> = diagnosis.misfit.by_condition.iter().collect();
     groups.sort_by(|a, b| b.share.total_cmp(&a.share));
-    let mut table = Table::new(["case", "channel", "numbers", "share", "mean_error", "uncertainty", "rms", "rms_in_sigma"]);
+    let mut table = Table::new([
+        "case",
+        "channel",
+        "numbers",
+        "share",
+        "mean_error",
+        "uncertainty",
+        "rms",
+        "rms_in_sigma",
+    ]);
     for group in groups.iter().take(12) {
         table.row([
             group.condition.clone(),
