@@ -25,7 +25,8 @@ pub struct Observation {
     pub smallest_chord: f64,
     /// The nose-up pitch of the wing's root against the frame in which displacements are read (0: the wing frame).
     ///
-    /// A ruler that stands on the bench, or in the stream, reads a pitched wing in its own frame. Twist is not touched.
+    /// A ruler that stands on the bench, or in the stream, reads a pitched wing in its own frame. Twist is not touched, nor
+    /// the leading edge in profiles, which stays in the wing frame.
     #[schemars(extend("minimum" = -180.0, "maximum" = 180.0, "examples" = [0.0]))]
     pub frame_pitch_deg: f64,
     /// The fraction of the length that "tip" means.
