@@ -1,8 +1,10 @@
 //! The air that strips meet: its laws, its flow, and the effects that act on both.
 
+use std::sync::Arc;
+
 use super::strips::{Strip, Strips};
 use crate::aero::{AeroError, AirLaw, Flow, SectionAir, SectionChange, SectionCoefficients};
-use crate::effects::{Bound, Dual, Seam, StripPlace};
+use crate::effects::{Bound, Dual, Motion, Seam, StripPlace};
 use crate::input::design::{Design, Kinematics};
 
 /// The air that strips meet.
@@ -21,6 +23,7 @@ pub struct Air {
 #[derive(Debug, Clone)]
 struct Acting {
     effects: Vec<Bound>,
+    motion: Option<Arc<Motion>>,
     design: Design,
     flow: Option<Flow>,
     tip_m: f64,
@@ -55,6 +58,7 @@ impl Air {
         });
         let acting = Acting {
             effects,
+            motion: None,
             design: design.clone(),
             flow,
             tip_m: strips.tip_m(),
@@ -68,6 +72,15 @@ impl Air {
         }))
     }
 
+    /// The same with what the stroke does at the phase of the design.
+    #[must_use]
+    pub fn with_motion(mut self, motion: Option<Arc<Motion>>) -> Self {
+        if let Some(acting) = &mut self.acting {
+            acting.motion = motion;
+        }
+        self
+    }
+
     /// The effects at a strip; none if there are none.
     pub(super) fn acting<'a>(&'a self, strip: &Strip) -> Option<ActingOnStrip<'a>> {
         let acting = self.acting.as_ref()?;
@@ -76,12 +89,14 @@ impl Air {
             place: StripPlace {
                 design: &acting.design,
                 flow: acting.flow.as_ref(),
+                law: &self.law,
                 r_m: strip.r_m,
                 tip_m: acting.tip_m,
                 chord_m: strip.chord_m,
                 mean_chord_m: acting.mean_chord_m,
                 density_kg_m3: acting.flow.map_or(0.0, |_| self.law.density_kg_m3),
                 root_angle_rad: acting.flow.map_or(0.0, |flow| flow.root_angle_rad()),
+                motion: acting.motion.as_deref(),
             },
         })
     }

@@ -48,6 +48,14 @@ pub enum CouplingError {
         /// Coupled residual relative to the load.
         residual: f64,
     },
+    /// There is no periodic motion over the stroke.
+    #[error(
+        "no periodic motion over the stroke: {reason}; leave out the effects that need it (washout effects)"
+    )]
+    NoPeriodic {
+        /// Why.
+        reason: &'static str,
+    },
     /// The user asked to stop.
     #[error(transparent)]
     Interrupted(#[from] Cancelled),
@@ -113,7 +121,9 @@ impl CouplingError {
     /// Whether the equations had no solution that could be found, as opposed to an input at fault or an interruption.
     pub fn is_not_converged(&self) -> bool {
         match self {
-            CouplingError::Diverged { .. } | CouplingError::OutOfPatience { .. } => true,
+            CouplingError::Diverged { .. }
+            | CouplingError::OutOfPatience { .. }
+            | CouplingError::NoPeriodic { .. } => true,
             CouplingError::Structure(error) => {
                 matches!(
                     error,

@@ -14,11 +14,19 @@ pub mod fixed_point;
 
 pub mod newton;
 
+pub mod harmonic_balance;
+
+pub mod motion;
+
+pub mod periodic;
+
 pub mod sensitivity;
 
 pub mod solution;
 
 pub mod strips;
+
+pub mod stroke;
 
 pub mod vibration;
 
@@ -26,6 +34,7 @@ pub mod wing;
 
 pub use engineering::{Engineering, Extreme};
 pub use error::{CouplingError, SensitivityError};
+pub use periodic::{Periodic, PeriodicSettings, periodic};
 pub use sensitivity::Sensitivity;
 
 use crate::geometry::Planform;

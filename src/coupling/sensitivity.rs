@@ -3,7 +3,7 @@
 //! F(u, ψ) = 0 gives (K − A S) du/dψ = −∂F/∂ψ (see [`super::feedback`]); ∂F/∂ψ at fixed displacements by differences of
 //! the design, its mesh included. Where a parameter moves the mesh, each node is carried along as its rotation has it, so
 //! that the differences do not strain the film; the carry is part of du/dψ. The tangent is factorized once for all
-//! parameters.
+//! parameters. What the stroke does at the phase of the design stays as it is, for effects that are made from it.
 
 use nalgebra::Vector3;
 
@@ -119,7 +119,7 @@ impl<'a> Sensitivity<'a> {
         let mut sums = [[zeros(), zeros()], [zeros(), zeros()]];
         for &(at, weight) in stencil {
             let (design, _, mesh) = self.design_at(key, value + at * step)?;
-            let wing = Wing::new(&design, &mesh, self.air_table)?;
+            let wing = Wing::with_motion(&design, &mesh, self.air_table, self.wing.motion.clone())?;
             let states = [&self.solution.state, &self.solution.rest];
             for ([right, carried], (state, is_loaded)) in
                 sums.iter_mut().zip(states.into_iter().zip([true, false]))
@@ -205,7 +205,7 @@ impl<'a> Sensitivity<'a> {
     /// If the design refuses the value, or its mesh has another pattern.
     pub fn nearby(&self, rate: &Rate, offset: f64) -> Result<Nearby, SensitivityError> {
         let (design, planform, mesh) = self.design_at(&rate.key, rate.value + offset)?;
-        let wing = Wing::new(&design, &mesh, self.air_table)?;
+        let wing = Wing::with_motion(&design, &mesh, self.air_table, self.wing.motion.clone())?;
         let moved = |state: &State, change: &[f64]| match change {
             [] => state.clone(),
             _ => self.equilibrium.moved(state, change, offset),

@@ -1,14 +1,17 @@
 //! A wing in its air: the coupled equations F(u) = internal force − bench loads − air load(shape of u).
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::air::Air;
 use super::error::CouplingError;
 use super::fixed_point::Coupled;
+use super::motion::motion;
 use super::solution::StripLoad;
 use super::strips::{StripAir, StripShape, Strips};
 use crate::aero::pressure_density;
-use crate::effects::{Structure, bind};
+use crate::effects::{Bound, Motion, Need, Structure, bind};
 use crate::input::design::{Design, Kinematics};
 use crate::mesh::Mesh;
 use crate::structure::state::State;
@@ -27,6 +30,8 @@ pub struct Wing {
     pub air: Option<Air>,
     /// Small rotations about the wing at rest.
     pub linear: bool,
+    /// What the stroke does at the phase of the design, if an effect needs it; frozen.
+    pub motion: Option<Arc<Motion>>,
 }
 
 impl Wing {
@@ -35,12 +40,32 @@ impl Wing {
     /// # Errors
     /// If design and mesh do not belong together, or the air's laws cannot be set up.
     pub fn new(design: &Design, mesh: &Mesh, air_table: Option<&[[f64; 3]]>) -> Result<Self, CouplingError> {
+        Wing::with_motion(design, mesh, air_table, None)
+    }
+
+    /// The same with a motion over the stroke that is known; it is computed where it is not and an effect needs it.
+    ///
+    /// # Errors
+    /// As [`Wing::new`], or if the motion is not found.
+    pub fn with_motion(
+        design: &Design,
+        mesh: &Mesh,
+        air_table: Option<&[[f64; 3]]>,
+        known: Option<Arc<Motion>>,
+    ) -> Result<Self, CouplingError> {
         let effects = bind(design)?;
+        let needs = |bound: &Bound| bound.effect.card().needs.contains(&Need::Motion);
+        let motion = match known {
+            _ if !effects.iter().any(needs) => None,
+            Some(known) => Some(known),
+            None => Some(Arc::new(motion(design, mesh, air_table)?)),
+        };
         let mut model = wing_model(design, mesh)?;
         let mut structure = Structure {
             design,
             mesh,
             model: &mut model,
+            motion: motion.as_deref(),
         };
         for bound in &effects {
             bound.effect.structure(&bound.values, &mut structure)?;
@@ -51,6 +76,7 @@ impl Wing {
         }
         let mut strips = Strips::new(mesh);
         let air = Air::new(design, &strips, &effects, air_table)?;
+        let air = air.map(|air| air.with_motion(motion.clone()));
         if air.is_none() {
             strips = Strips::default();
         }
@@ -61,6 +87,7 @@ impl Wing {
             bench,
             air,
             linear,
+            motion,
         })
     }
 

@@ -1,6 +1,9 @@
 //! From the raw tables `[effects.NAME]` of a design to effects with checked numbers.
 
+use std::sync::Arc;
+
 use super::card::{Card, Need};
+use super::custom::Custom;
 use super::error::EffectError;
 use super::{ALL, Effect, named};
 use crate::input::design::{Design, Kinematics, Section};
@@ -25,19 +28,40 @@ impl Values {
 #[derive(Debug, Clone)]
 pub struct Bound {
     /// The effect.
-    pub effect: &'static dyn Effect,
+    pub effect: Acting,
     /// Its numbers.
     pub values: Values,
 }
 
-/// The effects of a design whose strength is not 0, in the order of [`ALL`] whatever the order in the file.
+/// An effect of [`ALL`], or of the user's own.
+#[derive(Debug, Clone)]
+pub enum Acting {
+    /// One that the program knows.
+    Known(&'static dyn Effect),
+    /// One of the user's own.
+    Own(Arc<Custom>),
+}
+
+impl std::ops::Deref for Acting {
+    type Target = dyn Effect;
+
+    fn deref(&self) -> &Self::Target {
+        match self {
+            Acting::Known(effect) => *effect,
+            Acting::Own(effect) => effect.as_ref(),
+        }
+    }
+}
+
+/// The effects of a design whose strength is not 0, in the order of [`ALL`] whatever the order in the file;
+/// those of the user's own behind, by name.
 ///
 /// # Errors
 /// If a table names no effect, a number is unknown, missing, no number or out of range, or the design lacks what the
 /// effect acts on.
 pub fn bind(design: &Design) -> Result<Vec<Bound>, EffectError> {
-    for name in design.effects.keys() {
-        if named(name).is_none() {
+    for (name, table) in &design.effects {
+        if named(name).is_none() && !Custom::is_own(name, table) {
             return Err(unknown(name));
         }
     }
@@ -56,7 +80,24 @@ pub fn bind(design: &Design) -> Result<Vec<Bound>, EffectError> {
             return Err(EffectError::NotApplicable { name, reason });
         }
         bound.push(Bound {
-            effect: *effect,
+            effect: Acting::Known(*effect),
+            values,
+        });
+    }
+    for (name, table) in &design.effects {
+        if named(name).is_some() {
+            continue;
+        }
+        let (own, values) = Custom::read(name, table, design)?;
+        if values.strength() == 0.0 {
+            continue;
+        }
+        if let Some(reason) = lacks(&own.card(), design) {
+            let name = name.clone();
+            return Err(EffectError::NotApplicable { name, reason });
+        }
+        bound.push(Bound {
+            effect: Acting::Own(Arc::new(own)),
             values,
         });
     }
@@ -72,7 +113,10 @@ fn unknown(name: &str) -> EffectError {
     let names: Vec<&str> = ALL.iter().map(|effect| effect.card().name).collect();
     EffectError::Unknown {
         name: name.to_string(),
-        cure: format!("there are {} (washout effects)", names.join(", ")),
+        cure: format!(
+            "write kind = \"custom\" for one of your own; there are {} (washout effects)",
+            names.join(", ")
+        ),
     }
 }
 
@@ -124,7 +168,7 @@ fn read(card: &Card, table: &toml::Table) -> Result<Values, EffectError> {
 }
 
 /// A number as a design states it, or assumes it.
-fn number(value: &toml::Value) -> Option<f64> {
+pub(super) fn number(value: &toml::Value) -> Option<f64> {
     let plain = |value: &toml::Value| value.as_float().or(value.as_integer().map(|whole| whole as f64));
     plain(value).or_else(|| plain(value.get("assumed")?))
 }
@@ -137,6 +181,11 @@ fn lacks(card: &Card, design: &Design) -> Option<String> {
                 "there is no air in this design",
             ),
             Need::Flapping => (design.flapping.is_some(), "the wing does not flap"),
+            Need::Motion => (design.flapping.is_some(), "the wing does not flap"),
+            Need::OffMidStroke => (
+                (design.flapping.as_ref()).is_some_and(|flapping| flapping.phase_deg.value() != 0.0),
+                "the wing is looked at in mid-stroke (flapping.phase_deg = 0), where it does not act",
+            ),
             Need::Film => (design.film.is_some(), "the wing has no film"),
             Need::Spars => (!design.spar.is_empty(), "the wing has no spars"),
             Need::HalfRound => (

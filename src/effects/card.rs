@@ -65,6 +65,15 @@ impl Parameter<'_> {
     }
 }
 
+/// What a change of the air load changes in a coupled wing.
+pub const AIR_CHANNELS: &[Channel] = &[
+    Channel::Twist,
+    Channel::TwistRate,
+    Channel::Lift,
+    Channel::Drag,
+    Channel::Power,
+];
+
 /// Where an effect acts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -87,6 +96,10 @@ pub enum Need {
     Flow,
     /// Flapping.
     Flapping,
+    /// The periodic motion over the stroke, so flapping.
+    Motion,
+    /// A stroke phase off mid-stroke.
+    OffMidStroke,
     /// A film.
     Film,
     /// Spars.

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::input::ExpressionError;
+
 /// What is wrong with an effect's table.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum EffectError {
@@ -72,5 +74,25 @@ pub enum EffectError {
         name: String,
         /// What is lacking.
         reason: String,
+    },
+    /// The table of an effect of the user's own is wrong.
+    #[error("effects.{name}.{key}: {problem}; {cure}")]
+    Own {
+        /// Name of the effect.
+        name: String,
+        /// Key in its table.
+        key: String,
+        /// What is wrong.
+        problem: String,
+        /// What to do.
+        cure: String,
+    },
+    /// The formula of an effect of the user's own cannot be read.
+    #[error("effects.{name}.expression: {error}")]
+    Formula {
+        /// Name of the effect.
+        name: String,
+        /// Where and why.
+        error: ExpressionError,
     },
 }

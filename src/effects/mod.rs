@@ -7,22 +7,60 @@ pub mod bind;
 
 pub mod card;
 
+pub mod custom;
+
 pub mod error;
 
 pub mod seam;
 
-pub mod centre_of_pressure_shift;
-
 pub mod centrifugal_load;
+
+pub mod twist_dynamics;
+
+pub mod added_mass;
+
+pub mod inertia_off_mid_stroke;
 
 pub mod rod_shear_modulus;
 
+pub mod rotational_lift;
+
+pub mod rotational_damping;
+
+pub mod amplitude_drag;
+
+pub mod phase_lag;
+
+pub mod inflow_uniform;
+
+pub mod inflow_momentum;
+
+pub mod stall_shift;
+
+pub mod film_camber;
+
+pub mod coefficient_scale;
+
+pub mod drag_scale;
+
+pub mod lift_gain_linear;
+
+pub mod lift_gain_saturating;
+
+pub mod leading_edge_vortex_loss;
+
+pub mod centre_of_pressure_shift;
+
 pub mod tip_loss_prandtl;
 
-pub use bind::{Bound, Values, bind, is_applicable};
+pub mod tip_loss_exponential;
+
+pub mod air_density;
+
+pub use bind::{Acting, Bound, Values, bind, is_applicable};
 pub use card::{Card, Need, Parameter, Seam};
 pub use error::EffectError;
-pub use seam::{Dual, StripPlace, Structure};
+pub use seam::{Dual, Motion, NodeLoad, StripMotion, StripPlace, Structure};
 
 use crate::aero::{SectionAir, SectionCoefficients};
 use crate::structure::{Loads, StructureError};
@@ -65,9 +103,27 @@ pub trait Effect: Sync + Send + std::fmt::Debug {
 /// Every effect, in the order in which they act.
 pub static ALL: &[&dyn Effect] = &[
     &rod_shear_modulus::RodShearModulus,
+    &amplitude_drag::AmplitudeDrag,
+    &phase_lag::PhaseLag,
+    &inflow_uniform::InflowUniform,
+    &inflow_momentum::InflowMomentum,
+    &stall_shift::StallShift,
+    &film_camber::FilmCamber,
+    &coefficient_scale::CoefficientScale,
+    &drag_scale::DragScale,
+    &lift_gain_linear::LiftGainLinear,
+    &lift_gain_saturating::LiftGainSaturating,
+    &leading_edge_vortex_loss::LeadingEdgeVortexLoss,
     &centre_of_pressure_shift::CentreOfPressureShift,
     &tip_loss_prandtl::TipLossPrandtl,
+    &tip_loss_exponential::TipLossExponential,
+    &rotational_lift::RotationalLift,
+    &rotational_damping::RotationalDamping,
+    &air_density::AirDensity,
     &centrifugal_load::CentrifugalLoad,
+    &twist_dynamics::TwistDynamics,
+    &added_mass::AddedMass,
+    &inertia_off_mid_stroke::InertiaOffMidStroke,
 ];
 
 /// The effect of a name.

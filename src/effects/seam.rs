@@ -1,8 +1,9 @@
 //! What an effect sees and may change at each seam.
 
+use nalgebra::Vector3;
 use num_dual::DualSVec64;
 
-use crate::aero::Flow;
+use crate::aero::{AirLaw, Flow};
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::structure::Model;
@@ -19,6 +20,8 @@ pub struct Structure<'a> {
     pub mesh: &'a Mesh,
     /// The structure.
     pub model: &'a mut Model,
+    /// What the stroke does at the phase of the design; none unless an effect needs it.
+    pub motion: Option<&'a Motion>,
 }
 
 /// Where a strip stands, and in which flow.
@@ -28,6 +31,8 @@ pub struct StripPlace<'a> {
     pub design: &'a Design,
     /// The flow; none on a bench.
     pub flow: Option<&'a Flow>,
+    /// Laws of the coefficients.
+    pub law: &'a AirLaw,
     /// Span position, m.
     pub r_m: f64,
     /// Span position of the last strip's outer end, m.
@@ -40,4 +45,65 @@ pub struct StripPlace<'a> {
     pub density_kg_m3: f64,
     /// Angle of attack of the untwisted wing, rad; 0 on a bench.
     pub root_angle_rad: f64,
+    /// What the stroke does at the phase of the design; none unless an effect needs it.
+    pub motion: Option<&'a Motion>,
+}
+
+/// The periodic motion of a flapping wing at the phase of its design, frozen: it comes from the wing without the effects
+/// that need it. Wing frame of the half-stroke.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// Inertia of the wing's own mass against its deforming, by node.
+    pub inertia: Vec<NodeLoad>,
+    /// The same of the air that moves with it.
+    pub moved_air: Vec<NodeLoad>,
+    /// The same of that air against sweep and flip of the rod.
+    pub moved_air_of_stroke: Vec<NodeLoad>,
+    /// How the strips turn, from base to tip.
+    pub strips: Vec<StripMotion>,
+    /// Drag torque about the stroke axis at mid-stroke over that of the untwisted wing.
+    pub drag_ratio: f64,
+}
+
+/// Force and moment on a node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NodeLoad {
+    /// Force, N.
+    pub force_n: Vector3<f64>,
+    /// Moment, N·m.
+    pub moment_n_m: Vector3<f64>,
+}
+
+/// How a strip turns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StripMotion {
+    /// Span position, m.
+    pub r_m: f64,
+    /// Rate of the twist, rad/s.
+    pub twist_rate_rad_s: f64,
+    /// Its own rate, rad/s².
+    pub twist_acceleration_rad_s2: f64,
+}
+
+impl Motion {
+    /// Rate of the twist at a span position, rad/s; linear between strips.
+    pub fn twist_rate_rad_s(&self, r_m: f64) -> f64 {
+        let after = self.strips.partition_point(|strip| strip.r_m < r_m);
+        match (self.strips.get(after.wrapping_sub(1)), self.strips.get(after)) {
+            (Some(inner), Some(outer)) => {
+                let share = (r_m - inner.r_m) / (outer.r_m - inner.r_m);
+                inner.twist_rate_rad_s + share * (outer.twist_rate_rad_s - inner.twist_rate_rad_s)
+            }
+            (Some(only), None) | (None, Some(only)) => only.twist_rate_rad_s,
+            (None, None) => 0.0,
+        }
+    }
+}
+
+impl StripPlace<'_> {
+    /// Rate of the twist here, rad/s; 0 where no motion is known.
+    pub fn twist_rate_rad_s(&self) -> f64 {
+        self.motion
+            .map_or(0.0, |motion| motion.twist_rate_rad_s(self.r_m))
+    }
 }

@@ -10,6 +10,8 @@ pub mod schema;
 
 pub mod assumption;
 
+pub mod expression;
+
 pub mod measurement;
 
 pub mod study;
@@ -43,6 +45,7 @@ mod unit;
 pub use assumption::{Assumption, Choice};
 pub use design::Design;
 pub use error::{InputError, Place, Problem, Range};
+pub use expression::{Expression, ExpressionError};
 pub use load::Loaded;
 pub(crate) use nearest::nearest as nearest_word;
 pub use unit::unit_symbol;

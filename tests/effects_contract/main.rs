@@ -1,7 +1,15 @@
 //! What every effect in `effects::ALL` promises, tried on every one of them: a new effect is tested before its author
 //! writes a test.
 
+mod air_forms;
+
 mod closed_forms;
+
+mod motion_forms;
+
+mod own;
+
+mod periodic;
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -26,6 +34,10 @@ fn wings() -> Vec<(Design, f64)> {
     let film = |sets: &[&str]| (design("twist-v2", sets), 2e-4);
     vec![
         (closed_forms::rectangle(plate), 1e-5),
+        (
+            closed_forms::rectangle(&plate.replace("30.0\n", "30.0\nphase_deg = 30.0\n")),
+            1e-5,
+        ),
         film(&[]),
         film(&["gravity.acceleration_m_s2=[0.0, 6.934, -6.934]"]),
         film(&["structure.kinematics=linear", "film.pretension_n_per_m=74"]),
@@ -226,9 +238,13 @@ fn with_the_shape_frozen_an_effect_acts_at_its_seam_alone() {
             || off.model.held != on.model.held
             || format!("{:?}", off.model.shells) != format!("{:?}", on.model.shells);
         let loads_changed = off.bench != on.bench;
-        let shapes = off
-            .strips
-            .shapes(&washout::structure::state::State::at_rest(mesh.nodes.len()));
+        // washed out by 0.1 rad at the tip
+        let mut twisted = washout::structure::state::State::at_rest(mesh.nodes.len());
+        let tip_m = mesh.nodes.iter().map(|x| x[0]).fold(0.0, f64::max);
+        for (moved, [x, y, _]) in twisted.displacement.iter_mut().zip(&mesh.nodes) {
+            moved.z = 0.1 * x / tip_m * y;
+        }
+        let shapes = off.strips.shapes(&twisted);
         let force = |wing: &Wing| wing.air_force(&wing.strip_air(&shapes, false));
         let air_changed = force(&off) != force(&on);
         // a changed structure weighs and hangs differently; that is the structure's doing

@@ -123,7 +123,7 @@ const ROOMS: &[(&str, &[&str])] = &[
 ];
 
 /// Files of the `effects` room that are not effects.
-const NOT_EFFECTS: &[&str] = &["mod", "bind", "error", "card", "seam"];
+const NOT_EFFECTS: &[&str] = &["mod", "bind", "error", "card", "seam", "custom"];
 
 fn sources() -> Vec<(PathBuf, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");

@@ -1,0 +1,96 @@
+//! What the periodic motion does at the phase of a design, frozen, for the effects that need rates.
+
+use nalgebra::Vector3;
+
+use super::error::CouplingError;
+use super::periodic::{Periodic, PeriodicSettings, periodic};
+use crate::effects::{Motion, NodeLoad, StripMotion};
+use crate::input::design::Design;
+use crate::mesh::Mesh;
+use crate::progress::Progress;
+
+/// The motion of a design at its phase. Effects that are made from it do not act back on it.
+///
+/// # Errors
+/// As [`periodic`].
+pub fn motion(design: &Design, mesh: &Mesh, air_table: Option<&[[f64; 3]]>) -> Result<Motion, CouplingError> {
+    let settings = PeriodicSettings::default();
+    let periodic = periodic(design, mesh, air_table, &settings, &Progress::quiet())?;
+    let phase_deg = design
+        .flapping
+        .as_ref()
+        .map_or(0.0, |flapping| flapping.phase_deg.value());
+    Ok(periodic.at(phase_deg.to_radians()))
+}
+
+impl Periodic {
+    /// Loads and rates at a phase (rad), in the frame of its own half-stroke.
+    pub fn at(&self, phase: f64) -> Motion {
+        // the other half-stroke mirrors the first
+        let phase = phase - (phase / std::f64::consts::PI).round() * std::f64::consts::PI;
+        let fields = &self.fields;
+        let deforming = self.acceleration(phase);
+        let square = self.stroke.rate_rad_s.powi(2);
+        let (sweep, pitch) = (
+            self.stroke.sweep_acceleration(phase),
+            square * self.stroke.pitch(phase)[1],
+        );
+        let rigid: Vec<f64> = (fields.sweep.iter().zip(&fields.pitch))
+            .map(|(a, b)| sweep * a + pitch * b)
+            .collect();
+        let [wing, both] = &fields.mass;
+        let air: Vec<f64> = both.iter().zip(wing).map(|(both, wing)| both - wing).collect();
+        let resist = |mass: &[f64], acceleration: &[f64]| -> Vec<NodeLoad> {
+            let momentum = fields.pattern.multiply(mass, acceleration);
+            let part = |at: usize| -Vector3::from_column_slice(&momentum[at..at + 3]);
+            (0..self.wing.model.nodes.len())
+                .map(|node| {
+                    let at = fields.pattern.freedom(node, 0);
+                    NodeLoad {
+                        force_n: part(at),
+                        moment_n_m: part(at + 3),
+                    }
+                })
+                .collect()
+        };
+        let strips = self.stations_m().into_iter().filter_map(|r_m| {
+            let [_, twist_rate_rad_s, twist_acceleration_rad_s2] = self.twist(r_m, phase)?;
+            Some(StripMotion {
+                r_m,
+                twist_rate_rad_s,
+                twist_acceleration_rad_s2,
+            })
+        });
+        Motion {
+            inertia: resist(wing, &deforming),
+            moved_air: resist(&air, &deforming),
+            moved_air_of_stroke: resist(&air, &rigid),
+            strips: strips.collect(),
+            drag_ratio: self.drag_ratio(),
+        }
+    }
+
+    /// Drag torque about the stroke axis at mid-stroke over that of the untwisted wing; 1 where there is no drag.
+    fn drag_ratio(&self) -> f64 {
+        let Some(air) = &self.wing.air else {
+            return 1.0;
+        };
+        let offset_m = match air.flow {
+            crate::aero::Flow::Flapping { root_offset_m, .. } => root_offset_m,
+            crate::aero::Flow::Steady { .. } => 0.0,
+        };
+        let [twisted, plain] = [&self.still.state, &self.still.rest].map(|state| {
+            let strips = self.wing.strip_air(&self.wing.strips.shapes(state), false);
+            let torque = strips.iter().zip(&self.wing.strips.strips).map(|(force, strip)| {
+                let stream = air.flow.velocity(strip.r_m);
+                force.total_n.dot(&stream) / stream.norm().max(f64::MIN_POSITIVE) * (strip.r_m + offset_m)
+            });
+            torque.sum::<f64>()
+        });
+        if plain > 0.0 && twisted > 0.0 {
+            twisted / plain
+        } else {
+            1.0
+        }
+    }
+}

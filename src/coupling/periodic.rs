@@ -1,0 +1,450 @@
+//! The periodic motion of a flapping wing over its stroke: modes about the loaded shape, driven off the shape that
+//! would stand still.
+//!
+//! u(τ) = standing path + Σ φ x(τ). The standing path has the coupled shape of mid-stroke and its exact rate with the
+//! dynamic pressure, so that without inertia it is the whole answer. Inertia of the path, of the sweep and of the flips
+//! drives the modes (wing and moved air); the air damps and stiffens them, linear about mid-stroke.
+//!
+//! Idealised: the rod flips between its stops as a half wave of a sine; motion across the wing changes sign with the
+//! half-stroke; stiffness is that of the loaded shape all the way, also while the film goes slack about the reversal.
+
+use nalgebra::{DMatrix, DVector, Vector3};
+use num_dual::DualSVec64;
+
+use super::error::CouplingError;
+use super::feedback::Feedback;
+use super::harmonic_balance::{Harmonics, Oscillators, StrokeWork};
+use super::solution::Solution;
+use super::strips::Strip;
+use super::stroke::{Stroke, standing_path};
+use super::wing::Wing;
+use crate::aero::strip_force;
+use crate::effects::{Need, named};
+use crate::geometry::Planform;
+use crate::input::design::Design;
+use crate::mesh::Mesh;
+use crate::progress::Progress;
+use crate::structure::pattern::Pattern;
+use crate::structure::state::State;
+use crate::structure::{Equilibrium, Loads, Mode, Vibration, lowest_modes, mass_matrix};
+
+/// How the periodic motion is computed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PeriodicSettings {
+    /// Odd harmonics that are balanced.
+    pub orders: Vec<usize>,
+    /// Modes.
+    pub modes: usize,
+    /// Damping of the structure over the critical one, in every mode.
+    pub damping_ratio: f64,
+    /// Share of the stroke that each flip takes.
+    pub flip_share: f64,
+}
+
+impl Default for PeriodicSettings {
+    fn default() -> Self {
+        PeriodicSettings {
+            orders: vec![1, 3, 5],
+            modes: 8,
+            damping_ratio: 0.02,
+            flip_share: 0.2,
+        }
+    }
+}
+
+/// The motion over a stroke, in the rod's frame at the stop of the first half-stroke (phases −π/2 to π/2).
+#[derive(Debug, Clone)]
+pub struct Periodic {
+    /// How the rod is driven.
+    pub stroke: Stroke,
+    /// The modes about the loaded shape at mid-stroke.
+    pub modes: Vec<Mode>,
+    /// Their amplitudes off the standing path.
+    pub motion: Harmonics,
+    /// Work over one stroke, J.
+    pub work: StrokeWork,
+    /// Mid-stroke as it would stand still.
+    pub still: Solution,
+    /// The wing of [`Periodic::still`].
+    pub wing: Wing,
+    /// Where and how each strip turns.
+    strips: Vec<StripPath>,
+    pub(super) fields: Fields,
+}
+
+/// Twist of a strip: along the standing path, and by mode.
+#[derive(Debug, Clone)]
+struct StripPath {
+    r_m: f64,
+    standing: [f64; 2],
+    by_mode: DVector<f64>,
+}
+
+/// Motions by freedom, and the masses that resist them.
+#[derive(Debug, Clone)]
+pub(super) struct Fields {
+    pub pattern: Pattern,
+    /// Mass of the wing alone, and with the air that it moves.
+    pub mass: [Vec<f64>; 2],
+    /// Displacement at mid-stroke, and its rate with the pressure less that.
+    pub standing: [Vec<f64>; 2],
+    pub modes: Vec<Vec<f64>>,
+    /// Sweep and pitch of the rod by unit angles.
+    pub sweep: Vec<f64>,
+    pub pitch: Vec<f64>,
+}
+
+/// The periodic motion of a flapping design on a mesh. Effects that are themselves made from it are left out.
+///
+/// # Errors
+/// If the design does not flap, has no equilibrium at mid-stroke, or none that is stable.
+pub fn periodic(
+    design: &Design,
+    mesh: &Mesh,
+    air_table: Option<&[[f64; 3]]>,
+    settings: &PeriodicSettings,
+    progress: &Progress,
+) -> Result<Periodic, CouplingError> {
+    let design = at_mid_stroke(design);
+    let wing = Wing::new(&design, mesh, air_table)?;
+    let stroke = wing
+        .air
+        .as_ref()
+        .and_then(|air| Stroke::of(&air.flow, settings.flip_share));
+    let stroke = stroke.ok_or(CouplingError::NoPeriodic {
+        reason: "the wing does not flap",
+    })?;
+    let planform = Planform::from_design(&design).map_err(|_| CouplingError::NoPeriodic {
+        reason: "the wing has no outline",
+    })?;
+    let still = super::solve(&design, &planform, mesh, air_table, progress)?;
+    let (about, loads) = if wing.linear {
+        (still.rest.clone(), Loads::none(mesh.nodes.len()))
+    } else {
+        (still.state.clone(), wing.loads_on(&still.state))
+    };
+    let air = moved_air(&wing);
+    let mut equilibrium = Equilibrium::new(&wing.model)?;
+    let modes = match lowest_modes(&mut equilibrium, &about, &loads, &air, settings.modes, progress)? {
+        Vibration::Stable(modes) if !modes.is_empty() => modes,
+        Vibration::Stable(_) => {
+            return Err(CouplingError::NoPeriodic {
+                reason: "the wing has no mass; give its materials a density",
+            });
+        }
+        Vibration::Unstable { .. } => {
+            return Err(CouplingError::NoPeriodic {
+                reason: "the loaded shape is not stable",
+            });
+        }
+    };
+    let fields = Fields::new(&wing, &mut equilibrium, &still, &about, &air, &modes)?;
+    let system = oscillators(&wing, &still.state, &stroke, settings, &modes, &fields);
+    let force = fields.driving(&stroke);
+    let motion = system
+        .balance(&settings.orders, &force)
+        .ok_or(CouplingError::NoPeriodic {
+            reason: "a mode without damping is driven at its own frequency",
+        })?;
+    let work = system.work(&motion, &force);
+    Ok(Periodic {
+        strips: strip_paths(&wing, &still, &fields),
+        stroke,
+        modes,
+        motion,
+        work,
+        still,
+        wing,
+        fields,
+    })
+}
+
+impl Periodic {
+    /// Twist at a span position (m) and a phase (rad), and its first and second derivatives by time: rad, rad/s, rad/s²,
+    /// in the rod's frame, that is positive for washout in the first half-stroke; linear between strips. `None` off the film.
+    pub fn twist(&self, r_m: f64, phase: f64) -> Option<[f64; 3]> {
+        let after = self.strips.partition_point(|strip| strip.r_m < r_m).max(1);
+        let (inner, outer) = (
+            self.strips.get(after - 1)?,
+            self.strips.get(after).or(self.strips.last())?,
+        );
+        let share = if outer.r_m > inner.r_m {
+            (r_m - inner.r_m) / (outer.r_m - inner.r_m)
+        } else {
+            0.0
+        };
+        let (inner, outer) = (self.strip_twist(inner, phase), self.strip_twist(outer, phase));
+        let share = share.clamp(0.0, 1.0);
+        Some(std::array::from_fn(|k| inner[k] + share * (outer[k] - inner[k])))
+    }
+
+    /// The twist that would stand still at a phase, rad; as [`Periodic::twist`].
+    pub fn standing_twist(&self, r_m: f64, phase: f64) -> Option<f64> {
+        let near = self
+            .strips
+            .iter()
+            .min_by(|a, b| (a.r_m - r_m).abs().total_cmp(&(b.r_m - r_m).abs()))?;
+        let [first, second] = standing_path(phase);
+        Some(near.standing[0] * first[0] + near.standing[1] * second[0])
+    }
+
+    /// Span positions of the strips, m.
+    pub fn stations_m(&self) -> Vec<f64> {
+        self.strips.iter().map(|strip| strip.r_m).collect()
+    }
+
+    fn strip_twist(&self, strip: &StripPath, phase: f64) -> [f64; 3] {
+        let [first, second] = standing_path(phase);
+        let moved = [
+            self.motion.value(phase),
+            self.motion.slope(phase),
+            self.motion.curve(phase),
+        ];
+        let rate = self.stroke.rate_rad_s;
+        std::array::from_fn(|k| {
+            let along = strip.standing[0] * first[k] + strip.standing[1] * second[k];
+            (along + strip.by_mode.dot(&moved[k])) * rate.powi(k as i32)
+        })
+    }
+
+    /// Acceleration of the deformation by freedom at a phase, m/s² and rad/s².
+    pub(super) fn acceleration(&self, phase: f64) -> Vec<f64> {
+        let [first, second] = standing_path(phase);
+        let square = self.stroke.rate_rad_s.powi(2);
+        let curve = self.motion.curve(phase);
+        let mut sum = vec![0.0; self.fields.pattern.len()];
+        let mut add = |field: &[f64], weight: f64| {
+            sum.iter_mut()
+                .zip(field)
+                .for_each(|(sum, x)| *sum += square * weight * x);
+        };
+        add(&self.fields.standing[0], first[2]);
+        add(&self.fields.standing[1], second[2]);
+        for (mode, weight) in self.fields.modes.iter().zip(curve.iter()) {
+            add(mode, *weight);
+        }
+        sum
+    }
+}
+
+/// The design at mid-stroke, without the effects that are made from its motion.
+fn at_mid_stroke(design: &Design) -> Design {
+    let mut design = design.clone();
+    if let Some(flapping) = &mut design.flapping {
+        flapping.phase_deg = 0.0.into();
+    }
+    let moves = |name: &str| named(name).is_some_and(|effect| effect.card().needs.contains(&Need::Motion));
+    design.effects.retain(|name, _| !moves(name));
+    design
+}
+
+/// Mass of the air that moves with each shell along its normal, kg/m²: ρ π/4 c, spread evenly over the chord.
+fn moved_air(wing: &Wing) -> Vec<f64> {
+    let density = wing.air.as_ref().map_or(0.0, |air| air.law.density_kg_m3);
+    let strips = &wing.strips.strips;
+    let chord_m = |r_m: f64| {
+        let after = strips.partition_point(|strip| strip.r_m < r_m);
+        let near = strips.get(after).or(strips.last());
+        let before = strips.get(after.saturating_sub(1)).or(near);
+        match (before, near) {
+            (Some(a), Some(b)) if b.r_m > a.r_m => {
+                let share = ((r_m - a.r_m) / (b.r_m - a.r_m)).clamp(0.0, 1.0);
+                a.chord_m + share * (b.chord_m - a.chord_m)
+            }
+            (_, Some(only)) => only.chord_m,
+            _ => 0.0,
+        }
+    };
+    let middle = |corners: [usize; 3]| corners.iter().map(|&n| wing.model.nodes[n].x).sum::<f64>() / 3.0;
+    let shells = wing.model.shells.iter();
+    shells
+        .map(|shell| density * std::f64::consts::FRAC_PI_4 * chord_m(middle(shell.nodes)))
+        .collect()
+}
+
+impl Fields {
+    fn new(
+        wing: &Wing,
+        equilibrium: &mut Equilibrium,
+        still: &Solution,
+        about: &State,
+        air: &[f64],
+        modes: &[Mode],
+    ) -> Result<Fields, CouplingError> {
+        let pattern = equilibrium.pattern.clone();
+        let by_freedom = |part: &dyn Fn(usize) -> [Vector3<f64>; 2]| {
+            let mut field = vec![0.0; pattern.len()];
+            for node in 0..wing.model.nodes.len() {
+                let [moved, turned] = part(node);
+                let at = pattern.freedom(node, 0);
+                field[at..at + 3].copy_from_slice(moved.as_slice());
+                field[at + 3..at + 6].copy_from_slice(turned.as_slice());
+            }
+            field
+        };
+        let shape = by_freedom(&|node| {
+            let turned = still.state.rotation[node] * still.rest.rotation[node].inverse();
+            [
+                still.state.displacement[node] - still.rest.displacement[node],
+                turned.scaled_axis(),
+            ]
+        });
+        let force = by_freedom(&|node| [Vector3::from(still.air_force_n[node]), Vector3::zeros()]);
+        let shapes = wing.strips.shapes(&still.state);
+        let rate =
+            Feedback::new(wing, equilibrium, &shapes)
+                .solve(&force)
+                .ok_or(CouplingError::NoPeriodic {
+                    reason: "the wing stands at its divergence",
+                })?;
+        let offset_m = match wing.air.as_ref().map(|air| air.flow) {
+            Some(crate::aero::Flow::Flapping { root_offset_m, .. }) => root_offset_m,
+            _ => 0.0,
+        };
+        let place = |node: usize| wing.model.nodes[node] + about.displacement[node];
+        let masses = [&[][..], air].map(|air| mass_matrix(&wing.model, &pattern, about, air));
+        Ok(Fields {
+            standing: [
+                shape.clone(),
+                rate.iter()
+                    .zip(&shape)
+                    .map(|(rate, shape)| rate - shape)
+                    .collect(),
+            ],
+            modes: modes
+                .iter()
+                .map(|mode| by_freedom(&|node| [mode.displacement[node], mode.rotation[node]]))
+                .collect(),
+            sweep: by_freedom(&|node| [Vector3::z() * (place(node).x + offset_m), -Vector3::y()]),
+            pitch: by_freedom(&|node| [Vector3::z() * place(node).y, Vector3::x()]),
+            mass: masses,
+            pattern,
+        })
+    }
+
+    /// Force on the modes at a phase, by what is accelerated besides themselves.
+    fn driving(&self, stroke: &Stroke) -> impl Fn(f64) -> DVector<f64> + use<> {
+        let share = |field: &[f64]| {
+            let momentum = self.pattern.multiply(&self.mass[1], field);
+            let on = |mode: &Vec<f64>| mode.iter().zip(&momentum).map(|(a, b)| a * b).sum::<f64>();
+            DVector::from_iterator(self.modes.len(), self.modes.iter().map(on))
+        };
+        let [first, second] = [0, 1].map(|k| share(&self.standing[k]));
+        let (sweep, pitch) = (share(&self.sweep), share(&self.pitch));
+        let stroke = *stroke;
+        let square = stroke.rate_rad_s.powi(2);
+        move |phase: f64| {
+            let [along, beside] = standing_path(phase);
+            -(&first * (square * along[2])
+                + &second * (square * beside[2])
+                + &sweep * stroke.sweep_acceleration(phase)
+                + &pitch * (square * stroke.pitch(phase)[1]))
+        }
+    }
+}
+
+/// The equations of the modes: air linear about mid-stroke. A strip feels the motion of its point at ¾ of the chord.
+fn oscillators(
+    wing: &Wing,
+    state: &State,
+    stroke: &Stroke,
+    settings: &PeriodicSettings,
+    modes: &[Mode],
+    fields: &Fields,
+) -> Oscillators {
+    let count = modes.len();
+    let angular = |mode: &Mode| std::f64::consts::TAU * mode.frequency_hz;
+    let shapes = wing.strips.shapes(state);
+    let air = wing.strip_air(&shapes, true);
+    let mut air_stiffness = DMatrix::zeros(count, count);
+    for (column, mode) in modes.iter().enumerate() {
+        let change = wing.air_force_change(&air, &wing.strips.shape_changes(&mode.displacement));
+        for (row, other) in modes.iter().enumerate() {
+            let work: f64 = other
+                .displacement
+                .iter()
+                .zip(&change)
+                .map(|(u, f)| u.dot(f))
+                .sum();
+            air_stiffness[(row, column)] = -work;
+        }
+    }
+    let mut air_damping = DMatrix::zeros(count, count);
+    for ((strip, air), shape) in wing.strips.strips.iter().zip(&air).zip(shapes.chunks_exact(6)) {
+        let by_velocity = force_by_velocity(wing, strip, shape);
+        let moved = |mode: &Mode, point: usize| {
+            let point = &strip.points[point];
+            point.weights[0] * mode.displacement[point.nodes[0]]
+                + point.weights[1] * mode.displacement[point.nodes[1]]
+        };
+        let last = strip.points.len() - 1;
+        let felt = |mode: &Mode| moved(mode, 0) * 0.25 + moved(mode, last) * 0.75;
+        let mean =
+            |mode: &Mode| -> Vector3<f64> { (0..=last).map(|k| moved(mode, k) * air.weights[k]).sum() };
+        for (column, mode) in modes.iter().enumerate() {
+            let force = by_velocity * felt(mode) * strip.width_m;
+            for (row, other) in modes.iter().enumerate() {
+                air_damping[(row, column)] += mean(other).dot(&force);
+            }
+        }
+    }
+    let own = modes
+        .iter()
+        .map(|mode| 2.0 * settings.damping_ratio * angular(mode));
+    debug_assert_eq!(count, fields.modes.len());
+    Oscillators {
+        rate_rad_s: stroke.rate_rad_s,
+        stiffness: DVector::from_iterator(count, modes.iter().map(|mode| angular(mode).powi(2))),
+        damping: DMatrix::from_diagonal(&DVector::from_iterator(count, own)),
+        air_damping,
+        air_stiffness,
+    }
+}
+
+/// Change of a strip's force per length with the velocity of the air, N s/m².
+fn force_by_velocity(wing: &Wing, strip: &Strip, shape: &[f64]) -> nalgebra::Matrix3<f64> {
+    type Velocity = DualSVec64<3>;
+    let Some(air) = &wing.air else {
+        return nalgebra::Matrix3::zeros();
+    };
+    let stream = air.flow.velocity(strip.r_m);
+    let velocity = Vector3::from_fn(|i, _| Velocity::from_re(stream[i]).derivative(i));
+    let fixed = |at: usize| Vector3::from_fn(|i, _| Velocity::from_re(shape[at + i]));
+    let force = strip_force(&air.law, &velocity, &fixed(0), &fixed(3), strip.chord_m, &());
+    nalgebra::Matrix3::from_fn(|i, j| {
+        let by = force.force_n_per_m[i].eps;
+        by.unwrap_generic(nalgebra::Const::<3>, nalgebra::Const::<1>)[j]
+    })
+}
+
+fn strip_paths(wing: &Wing, still: &Solution, fields: &Fields) -> Vec<StripPath> {
+    let strips = &wing.strips;
+    let [shapes, rest] = [&still.state, &still.rest].map(|state| strips.shapes(state));
+    let displacement = |field: &[f64]| -> Vec<Vector3<f64>> {
+        let at = |node: usize| fields.pattern.freedom(node, 0);
+        (0..wing.model.nodes.len())
+            .map(|node| Vector3::from_column_slice(&field[at(node)..at(node) + 3]))
+            .collect()
+    };
+    let changes = |field: &[f64]| strips.shape_changes(&displacement(field));
+    let by_pressure: Vec<f64> = {
+        let [shape, more] = &fields.standing;
+        changes(&shape.iter().zip(more).map(|(a, b)| a + b).collect::<Vec<f64>>())
+    };
+    let by_mode: Vec<Vec<f64>> = fields.modes.iter().map(|mode| changes(mode)).collect();
+    let turn = |strip: usize, change: &[f64]| {
+        let (y, z) = (shapes[6 * strip + 1], shapes[6 * strip + 2]);
+        let (dy, dz) = (change[6 * strip + 1], change[6 * strip + 2]);
+        (y * dz - z * dy) / (y * y + z * z)
+    };
+    let angle = |shapes: &[f64], strip: usize| shapes[6 * strip + 2].atan2(shapes[6 * strip + 1]);
+    let path = |(index, strip): (usize, &Strip)| {
+        let twist = angle(&shapes, index) - angle(&rest, index);
+        StripPath {
+            r_m: strip.r_m,
+            standing: [twist, turn(index, &by_pressure) - twist],
+            by_mode: DVector::from_iterator(by_mode.len(), by_mode.iter().map(|change| turn(index, change))),
+        }
+    };
+    strips.strips.iter().enumerate().map(path).collect()
+}

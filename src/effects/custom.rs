@@ -1,0 +1,381 @@
+//! An effect of the user's own: a formula over span, chord, angle and speed, for a moment, a force or a factor.
+//!
+//! ```toml
+//! [effects.hinge-drag]
+//! kind = "custom"
+//! acts_on = "moment"
+//! expression = "k * q * chord^2 * x"
+//! strength = 1.0
+//! k = { assumed = 0.1, range = [0.0, 0.5], why = "seen on another wing" }
+//! units = { k = "1" }
+//! ```
+
+use num_dual::DualNum;
+
+use super::bind::number;
+use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::{Dual, Effect, EffectError, StripPlace, Structure, Values};
+use crate::aero::{Flow, SectionAir, SectionCoefficients};
+use crate::input::Expression;
+use crate::input::design::Design;
+use crate::mesh::BeamPart;
+use crate::structure::StructureError;
+
+/// What a formula may name besides its own numbers: x (r/R), r and chord (m), alpha, twist and phase (rad),
+/// twist_rate (rad/s), U (m/s), q (½ρU², Pa), rho (kg/m³), f (Hz), Phi (half amplitude, rad).
+pub const VARIABLES: [&str; 12] = [
+    "x",
+    "r",
+    "chord",
+    "alpha",
+    "twist",
+    "twist_rate",
+    "U",
+    "q",
+    "rho",
+    "f",
+    "Phi",
+    "phase",
+];
+const TWIST_RATE: usize = 5;
+/// Those that a rod knows too.
+const OF_A_ROD: [&str; 6] = ["x", "r", "rho", "f", "Phi", "phase"];
+/// Keys of its table that are no numbers of the formula.
+const KEYS: [&str; 6] = ["kind", "acts_on", "expression", "strength", "units", "summary"];
+
+/// An effect of the user's own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Custom {
+    name: String,
+    summary: String,
+    target: Target,
+    formula: Expression,
+    /// Numbers of the formula, behind [`VARIABLES`].
+    numbers: Vec<f64>,
+}
+
+/// What the formula stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Target {
+    Moment,
+    Force,
+    Lift,
+    Drag,
+    CentreOfPressure,
+    Torsion,
+    Bending,
+}
+
+/// Words for [`Target`], and what the formula then gives.
+const TARGETS: [(&str, Target, &str); 7] = [
+    (
+        "moment",
+        Target::Moment,
+        "moment about the span that is added, N·m per m, positive: washout",
+    ),
+    (
+        "force",
+        Target::Force,
+        "force across the chord that is added, N per m, positive: along the load",
+    ),
+    ("lift", Target::Lift, "factor of the lift coefficient"),
+    ("drag", Target::Drag, "factor of the drag coefficient"),
+    (
+        "centre-of-pressure",
+        Target::CentreOfPressure,
+        "shift of the centre of pressure toward the trailing edge, chords",
+    ),
+    (
+        "torsion",
+        Target::Torsion,
+        "factor of the rods' torsional stiffness",
+    ),
+    (
+        "bending",
+        Target::Bending,
+        "factor of the rods' bending stiffness",
+    ),
+];
+
+const STRENGTH: &[Parameter] = &[Parameter {
+    name: "strength",
+    unit: "1",
+    meaning: "share of the formula that acts: 1 is the formula as it is written",
+    default: 0.0,
+    range: [-1e3, 1e3],
+    plausible: [-1.0, 1.0],
+}];
+
+impl Custom {
+    /// Whether a table of this name is an effect of the user's own.
+    pub fn is_own(name: &str, table: &toml::Table) -> bool {
+        name == "custom" || table.get("kind").is_some()
+    }
+
+    /// Reads its table.
+    ///
+    /// # Errors
+    /// If a key is missing or wrong, or the formula cannot be read or computed.
+    pub fn read(name: &str, table: &toml::Table, design: &Design) -> Result<(Custom, Values), EffectError> {
+        let fail = |key: &str, problem: String, cure: String| EffectError::Own {
+            name: name.to_string(),
+            key: key.to_string(),
+            problem,
+            cure,
+        };
+        if let Some(kind) = table.get("kind")
+            && kind.as_str() != Some("custom")
+        {
+            let cure = "write kind = \"custom\" for an effect of your own".to_string();
+            return Err(fail("kind", format!("{kind} is no kind of effect"), cure));
+        }
+        let words = TARGETS.map(|(word, _, _)| word).join(", ");
+        let word = table
+            .get("acts_on")
+            .and_then(toml::Value::as_str)
+            .unwrap_or_default();
+        let Some((_, target, meaning)) = TARGETS.iter().find(|(known, _, _)| *known == word) else {
+            return Err(fail(
+                "acts_on",
+                format!("'{word}' is nothing it can act on"),
+                format!("write one of {words}"),
+            ));
+        };
+        let Some(text) = table.get("expression").and_then(toml::Value::as_str) else {
+            let cure = "give a formula in quotes, e.g. expression = \"0.1 * q * chord^2 * x\"".to_string();
+            return Err(fail("expression", "there is no formula".to_string(), cure));
+        };
+        let own: Vec<&String> = table.keys().filter(|key| !KEYS.contains(&key.as_str())).collect();
+        let mut numbers = Vec::new();
+        for key in &own {
+            if VARIABLES.contains(&key.as_str()) {
+                let cure = format!("{key} is known to every formula; give your number another name");
+                return Err(fail(key, "the name is taken".to_string(), cure));
+            }
+            numbers.push(own_number(&table[*key]).map_err(|(problem, cure)| fail(key, problem, cure))?);
+        }
+        let names: Vec<&str> = VARIABLES
+            .iter()
+            .copied()
+            .chain(own.iter().map(|key| key.as_str()))
+            .collect();
+        let formula = Expression::parse(text, &names).map_err(|error| EffectError::Formula {
+            name: name.to_string(),
+            error,
+        })?;
+        if let Some(place) = (VARIABLES.len()..names.len()).find(|place| !formula.uses(*place)) {
+            let cure = format!("use {} in the expression, or delete it", names[place]);
+            return Err(fail(
+                names[place],
+                "the formula does not use it".to_string(),
+                cure,
+            ));
+        }
+        let rods = matches!(target, Target::Torsion | Target::Bending);
+        let stranger = |place: &usize| rods && formula.uses(*place) && !OF_A_ROD.contains(&VARIABLES[*place]);
+        if let Some(place) = (0..VARIABLES.len()).find(stranger) {
+            let cure = format!("a stiffness may depend on {}", OF_A_ROD.join(", "));
+            return Err(fail(
+                "expression",
+                format!("a rod has no {}", VARIABLES[place]),
+                cure,
+            ));
+        }
+        let strength = table
+            .get("strength")
+            .and_then(number)
+            .ok_or_else(|| EffectError::NoStrength {
+                name: name.to_string(),
+                meaning: STRENGTH[0].meaning.to_string(),
+                example: 1.0,
+            })?;
+        let [low, high] = STRENGTH[0].range;
+        if !(low <= strength && strength <= high) {
+            let cure = format!("keep it within {low} … {high}, and the size of the effect in the formula");
+            return Err(fail("strength", format!("{strength} is too large"), cure));
+        }
+        let custom = Custom {
+            name: name.to_string(),
+            summary: match table.get("summary").and_then(toml::Value::as_str) {
+                Some(summary) => summary.to_string(),
+                None => format!("The user's own: {meaning}."),
+            },
+            target: *target,
+            formula,
+            numbers,
+        };
+        custom.try_out(design, strength)?;
+        Ok((custom, Values(vec![strength])))
+    }
+
+    /// Refuses a formula that is not finite, or a stiffness that is not positive, somewhere on a wing.
+    fn try_out(&self, design: &Design, strength: f64) -> Result<(), EffectError> {
+        let length_m = design.planform.length_mm.value() * 1e-3;
+        for x in (0..=20).map(|step| f64::from(step) * 0.05) {
+            for degrees in [-40.0, -5.0, 0.0, 5.0, 45.0, 80.0] {
+                for speed in [0.1, 5.0, 20.0] {
+                    let alpha = f64::to_radians(degrees);
+                    let mut at = self.constants(design, x * length_m);
+                    at[2] = 0.2 * length_m;
+                    (at[3], at[4], at[6]) = (alpha, root_angle(design) - alpha, speed);
+                    at[7] = 0.5 * at[8] * speed * speed;
+                    let value = self.formula.value(&at);
+                    let rods = matches!(self.target, Target::Torsion | Target::Bending);
+                    if !value.is_finite() || (rods && 1.0 + strength * (value - 1.0) <= 0.0) {
+                        return Err(EffectError::Own {
+                            name: self.name.clone(),
+                            key: "expression".to_string(),
+                            problem: format!(
+                                "it is {value} at x = {x:.2}, alpha = {degrees} deg, U = {speed} m/s"
+                            ),
+                            cure: if rods {
+                                "write a factor that stays positive from base to tip".to_string()
+                            } else {
+                                "write a formula that stays finite on the whole wing, e.g. with max(…, 1e-6)"
+                                    .to_string()
+                            },
+                        });
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The variables with those known that do not depend on the air, then the numbers.
+    fn constants(&self, design: &Design, r_m: f64) -> Vec<f64> {
+        let mut at = vec![0.0; VARIABLES.len()];
+        (at[0], at[1]) = (r_m / (design.planform.length_mm.value() * 1e-3), r_m);
+        at[8] = design.air.density_kg_m3.value();
+        if let Some(flapping) = &design.flapping {
+            at[9] = flapping.frequency_hz.value();
+            at[10] = flapping.half_amplitude_deg.value().to_radians();
+            at[11] = flapping.phase_deg.value().to_radians();
+        }
+        at.extend(&self.numbers);
+        at
+    }
+}
+
+fn root_angle(design: &Design) -> f64 {
+    Flow::from_design(design).map_or(0.0, |flow| flow.root_angle_rad())
+}
+
+/// A number, stated or assumed within its range.
+fn own_number(value: &toml::Value) -> Result<f64, (String, String)> {
+    let cure = "write a number, or { assumed = 1.0, range = [0.5, 2.0], why = \"...\" }";
+    let found = number(value).ok_or_else(|| (format!("{value} is no number"), cure.to_string()))?;
+    if !found.is_finite() {
+        return Err((format!("{found} is no number"), cure.to_string()));
+    }
+    let ends = value.get("range").and_then(toml::Value::as_array);
+    let ends: Option<Vec<f64>> = ends.map(|ends| ends.iter().filter_map(number).collect());
+    match ends.as_deref() {
+        Some(&[low, high]) if !(low <= found && found <= high) => {
+            let cure = "assume a value inside it, or widen the range".to_string();
+            Err((format!("{found} lies outside its own range {low} … {high}"), cure))
+        }
+        _ => Ok(found),
+    }
+}
+
+impl Effect for Custom {
+    fn card(&self) -> Card<'_> {
+        let (_, _, meaning) = TARGETS
+            .iter()
+            .find(|(_, target, _)| *target == self.target)
+            .unwrap_or(&TARGETS[0]);
+        Card {
+            name: &self.name,
+            family: "user's own",
+            summary: &self.summary,
+            formula: &self.formula.text,
+            source: "the user's design file",
+            when_right: meaning,
+            gets_wrong: "whatever its author overlooked",
+            case: "a_formula_of_ones_own_does_what_it_says",
+            seam: match self.target {
+                Target::Torsion | Target::Bending => Seam::Structure,
+                _ => Seam::Air,
+            },
+            parameters: STRENGTH,
+            channels: AIR_CHANNELS,
+            needs: match self.target {
+                Target::Torsion | Target::Bending => &[],
+                _ if self.formula.uses(TWIST_RATE) => &[Need::Motion],
+                Target::Lift | Target::Drag | Target::CentreOfPressure => &[Need::Flow],
+                _ => &[],
+            },
+            has_switch: false,
+        }
+    }
+
+    fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
+        let twisting = match self.target {
+            Target::Torsion => 3..4,
+            Target::Bending => 4..6,
+            _ => return Ok(()),
+        };
+        for (index, beam) in wing.mesh.beams.iter().enumerate() {
+            if !matches!(beam.part, BeamPart::Rod(_)) {
+                continue;
+            }
+            let middle = 0.5
+                * beam
+                    .nodes
+                    .iter()
+                    .map(|&node| wing.mesh.nodes[node][0])
+                    .sum::<f64>();
+            let factor = self.formula.value(&self.constants(wing.design, middle));
+            let factor = (1.0 + values.strength() * (factor - 1.0)).powf(-0.5);
+            wing.model.change_section(index, |section| {
+                for part in twisting.clone() {
+                    for k in 0..6 {
+                        section.compliance[(part, k)] *= factor;
+                        section.compliance[(k, part)] *= factor;
+                    }
+                }
+            })?;
+        }
+        Ok(())
+    }
+
+    fn coefficients(
+        &self,
+        values: &Values,
+        place: &StripPlace,
+        air: &SectionAir<Dual>,
+        now: &mut SectionCoefficients<Dual>,
+    ) {
+        let mut at: Vec<Dual> = self
+            .constants(place.design, place.r_m)
+            .into_iter()
+            .map(Dual::from)
+            .collect();
+        at[2] = Dual::from(place.chord_m);
+        at[5] = Dual::from(place.twist_rate_rad_s());
+        at[3] = air.alpha;
+        at[4] = -air.alpha + place.root_angle_rad;
+        if air.speed_squared.re > 0.0 {
+            at[6] = air.speed_squared.sqrt();
+        }
+        at[7] = air.speed_squared * (0.5 * place.density_kg_m3);
+        let value = self.formula.value(&at) * values.strength();
+        let factor = value - values.strength() + 1.0;
+        match self.target {
+            Target::Moment => now.moment_n += value,
+            Target::Force => now.normal_n_per_m += value,
+            Target::Lift => now.cl *= factor,
+            Target::Drag => now.cd *= factor,
+            Target::CentreOfPressure => {
+                let moved = now.centre_of_pressure + value;
+                now.centre_of_pressure = match moved.re {
+                    x if x < 0.02 => Dual::from(0.02),
+                    x if x > 0.98 => Dual::from(0.98),
+                    _ => moved,
+                };
+            }
+            Target::Torsion | Target::Bending => {}
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Inertia of the wing that twists and bends over the stroke: it is still on its way when it is looked at.
+
+use super::card::{Card, Need, Parameter, Seam};
+use super::{Effect, Structure, Values};
+use crate::input::measurement::Channel;
+use crate::structure::Loads;
+
+/// See the module.
+#[derive(Debug)]
+pub struct TwistDynamics;
+
+const CARD: Card = Card {
+    name: "twist-dynamics",
+    family: "inertia",
+    summary: "The wing twists back and forth with every stroke, and its own mass with the air that moves with it drives it beyond, or holds it back from, the shape that would stand still.",
+    formula: "dF = −s (M + M_air) ü at the phase of the design; u: harmonics 1, 3, 5 of the modes about the loaded shape, driven by sweep, flip (sine over a fifth of the stroke) and load, 2 % damping",
+    source: "harmonic balance (Nayfeh & Mook 1979); added mass ρ(π/4)c² (Ellington 1984, part II)",
+    when_right: "a mode lies near an odd harmonic of the stroke, or the flip is hard",
+    gets_wrong: "the flip is assumed; stiffness is that of the loaded shape, also while the film is slack; the motion is that of the wing without this effect, so that it does not see its own change of stiffness",
+    case: "twist_with_its_inertia_is_that_of_the_periodic_motion",
+    seam: Seam::Load,
+    parameters: &[Parameter {
+        name: "strength",
+        unit: "1",
+        meaning: "share of the inertia of the deforming wing: 1 is all of it",
+        default: 0.0,
+        range: [-2.0, 3.0],
+        plausible: [0.0, 1.3],
+    }],
+    channels: &[Channel::Twist, Channel::TwistRate, Channel::Deflection],
+    needs: &[Need::Motion],
+    has_switch: false,
+};
+
+impl Effect for TwistDynamics {
+    fn card(&self) -> Card<'_> {
+        CARD
+    }
+
+    fn load(&self, values: &Values, wing: &Structure, loads: &mut Loads) {
+        let Some(motion) = wing.motion else {
+            return;
+        };
+        for (node, (a, b)) in motion.inertia.iter().zip(&motion.moved_air).enumerate() {
+            loads.force_n[node] += (a.force_n + b.force_n) * values.strength();
+            loads.moment_n_m[node] += (a.moment_n_m + b.moment_n_m) * values.strength();
+        }
+    }
+}

@@ -1,0 +1,524 @@
+//! Formulas that a user writes: `k * q * chord^2 * sin(2 * alpha)`, read once, computed with numbers or dual numbers.
+//!
+//! Numbers, names, `+ - * / ^` (power binds tighter than a sign, and to the right), brackets, and the functions of
+//! [`FUNCTIONS`]. Nothing else can be written, so that a formula can neither hang nor reach outside.
+
+use num_dual::DualNum;
+use thiserror::Error;
+
+use super::nearest_word;
+
+/// Functions, with the number of their arguments.
+pub const FUNCTIONS: &[(&str, usize)] = &[
+    ("sin", 1),
+    ("cos", 1),
+    ("tan", 1),
+    ("atan", 1),
+    ("tanh", 1),
+    ("exp", 1),
+    ("ln", 1),
+    ("sqrt", 1),
+    ("abs", 1),
+    ("min", 2),
+    ("max", 2),
+];
+
+/// Brackets and powers within each other at most.
+const DEEPEST: usize = 64;
+/// Characters at most.
+const LONGEST: usize = 4000;
+
+/// A formula over named variables.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expression {
+    /// As written.
+    pub text: String,
+    steps: Vec<Step>,
+    variables: usize,
+}
+
+/// A step of the stack machine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Step {
+    Number(f64),
+    Variable(usize),
+    Negate,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    PowerOf(f64),
+    Call(usize),
+}
+
+/// What is wrong with a formula.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[error("'{text}', column {column}: {problem}; {cure}")]
+pub struct ExpressionError {
+    /// The formula.
+    pub text: String,
+    /// Where, counted from 1 in characters.
+    pub column: usize,
+    /// What.
+    pub problem: String,
+    /// What to do.
+    pub cure: String,
+}
+
+impl Expression {
+    /// Reads a formula over these names; `pi` is known besides.
+    ///
+    /// # Errors
+    /// Where and why it cannot be read.
+    pub fn parse(text: &str, names: &[&str]) -> Result<Expression, ExpressionError> {
+        let mut reader = Reader {
+            text,
+            letters: text.chars().collect(),
+            at: 0,
+            depth: 0,
+            names,
+            steps: Vec::new(),
+        };
+        if reader.letters.len() > LONGEST {
+            return Err(reader.fault(
+                LONGEST,
+                "the formula is too long",
+                "split it into several effects",
+            ));
+        }
+        reader.sum()?;
+        reader.skip_space();
+        if let Some(&letter) = reader.letters.get(reader.at) {
+            let cure = match letter {
+                ')' => "delete it, or open a bracket before".to_string(),
+                _ => format!("put an operator (+ - * / ^) before '{letter}', or delete it"),
+            };
+            return Err(reader.fault(
+                reader.at,
+                &format!("'{letter}' stands where the formula should end"),
+                &cure,
+            ));
+        }
+        Ok(Expression {
+            text: text.to_string(),
+            steps: reader.steps,
+            variables: names.len(),
+        })
+    }
+
+    /// Whether the formula names the variable at this place of the names.
+    pub fn uses(&self, variable: usize) -> bool {
+        self.steps.contains(&Step::Variable(variable))
+    }
+
+    /// The value, for the variables in the order of the names; not finite where the formula is not (1/0, ln 0).
+    pub fn value<D: DualNum<Primitive = f64> + Copy>(&self, variables: &[D]) -> D {
+        let nothing = D::from(f64::NAN);
+        if variables.len() < self.variables {
+            return nothing;
+        }
+        let mut stack: Vec<D> = Vec::with_capacity(16);
+        for step in &self.steps {
+            let last = match step {
+                Step::Number(number) => D::from(*number),
+                Step::Variable(place) => variables[*place],
+                Step::Negate => -stack.pop().unwrap_or(nothing),
+                Step::PowerOf(exponent) => power(stack.pop().unwrap_or(nothing), *exponent),
+                Step::Call(function) => {
+                    let last = stack.pop().unwrap_or(nothing);
+                    let (name, count) = FUNCTIONS[*function];
+                    let first = if count == 2 {
+                        stack.pop().unwrap_or(nothing)
+                    } else {
+                        last
+                    };
+                    call(name, first, last)
+                }
+                binary => {
+                    let last = stack.pop().unwrap_or(nothing);
+                    let first = stack.pop().unwrap_or(nothing);
+                    match binary {
+                        Step::Add => first + last,
+                        Step::Subtract => first - last,
+                        Step::Multiply => first * last,
+                        Step::Divide => first / last,
+                        _ => (first.ln() * last).exp(),
+                    }
+                }
+            };
+            stack.push(last);
+        }
+        stack.pop().unwrap_or(nothing)
+    }
+}
+
+fn call<D: DualNum<Primitive = f64> + Copy>(name: &str, a: D, b: D) -> D {
+    match name {
+        "sin" => a.sin(),
+        "cos" => a.cos(),
+        "tan" => a.tan(),
+        "atan" => a.atan(),
+        "tanh" => a.tanh(),
+        "exp" => a.exp(),
+        "ln" => a.ln(),
+        "sqrt" => a.sqrt(),
+        "abs" if a.re() < 0.0 => -a,
+        "min" if b.re() < a.re() => b,
+        "max" if b.re() > a.re() => b,
+        _ => a,
+    }
+}
+
+/// a^b; for whole b also for negative a.
+fn power<D: DualNum<Primitive = f64> + Copy>(a: D, b: f64) -> D {
+    if b.fract() == 0.0 && b.abs() <= 64.0 {
+        a.powi(b as i32)
+    } else {
+        a.powf(b)
+    }
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    letters: Vec<char>,
+    at: usize,
+    depth: usize,
+    names: &'a [&'a str],
+    steps: Vec<Step>,
+}
+
+impl Reader<'_> {
+    fn fault(&self, at: usize, problem: &str, cure: &str) -> ExpressionError {
+        ExpressionError {
+            text: self.text.to_string(),
+            column: at + 1,
+            problem: problem.to_string(),
+            cure: cure.to_string(),
+        }
+    }
+
+    fn skip_space(&mut self) {
+        while self
+            .letters
+            .get(self.at)
+            .is_some_and(|letter| letter.is_whitespace())
+        {
+            self.at += 1;
+        }
+    }
+
+    /// Takes the next letter if it is one of these.
+    fn take(&mut self, wanted: &[char]) -> Option<char> {
+        self.skip_space();
+        let letter = *self.letters.get(self.at)?;
+        wanted.contains(&letter).then(|| {
+            self.at += 1;
+            letter
+        })
+    }
+
+    fn sum(&mut self) -> Result<(), ExpressionError> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            let cure = format!("write it with at most {DEEPEST} brackets and powers within each other");
+            return Err(self.fault(self.at, "the formula is nested too deeply", &cure));
+        }
+        self.product()?;
+        while let Some(sign) = self.take(&['+', '-']) {
+            self.product()?;
+            self.steps
+                .push(if sign == '+' { Step::Add } else { Step::Subtract });
+        }
+        self.depth -= 1;
+        Ok(())
+    }
+
+    fn product(&mut self) -> Result<(), ExpressionError> {
+        self.signed()?;
+        while let Some(sign) = self.take(&['*', '/']) {
+            if self.letters.get(self.at) == Some(&'*') {
+                return Err(self.fault(self.at - 1, "'**' is no operator", "write a power as a^b"));
+            }
+            self.signed()?;
+            self.steps
+                .push(if sign == '*' { Step::Multiply } else { Step::Divide });
+        }
+        Ok(())
+    }
+
+    fn signed(&mut self) -> Result<(), ExpressionError> {
+        let mut negative = false;
+        while let Some(sign) = self.take(&['-', '+']) {
+            negative ^= sign == '-';
+        }
+        self.factor()?;
+        if negative {
+            self.steps.push(Step::Negate);
+        }
+        Ok(())
+    }
+
+    fn factor(&mut self) -> Result<(), ExpressionError> {
+        self.primary()?;
+        if self.take(&['^']).is_some() {
+            self.depth += 1;
+            if self.depth > DEEPEST {
+                return Err(self.fault(
+                    self.at,
+                    "the formula is nested too deeply",
+                    "use fewer powers of powers",
+                ));
+            }
+            let before = self.steps.len();
+            self.signed()?;
+            self.depth -= 1;
+            let exponent = Expression {
+                text: String::new(),
+                steps: self.steps.split_off(before),
+                variables: 0,
+            };
+            if exponent
+                .steps
+                .iter()
+                .any(|step| matches!(step, Step::Variable(_)))
+            {
+                self.steps.extend(exponent.steps);
+                self.steps.push(Step::Power);
+            } else {
+                self.steps.push(Step::PowerOf(exponent.value(&[])));
+            }
+        }
+        Ok(())
+    }
+
+    fn primary(&mut self) -> Result<(), ExpressionError> {
+        self.skip_space();
+        let start = self.at;
+        match self.letters.get(start).copied() {
+            Some('(') => {
+                self.at += 1;
+                self.sum()?;
+                self.close(start)
+            }
+            Some(letter) if letter.is_ascii_digit() || letter == '.' => self.number(),
+            Some(letter) if letter.is_alphabetic() || letter == '_' => self.name(),
+            Some(letter) => {
+                let cure = "write a number, a name or a bracket here";
+                Err(self.fault(start, &format!("'{letter}' cannot stand here"), cure))
+            }
+            None => {
+                let cure = "write a number, a name or a bracket at the end";
+                Err(self.fault(start, "the formula ends too early", cure))
+            }
+        }
+    }
+
+    fn close(&mut self, opened: usize) -> Result<(), ExpressionError> {
+        match self.take(&[')']) {
+            Some(_) => Ok(()),
+            None => Err(self.fault(opened, "this bracket is not closed", "put ) where it ends")),
+        }
+    }
+
+    fn number(&mut self) -> Result<(), ExpressionError> {
+        let start = self.at;
+        let mut end = start;
+        while let Some(&letter) = self.letters.get(end) {
+            let after_e = end > start && matches!(self.letters[end - 1], 'e' | 'E');
+            let is_exponent = matches!(letter, 'e' | 'E')
+                && self
+                    .letters
+                    .get(end + 1)
+                    .is_some_and(|next| next.is_ascii_digit() || "+-".contains(*next));
+            if letter.is_ascii_digit() || letter == '.' || is_exponent || (after_e && "+-".contains(letter)) {
+                end += 1;
+            } else {
+                break;
+            }
+        }
+        let word: String = self.letters[start..end].iter().collect();
+        let Some(number) = word.parse::<f64>().ok().filter(|number| number.is_finite()) else {
+            return Err(self.fault(start, &format!("'{word}' is no number"), "write e.g. 0.5 or 2e-3"));
+        };
+        self.at = end;
+        self.skip_space();
+        match self.letters.get(self.at) {
+            Some(letter) if letter.is_alphabetic() || *letter == '(' || *letter == '_' => {
+                let cure = format!("write {word} * {letter}…; numbers carry no unit");
+                Err(self.fault(self.at, "an operator is missing behind a number", &cure))
+            }
+            _ => {
+                self.steps.push(Step::Number(number));
+                Ok(())
+            }
+        }
+    }
+
+    fn name(&mut self) -> Result<(), ExpressionError> {
+        let start = self.at;
+        while (self.letters.get(self.at)).is_some_and(|letter| letter.is_alphanumeric() || *letter == '_') {
+            self.at += 1;
+        }
+        let word: String = self.letters[start..self.at].iter().collect();
+        if let Some(place) = self.names.iter().position(|name| *name == word) {
+            self.steps.push(Step::Variable(place));
+            return Ok(());
+        }
+        if word == "pi" {
+            self.steps.push(Step::Number(std::f64::consts::PI));
+            return Ok(());
+        }
+        let Some(function) = FUNCTIONS.iter().position(|(name, _)| *name == word) else {
+            let known: Vec<&str> = self
+                .names
+                .iter()
+                .copied()
+                .chain(FUNCTIONS.iter().map(|(name, _)| *name))
+                .collect();
+            let cure = match nearest_word(&word, known.iter().copied()) {
+                Some(near) => format!("did you mean {near}? There are {}", known.join(", ")),
+                None => format!("there are {}", known.join(", ")),
+            };
+            return Err(self.fault(start, &format!("there is no {word}"), &cure));
+        };
+        self.arguments(function, &word)
+    }
+
+    fn arguments(&mut self, function: usize, word: &str) -> Result<(), ExpressionError> {
+        let count = FUNCTIONS[function].1;
+        let example = if count == 1 {
+            format!("{word}(a)")
+        } else {
+            format!("{word}(a, b)")
+        };
+        let opened = self.at;
+        if self.take(&['(']).is_none() {
+            return Err(self.fault(
+                opened,
+                &format!("{word} is a function"),
+                &format!("write {example}"),
+            ));
+        }
+        for argument in 0..count {
+            if argument > 0 && self.take(&[',']).is_none() {
+                let problem = format!("{word} takes {count} values");
+                return Err(self.fault(self.at, &problem, &format!("write {example}")));
+            }
+            self.sum()?;
+        }
+        if self.take(&[',']).is_some() {
+            let problem = format!("{word} takes {count} value{}", if count == 1 { "" } else { "s" });
+            return Err(self.fault(self.at - 1, &problem, &format!("write {example}")));
+        }
+        self.close(opened)?;
+        self.steps.push(Step::Call(function));
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Expression;
+    use num_dual::Dual64;
+    use proptest::prelude::{Just, Strategy, prop_oneof, proptest};
+
+    fn value(text: &str) -> f64 {
+        Expression::parse(text, &["x", "alpha"])
+            .unwrap_or_else(|error| panic!("{error}"))
+            .value(&[0.5, 0.3])
+    }
+
+    #[test]
+    fn operators_bind_as_in_mathematics() {
+        assert_eq!(value("1 + 2 * 3 - 4 / 2"), 5.0);
+        assert_eq!(value("-2^2"), -4.0);
+        assert_eq!(value("2^-1"), 0.5);
+        assert_eq!(value("2^3^2"), 512.0);
+        assert_eq!(value("-(1 - 3) * +x"), 1.0);
+        assert_eq!(value("8 / 4 / 2"), 1.0);
+        assert_eq!(value("max(x, 2e-1) - min(1., .25)"), 0.25);
+        assert!(
+            (value("sin(pi / 2) + cos(0) + tanh(0) + sqrt(4) * ln(exp(1)) + abs(-1)") - 5.0).abs() < 1e-15
+        );
+        assert!((value("(1 - x)^1.5") - 0.5f64.powf(1.5)).abs() < 1e-16);
+    }
+
+    #[test]
+    fn a_fault_is_shown_with_its_column_and_a_cure() {
+        for (text, column, cure) in [
+            ("", 1, "at the end"),
+            ("2 * ", 5, "at the end"),
+            ("2 x", 3, "write 2 * x"),
+            ("2 * (x + 1", 5, "put )"),
+            ("x + 1)", 6, "open a bracket"),
+            ("alpa * 2", 1, "did you mean alpha"),
+            ("x ** 2", 3, "a^b"),
+            ("sin x", 4, "sin(a)"),
+            ("min(x)", 6, "min(a, b)"),
+            ("sin(x, 1)", 6, "sin(a)"),
+            ("x alpha", 3, "operator"),
+            ("1.2.3", 1, "0.5 or 2e-3"),
+            ("x; 2", 2, "operator"),
+            ("$", 1, "a number"),
+        ] {
+            let error = Expression::parse(text, &["x", "alpha"]).expect_err(text);
+            assert_eq!(error.column, column, "{error}");
+            assert!(error.cure.contains(cure), "{error}");
+        }
+        let deep = format!("{}x{}", "(".repeat(500), ")".repeat(500));
+        assert!(Expression::parse(&deep, &["x"]).is_err());
+        assert!(Expression::parse(&"x+".repeat(5000), &["x"]).is_err());
+    }
+
+    #[test]
+    fn derivatives_come_with_dual_numbers() {
+        let slope = |text: &str, x: f64| {
+            let read = Expression::parse(text, &["x"]).unwrap();
+            read.value(&[Dual64::new(x, 1.0)]).eps
+        };
+        assert!((slope("x^3", 0.5) - 0.75).abs() < 1e-15);
+        assert!((slope("x^x", 0.5) - 0.5f64.sqrt() * (1.0 + 0.5f64.ln())).abs() < 1e-15);
+        assert!((slope("sin(2 * x) / x", 0.5) - (4.0 * 1f64.cos() - 4.0 * 1f64.sin())).abs() < 1e-14);
+        assert_eq!(slope("abs(x) + max(x, 0) + x^2", -1.0), -3.0);
+    }
+
+    /// A formula as text, with its value computed beside.
+    fn formula() -> impl Strategy<Value = (String, f64)> {
+        let leaf = prop_oneof![
+            (1..1000i32).prop_map(|n| (format!("{}", f64::from(n) / 64.0), f64::from(n) / 64.0)),
+            Just(("x".to_string(), 0.5)),
+            Just(("alpha".to_string(), 0.3)),
+        ];
+        leaf.prop_recursive(5, 40, 2, |inner| {
+            (inner.clone(), inner, 0..6usize).prop_map(|((a, va), (b, vb), which)| match which {
+                0 => (format!("({a} + {b})"), va + vb),
+                1 => (format!("({a}-{b})"), va - vb),
+                2 => (format!("({a}) * ({b})"), va * vb),
+                3 => (format!("max({a},{b})"), if vb > va { vb } else { va }),
+                4 => (format!("-({a})^2"), -(va * va)),
+                _ => (format!("sin( {a} )"), va.sin()),
+            })
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn a_formula_has_the_value_of_its_parts((text, expected) in formula()) {
+            let found = value(&format!("({text})"));
+            assert!((found - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{text}: {found} {expected}");
+        }
+
+        #[test]
+        fn no_text_makes_the_reader_panic(text in ".{0,60}") {
+            let _ = Expression::parse(&text, &["x"]);
+        }
+
+        #[test]
+        fn no_text_of_its_own_letters_makes_the_reader_panic(text in "[x0-9.+*/^(),e a-]{0,80}") {
+            if let Ok(read) = Expression::parse(&text, &["x"]) {
+                let _ = read.value(&[0.5]);
+            }
+        }
+    }
+}
