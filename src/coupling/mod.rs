@@ -4,6 +4,8 @@ pub mod accelerate;
 
 pub mod air;
 
+pub mod air_resistance;
+
 pub mod engineering;
 
 pub mod error;

@@ -33,7 +33,7 @@ impl Periodic {
         let square = self.stroke.rate_rad_s.powi(2);
         let (sweep, pitch) = (
             self.stroke.sweep_acceleration(phase),
-            square * self.stroke.pitch(phase)[1],
+            square * self.stroke.pitch(phase)[2],
         );
         let rigid: Vec<f64> = (fields.sweep.iter().zip(&fields.pitch))
             .map(|(a, b)| sweep * a + pitch * b)

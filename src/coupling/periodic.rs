@@ -3,14 +3,14 @@
 //!
 //! u(τ) = standing path + Σ φ x(τ). The standing path has the coupled shape of mid-stroke and its exact rate with the
 //! dynamic pressure, so that without inertia it is the whole answer. Inertia of the path, of the sweep and of the flips
-//! drives the modes (wing and moved air); the air damps and stiffens them, linear about mid-stroke.
+//! drives the modes (wing and moved air), and the air damps both; it damps and stiffens the modes, linear about mid-stroke.
 //!
-//! Idealised: the rod flips between its stops as a half wave of a sine; motion across the wing changes sign with the
+//! Idealised: the rate at which the rod flips between its stops is a raised cosine; motion across the wing changes sign with the
 //! half-stroke; stiffness is that of the loaded shape all the way, also while the film goes slack about the reversal.
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use num_dual::DualSVec64;
 
+use super::air_resistance::AirResistance;
 use super::error::CouplingError;
 use super::feedback::Feedback;
 use super::harmonic_balance::{Harmonics, Oscillators, StrokeWork};
@@ -18,7 +18,6 @@ use super::solution::Solution;
 use super::strips::Strip;
 use super::stroke::{Stroke, standing_path};
 use super::wing::Wing;
-use crate::aero::strip_force;
 use crate::effects::{Need, named};
 use crate::geometry::Planform;
 use crate::input::design::Design;
@@ -39,15 +38,21 @@ pub struct PeriodicSettings {
     pub damping_ratio: f64,
     /// Share of the stroke that each flip takes.
     pub flip_share: f64,
+    /// Share of the air that moves with the wing: 1 is a cylinder on the chord.
+    pub moved_air: f64,
+    /// Share of the air's damping: 1 is that of the quasi-steady law.
+    pub air_damping: f64,
 }
 
 impl Default for PeriodicSettings {
     fn default() -> Self {
         PeriodicSettings {
-            orders: vec![1, 3, 5],
+            orders: vec![1, 3, 5, 7, 9, 11, 13],
             modes: 8,
             damping_ratio: 0.02,
             flip_share: 0.2,
+            moved_air: 1.0,
+            air_damping: 1.0,
         }
     }
 }
@@ -84,6 +89,7 @@ struct StripPath {
 #[derive(Debug, Clone)]
 pub(super) struct Fields {
     pub pattern: Pattern,
+    nodes: usize,
     /// Mass of the wing alone, and with the air that it moves.
     pub mass: [Vec<f64>; 2],
     /// Displacement at mid-stroke, and its rate with the pressure less that.
@@ -123,7 +129,7 @@ pub fn periodic(
     } else {
         (still.state.clone(), wing.loads_on(&still.state))
     };
-    let air = moved_air(&wing);
+    let air = moved_air(&wing, settings.moved_air);
     let mut equilibrium = Equilibrium::new(&wing.model)?;
     let modes = match lowest_modes(&mut equilibrium, &about, &loads, &air, settings.modes, progress)? {
         Vibration::Stable(modes) if !modes.is_empty() => modes,
@@ -139,8 +145,9 @@ pub fn periodic(
         }
     };
     let fields = Fields::new(&wing, &mut equilibrium, &still, &about, &air, &modes)?;
-    let system = oscillators(&wing, &still.state, &stroke, settings, &modes, &fields);
-    let force = fields.driving(&stroke);
+    let air_resistance = AirResistance::new(&wing, &still.state, &modes, settings.air_damping);
+    let system = oscillators(&wing, &still.state, &stroke, settings, &modes, &air_resistance);
+    let force = fields.driving(&stroke, &system, &air_resistance);
     let motion = system
         .balance(&settings.orders, &force)
         .ok_or(CouplingError::NoPeriodic {
@@ -239,8 +246,8 @@ fn at_mid_stroke(design: &Design) -> Design {
 }
 
 /// Mass of the air that moves with each shell along its normal, kg/m²: ρ π/4 c, spread evenly over the chord.
-fn moved_air(wing: &Wing) -> Vec<f64> {
-    let density = wing.air.as_ref().map_or(0.0, |air| air.law.density_kg_m3);
+fn moved_air(wing: &Wing, share: f64) -> Vec<f64> {
+    let density = share * wing.air.as_ref().map_or(0.0, |air| air.law.density_kg_m3);
     let strips = &wing.strips.strips;
     let chord_m = |r_m: f64| {
         let after = strips.partition_point(|strip| strip.r_m < r_m);
@@ -318,39 +325,61 @@ impl Fields {
             sweep: by_freedom(&|node| [Vector3::z() * (place(node).x + offset_m), -Vector3::y()]),
             pitch: by_freedom(&|node| [Vector3::z() * place(node).y, Vector3::x()]),
             mass: masses,
+            nodes: wing.model.nodes.len(),
             pattern,
         })
     }
 
-    /// Force on the modes at a phase, by what is accelerated besides themselves.
-    fn driving(&self, stroke: &Stroke) -> impl Fn(f64) -> DVector<f64> + use<> {
+    /// Force on the modes at a phase, by what moves besides themselves: inertia, and damping by air and structure.
+    fn driving(
+        &self,
+        stroke: &Stroke,
+        system: &Oscillators,
+        air: &AirResistance,
+    ) -> impl Fn(f64) -> DVector<f64> + use<> {
         let share = |field: &[f64]| {
             let momentum = self.pattern.multiply(&self.mass[1], field);
             let on = |mode: &Vec<f64>| mode.iter().zip(&momentum).map(|(a, b)| a * b).sum::<f64>();
             DVector::from_iterator(self.modes.len(), self.modes.iter().map(on))
         };
-        let [first, second] = [0, 1].map(|k| share(&self.standing[k]));
+        let still = [0, 1].map(|k| share(&self.standing[k]));
         let (sweep, pitch) = (share(&self.sweep), share(&self.pitch));
-        let stroke = *stroke;
-        let square = stroke.rate_rad_s.powi(2);
+        let in_air = |field: &[f64]| air.on_modes(&self.displacement(field));
+        let still_in_air = [0, 1].map(|k| in_air(&self.standing[k]));
+        let pitch_in_air = in_air(&self.pitch);
+        let own = system.damping.clone();
+        let (stroke, rate) = (*stroke, stroke.rate_rad_s);
         move |phase: f64| {
-            let [along, beside] = standing_path(phase);
-            -(&first * (square * along[2])
-                + &second * (square * beside[2])
-                + &sweep * stroke.sweep_acceleration(phase)
-                + &pitch * (square * stroke.pitch(phase)[1]))
+            let path = standing_path(phase);
+            let [_, turning, jerking] = stroke.pitch(phase);
+            let mut force = -(&sweep * stroke.sweep_acceleration(phase) + &pitch * (rate * rate * jerking));
+            force -= &pitch_in_air * (rate * turning * phase.cos().abs());
+            for k in 0..2 {
+                force -= &still[k] * (rate * rate * path[k][2]);
+                force -= &own * &still[k] * (rate * path[k][1]);
+                force -= &still_in_air[k] * (rate * path[k][1] * phase.cos().abs());
+            }
+            force
         }
+    }
+
+    /// The displacements of a motion by freedom.
+    fn displacement(&self, field: &[f64]) -> Vec<Vector3<f64>> {
+        let at = |node: usize| self.pattern.freedom(node, 0);
+        (0..self.nodes)
+            .map(|node| Vector3::from_column_slice(&field[at(node)..at(node) + 3]))
+            .collect()
     }
 }
 
-/// The equations of the modes: air linear about mid-stroke. A strip feels the motion of its point at ¾ of the chord.
+/// The equations of the modes: air linear about mid-stroke.
 fn oscillators(
     wing: &Wing,
     state: &State,
     stroke: &Stroke,
     settings: &PeriodicSettings,
     modes: &[Mode],
-    fields: &Fields,
+    air_resistance: &AirResistance,
 ) -> Oscillators {
     let count = modes.len();
     let angular = |mode: &Mode| std::f64::consts::TAU * mode.frequency_hz;
@@ -370,28 +399,12 @@ fn oscillators(
         }
     }
     let mut air_damping = DMatrix::zeros(count, count);
-    for ((strip, air), shape) in wing.strips.strips.iter().zip(&air).zip(shapes.chunks_exact(6)) {
-        let by_velocity = force_by_velocity(wing, strip, shape);
-        let moved = |mode: &Mode, point: usize| {
-            let point = &strip.points[point];
-            point.weights[0] * mode.displacement[point.nodes[0]]
-                + point.weights[1] * mode.displacement[point.nodes[1]]
-        };
-        let last = strip.points.len() - 1;
-        let felt = |mode: &Mode| moved(mode, 0) * 0.25 + moved(mode, last) * 0.75;
-        let mean =
-            |mode: &Mode| -> Vector3<f64> { (0..=last).map(|k| moved(mode, k) * air.weights[k]).sum() };
-        for (column, mode) in modes.iter().enumerate() {
-            let force = by_velocity * felt(mode) * strip.width_m;
-            for (row, other) in modes.iter().enumerate() {
-                air_damping[(row, column)] += mean(other).dot(&force);
-            }
-        }
+    for (column, mode) in modes.iter().enumerate() {
+        air_damping.set_column(column, &air_resistance.on_modes(&mode.displacement));
     }
     let own = modes
         .iter()
         .map(|mode| 2.0 * settings.damping_ratio * angular(mode));
-    debug_assert_eq!(count, fields.modes.len());
     Oscillators {
         rate_rad_s: stroke.rate_rad_s,
         stiffness: DVector::from_iterator(count, modes.iter().map(|mode| angular(mode).powi(2))),
@@ -401,32 +414,10 @@ fn oscillators(
     }
 }
 
-/// Change of a strip's force per length with the velocity of the air, N s/m².
-fn force_by_velocity(wing: &Wing, strip: &Strip, shape: &[f64]) -> nalgebra::Matrix3<f64> {
-    type Velocity = DualSVec64<3>;
-    let Some(air) = &wing.air else {
-        return nalgebra::Matrix3::zeros();
-    };
-    let stream = air.flow.velocity(strip.r_m);
-    let velocity = Vector3::from_fn(|i, _| Velocity::from_re(stream[i]).derivative(i));
-    let fixed = |at: usize| Vector3::from_fn(|i, _| Velocity::from_re(shape[at + i]));
-    let force = strip_force(&air.law, &velocity, &fixed(0), &fixed(3), strip.chord_m, &());
-    nalgebra::Matrix3::from_fn(|i, j| {
-        let by = force.force_n_per_m[i].eps;
-        by.unwrap_generic(nalgebra::Const::<3>, nalgebra::Const::<1>)[j]
-    })
-}
-
 fn strip_paths(wing: &Wing, still: &Solution, fields: &Fields) -> Vec<StripPath> {
     let strips = &wing.strips;
     let [shapes, rest] = [&still.state, &still.rest].map(|state| strips.shapes(state));
-    let displacement = |field: &[f64]| -> Vec<Vector3<f64>> {
-        let at = |node: usize| fields.pattern.freedom(node, 0);
-        (0..wing.model.nodes.len())
-            .map(|node| Vector3::from_column_slice(&field[at(node)..at(node) + 3]))
-            .collect()
-    };
-    let changes = |field: &[f64]| strips.shape_changes(&displacement(field));
+    let changes = |field: &[f64]| strips.shape_changes(&fields.displacement(field));
     let by_pressure: Vec<f64> = {
         let [shape, more] = &fields.standing;
         changes(&shape.iter().zip(more).map(|(a, b)| a + b).collect::<Vec<f64>>())

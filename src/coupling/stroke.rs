@@ -39,20 +39,23 @@ impl Stroke {
         }
     }
 
-    /// Pitch of the rod from upright (rad) and its second derivative with the phase, washout of the first half-stroke
-    /// positive: at the stops but for the flips, which are half waves of a sine.
-    pub fn pitch(&self, phase: f64) -> [f64; 2] {
+    /// Pitch of the rod from upright (rad) and its first and second derivative with the phase, washout of the first
+    /// half-stroke positive: at the stops but for the flips, whose rate rises and falls as a raised cosine.
+    pub fn pitch(&self, phase: f64) -> [f64; 3] {
         // nearest reversal, and the side on which it ends
         let turn = ((phase - FRAC_PI_2) / PI).round();
         let side = if turn.rem_euclid(2.0) == 0.0 { -1.0 } else { 1.0 };
         let (from, half) = (phase - FRAC_PI_2 - turn * PI, PI * self.flip_share);
         let stop = self.stop_pitch_rad * side;
         if from.abs() >= half {
-            return [stop * from.signum(), 0.0];
+            return [stop * from.signum(), 0.0, 0.0];
         }
-        let wave = FRAC_PI_2 / half;
-        let sin = (wave * from).sin();
-        [stop * sin, -stop * wave * wave * sin]
+        let (sin, cos) = (PI * from / half).sin_cos();
+        [
+            stop * (from / half + sin / PI),
+            stop * (1.0 + cos) / half,
+            -stop * PI * sin / (half * half),
+        ]
     }
 
     /// Acceleration of the rod across the wing per distance from the stroke axis, rad/s², positive along +z.

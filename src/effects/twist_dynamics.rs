@@ -13,7 +13,7 @@ const CARD: Card = Card {
     name: "twist-dynamics",
     family: "inertia",
     summary: "The wing twists back and forth with every stroke, and its own mass with the air that moves with it drives it beyond, or holds it back from, the shape that would stand still.",
-    formula: "dF = −s (M + M_air) ü at the phase of the design; u: harmonics 1, 3, 5 of the modes about the loaded shape, driven by sweep, flip (sine over a fifth of the stroke) and load, 2 % damping",
+    formula: "dF = −s (M + M_air) ü at the phase of the design; u: odd harmonics to 13 of 8 modes about the loaded shape, driven by sweep, flip (raised cosine over a fifth of the stroke) and load, damped by the air and by 2 %",
     source: "harmonic balance (Nayfeh & Mook 1979); added mass ρ(π/4)c² (Ellington 1984, part II)",
     when_right: "a mode lies near an odd harmonic of the stroke, or the flip is hard",
     gets_wrong: "the flip is assumed; stiffness is that of the loaded shape, also while the film is slack; the motion is that of the wing without this effect, so that it does not see its own change of stiffness",

@@ -179,6 +179,6 @@ fn twist_with_its_inertia_is_that_of_the_periodic_motion() {
             stations[index], still[index], moving[index]
         );
         assert!(expected.abs() > 0.2 * still[index].abs());
-        assert!((more / expected - 1.0).abs() < 0.05, "{more} {expected}");
+        assert!((more / expected - 1.0).abs() < 0.1, "{more} {expected}");
     }
 }

@@ -123,3 +123,20 @@ fn wrong_tables_of_ones_own_are_refused_with_a_cure() {
         assert!(error.contains(said), "{error}");
     }
 }
+
+#[test]
+fn the_example_of_ones_own_acts() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/effect_of_ones_own.toml");
+    let table = std::fs::read_to_string(path).unwrap();
+    let design = rectangle(&format!("{AIR}{table}"));
+    let bound = bind(&design).unwrap();
+    assert_eq!(bound.len(), 1);
+    assert_eq!(bound[0].effect.card().name, "glue-seam");
+    assert_eq!(design.assumptions().len(), 1);
+    // its number can be set like any other, and no twist is no moment
+    let mut other = design.clone();
+    other.set("effects.glue-seam.k", 1.5).unwrap();
+    assert_eq!(other.get("effects.glue-seam.k"), Some(1.5));
+    assert!((air(&design).1 - air(&rectangle(AIR)).1).abs() < 1e-12);
+    assert!(other.set("effects.glue-seam.k", 1.0).is_ok() && bind(&other).is_ok());
+}
