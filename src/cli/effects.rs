@@ -45,6 +45,9 @@ fn list(cards: &[Card]) -> String {
         let _ = writeln!(text, "  {:width$}  {}", card.name, card.summary);
     }
     text.push_str("The card of one: washout effects NAME\n");
+    text.push_str(
+        "One of your own: [effects.NAME] kind = \"custom\", acts_on, expression; see examples/effect_of_ones_own.toml\n",
+    );
     text
 }
 

@@ -18,7 +18,7 @@ use super::solution::Solution;
 use super::strips::Strip;
 use super::stroke::{Stroke, standing_path};
 use super::wing::Wing;
-use crate::effects::{Need, named};
+use crate::effects::{Need, bind};
 use crate::geometry::Planform;
 use crate::input::design::Design;
 use crate::mesh::Mesh;
@@ -111,7 +111,7 @@ pub fn periodic(
     settings: &PeriodicSettings,
     progress: &Progress,
 ) -> Result<Periodic, CouplingError> {
-    let design = at_mid_stroke(design);
+    let design = at_mid_stroke(design)?;
     let wing = Wing::new(&design, mesh, air_table)?;
     let stroke = wing
         .air
@@ -234,15 +234,21 @@ impl Periodic {
     }
 }
 
-/// The design at mid-stroke, without the effects that are made from its motion.
-fn at_mid_stroke(design: &Design) -> Design {
-    let mut design = design.clone();
-    if let Some(flapping) = &mut design.flapping {
+/// The design at mid-stroke, without the effects that are made from its motion, or act nowhere but off mid-stroke.
+fn at_mid_stroke(design: &Design) -> Result<Design, CouplingError> {
+    let left_out = bind(design)?.into_iter().filter_map(|bound| {
+        let card = bound.effect.card();
+        let moves = |need: &Need| matches!(need, Need::Motion | Need::OffMidStroke);
+        card.needs.iter().any(moves).then(|| card.name.to_string())
+    });
+    let mut still = design.clone();
+    left_out.for_each(|name| {
+        still.effects.remove(&name);
+    });
+    if let Some(flapping) = &mut still.flapping {
         flapping.phase_deg = 0.0.into();
     }
-    let moves = |name: &str| named(name).is_some_and(|effect| effect.card().needs.contains(&Need::Motion));
-    design.effects.retain(|name, _| !moves(name));
-    design
+    Ok(still)
 }
 
 /// Mass of the air that moves with each shell along its normal, kg/m²: ρ π/4 c, spread evenly over the chord.

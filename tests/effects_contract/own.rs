@@ -140,3 +140,30 @@ fn the_example_of_ones_own_acts() {
     assert!((air(&design).1 - air(&rectangle(AIR)).1).abs() < 1e-12);
     assert!(other.set("effects.glue-seam.k", 1.0).is_ok() && bind(&other).is_ok());
 }
+
+/// A formula over the twist rate takes it from the wing without the formula.
+#[test]
+fn a_formula_of_ones_own_may_brake_by_the_twist_rate() {
+    let plate = AIR.replace("0.01", "0.15");
+    let braked = rectangle(&format!("{plate}{}", own("moment", "-2e-4 * twist_rate", "")));
+    let (_, mesh) = for_design(&braked, None).unwrap();
+    let wing = Wing::new(&braked, &mesh, None).unwrap();
+    let motion = wing.motion.clone().unwrap();
+    let shapes = wing.strips.shapes(&State::at_rest(mesh.nodes.len()));
+    let sum = |wing: &Wing| -> f64 {
+        let force = wing.air_force(&wing.strip_air(&shapes, false));
+        force
+            .iter()
+            .zip(&mesh.nodes)
+            .map(|(force, x)| force.z * x[1])
+            .sum()
+    };
+    let plain = Wing::new(&rectangle(&plate), &mesh, None).unwrap();
+    let rates = wing
+        .strips
+        .strips
+        .iter()
+        .map(|strip| motion.twist_rate_rad_s(strip.r_m) * strip.width_m);
+    let expected = -2e-4 * rates.sum::<f64>();
+    assert!(((sum(&wing) - sum(&plain)) / expected - 1.0).abs() < 1e-9);
+}
