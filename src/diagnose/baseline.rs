@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
+use crate::study::calibrate::misfit;
 use crate::study::{Fit, Forward};
 
 use super::data::{Data, Scatter, start};
@@ -90,10 +91,17 @@ impl<'a> Baseline<'a> {
         let value = first.predicted.clone();
         let fields = fields(forward, &data, &moment, &value);
         let local = Local::about(&first, forward, &stated.noise);
-        let widening = outliers(forward, &data, &first, &local, &slopes, &fields);
-        let scatter = settle(
-            forward, &data, settings, &local, &slopes, &fields, &value, widening,
-        )?;
+        let glance = Glance {
+            forward,
+            settings,
+            data: &data,
+            local: &local,
+            slopes: &slopes,
+            fields: &fields,
+            value: &value,
+        };
+        let widening = glance.outliers();
+        let scatter = glance.settle(widening)?;
         progress.say("fitting the model with the scatter that the data show");
         let fit = scatter.fit(forward, &data, &data.model, &first.at)?;
         let local = Local::about(&fit, forward, &scatter.noise);
@@ -179,59 +187,68 @@ fn side_by_side(parts: &[DMatrix<f64>]) -> DMatrix<f64> {
     DMatrix::from_columns(&columns)
 }
 
-/// Factors for numbers that are far from what all the others tell, whatever is missing.
-fn outliers(
-    forward: &dyn Forward,
-    data: &Data,
-    fit: &Fit,
-    local: &Local,
-    slopes: &DMatrix<f64>,
-    fields: &[Field],
-) -> Vec<f64> {
-    if data.rows.len() < FEWEST {
-        return vec![1.0; data.rows.len()];
-    }
-    let inverse = data
-        .rows
-        .iter()
-        .map(|&row| 1.0 / forward.observables()[row].sigma);
-    let inverse = DVector::from_iterator(data.rows.len(), inverse);
-    let errors = data.rows.iter().map(|&row| {
-        let observable = &forward.observables()[row];
-        crate::study::calibrate::misfit(observable, fit.predicted[row])
-    });
-    let residual = DVector::from_iterator(data.rows.len(), errors).component_mul(&inverse);
-    let mut parts = vec![local.slopes.clone(), slopes.select_rows(data.rows.iter())];
-    let smooth = fields.iter().filter(|field| is_smooth(field.law));
-    parts.extend(smooth.map(|field| &field.columns * SMOOTH_AMPLITUDE));
-    let columns = DMatrix::from_diagonal(&inverse) * side_by_side(&parts);
-    outlier_widening(&residual, &columns)
+/// The first fit and all that could be wrong with it, before the scatter is known.
+struct Glance<'a> {
+    forward: &'a dyn Forward,
+    settings: &'a Settings,
+    data: &'a Data,
+    local: &'a Local,
+    slopes: &'a DMatrix<f64>,
+    fields: &'a [Field],
+    value: &'a DVector<f64>,
 }
 
-/// The scatter whose scale agrees with the rough part of the residual.
-#[allow(clippy::too_many_arguments)]
-fn settle(
-    forward: &dyn Forward,
-    data: &Data,
-    settings: &Settings,
-    local: &Local,
-    slopes: &DMatrix<f64>,
-    fields: &[Field],
-    value: &DVector<f64>,
-    widening: Vec<f64>,
-) -> Result<Scatter, DiagnoseError> {
-    let mut scale = settings.noise_scale.unwrap_or(1.0);
-    let is_estimated = settings.noise_scale.is_none() && data.rows.len() >= FEWEST;
-    let rounds = if is_estimated { ROUNDS } else { 0 };
-    for _ in 0..rounds {
-        let scatter = Scatter::new(forward, data, value, settings, scale, widening.clone())?;
-        let whitened = Whitened::new(local, &scatter.noise)?;
-        let directions = Directions::new(data, slopes, &whitened);
-        let columns = smooth_columns(fields, &seen(fields, &whitened), &directions.columns);
-        let smooth = Smooth::new(&whitened, &columns);
-        let residual = DMatrix::from_column_slice(whitened.residual.len(), 1, whitened.residual.as_slice());
-        let rough = smooth.rough_squares(&residual)[0] * scale * scale;
-        scale = smooth.variance(rough, settings.noise_trust).sqrt();
+impl Glance<'_> {
+    /// Factors for numbers that are far from what all the others tell, whatever is missing.
+    fn outliers(&self) -> Vec<f64> {
+        let rows = &self.data.rows;
+        if rows.len() < FEWEST {
+            return vec![1.0; rows.len()];
+        }
+        let observables = self.forward.observables();
+        let inverse = rows.iter().map(|&row| 1.0 / observables[row].sigma);
+        let inverse = DVector::from_iterator(rows.len(), inverse);
+        let errors = rows.iter().map(|&row| misfit(&observables[row], self.value[row]));
+        let residual = DVector::from_iterator(rows.len(), errors).component_mul(&inverse);
+        let mut parts = vec![self.local.slopes.clone(), self.slopes.select_rows(rows.iter())];
+        let smooth = self.fields.iter().filter(|field| is_smooth(field.law));
+        parts.extend(smooth.map(|field| &field.columns * SMOOTH_AMPLITUDE));
+        let columns = DMatrix::from_diagonal(&inverse) * side_by_side(&parts);
+        outlier_widening(&residual, &columns)
     }
-    Scatter::new(forward, data, value, settings, scale, widening)
+
+    /// The scatter whose scale agrees with the rough part of the residual.
+    fn settle(&self, widening: Vec<f64>) -> Result<Scatter, DiagnoseError> {
+        let settings = self.settings;
+        let mut scale = settings.noise_scale.unwrap_or(1.0);
+        let is_estimated = settings.noise_scale.is_none() && self.data.rows.len() >= FEWEST;
+        let rounds = if is_estimated { ROUNDS } else { 0 };
+        for _ in 0..rounds {
+            let scatter = self.scatter(scale, &widening)?;
+            let whitened = Whitened::new(self.local, &scatter.noise)?;
+            let directions = Directions::new(self.data, self.slopes, &whitened);
+            let seen = seen(self.fields, &whitened);
+            let smooth = Smooth::new(
+                &whitened,
+                &smooth_columns(self.fields, &seen, &directions.columns),
+            );
+            let size = whitened.residual.len();
+            let residual = DMatrix::from_column_slice(size, 1, whitened.residual.as_slice());
+            let rough = smooth.rough_squares(&residual)[0] * scale * scale;
+            scale = smooth.variance(rough, settings.noise_trust).sqrt();
+        }
+        self.scatter(scale, &widening)
+    }
+
+    fn scatter(&self, scale: f64, widening: &[f64]) -> Result<Scatter, DiagnoseError> {
+        let widening = widening.to_vec();
+        Scatter::new(
+            self.forward,
+            self.data,
+            self.value,
+            self.settings,
+            scale,
+            widening,
+        )
+    }
 }

@@ -148,7 +148,9 @@ pub struct Strength {
 pub struct Novel {
     /// Probability.
     pub probability: f64,
-    /// The missing load, compliance or error of reading; none if nothing is missing.
+    /// The missing load, compliance or error of reading (`law`, `field`, … beside the probability); none if nothing is
+    /// missing.
+    #[serde(flatten)]
     pub reconstruction: Option<Reconstruction>,
     /// Known effects whose signature is nearest, with the cosine.
     pub nearest: Vec<LookAlike>,

@@ -333,6 +333,16 @@ fn verdicts_survive_json_and_the_same_study_gives_the_same_bits() {
     assert_eq!(first, second);
     let back: Diagnosis = serde_json::from_str(&first).expect("the same schema");
     assert_eq!(back, said(&toy));
+    let novel = said(&case(Kind::Novel, 77).toy);
+    let text = serde_json::to_value(&novel).expect("json");
+    assert!(
+        text["novel"]["field"][0]["points"].is_array() && text["novel"]["law"]["kind"].is_string(),
+        "{text}"
+    );
+    assert_eq!(
+        serde_json::from_value::<Diagnosis>(text).expect("the same schema"),
+        novel
+    );
 }
 
 #[test]
