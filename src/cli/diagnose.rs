@@ -51,6 +51,7 @@ impl Diagnose {
         let campaign = Campaign::new(&study, &names, progress).map_err(|error| fault(error.into()))?;
         let settings = Settings {
             slop: campaign.slop,
+            start: Some(campaign.start()),
             significance: self.significance,
             seed: self.seed,
             ..Settings::default()
