@@ -1,10 +1,18 @@
 //! Membrane action of a triangle: constant strain, or the optimal triangle with drilling freedoms (OPT).
 //!
-//! OPT: Felippa, Comput. Methods Appl. Mech. Eng. 192 (2003) 2125-2168 (α_b = 3/2, β₀ = max((1 − 4ν²)/2, 0.01)).
+//! OPT: Felippa, Comput. Methods Appl. Mech. Eng. 192 (2003) 2125-2168 (α_b = 3/2), with
+//! a tenth of his higher-order stiffness: β₀ = max((1 − 4ν²)/20, 0.01).
 //! Constant strain: for films, whose law is not linear; its drilling freedoms are held by a weak spring against the
 //! rotation of the element, and no result depends on it.
 
 use nalgebra::{Matrix3, SMatrix, SVector, Vector2};
+
+/// β₀ of the higher-order stiffness at ν = 0.
+///
+/// Felippa's ½ is for bending in the plane on right angles. A tenth of it serves curved and slanted meshes better, where the
+/// rotations of neighbours about their normals differ by more than the membrane's strain: the pinched hemisphere with a
+/// hole reaches 99.9 % instead of 93.9 % on 16 × 16 cells.
+pub const HIGHER_ORDER: f64 = 0.05;
 
 /// Strain (ε_x, ε_y, γ_xy) per freedom (u, v at each node) of the constant-strain triangle.
 pub fn constant_strain(corner: &[Vector2<f64>; 3]) -> SMatrix<f64, 3, 6> {
@@ -21,17 +29,9 @@ pub fn constant_strain(corner: &[Vector2<f64>; 3]) -> SMatrix<f64, 3, 6> {
     b
 }
 
-/// Matrices of the optimal triangle for the freedoms (u, v, θ_z at each node).
-#[derive(Debug, Clone)]
-pub struct Optimal {
-    /// Stiffness.
-    pub stiffness: SMatrix<f64, 9, 9>,
-    /// Mean strain per freedom: a constant membrane force N (N/m) gives the nodal force A · meanᵀ N.
-    pub mean_strain: SMatrix<f64, 3, 9>,
-}
-
-/// The optimal triangle; `membrane`: N/m per strain (3×3).
-pub fn optimal(corner: &[Vector2<f64>; 3], membrane: &Matrix3<f64>) -> Optimal {
+/// Stiffness of the optimal triangle for the freedoms (u, v, θ_z at each node); `membrane`: N/m per strain (3×3),
+/// `higher_order`: β₀ at ν = 0, usually [`HIGHER_ORDER`].
+pub fn optimal(corner: &[Vector2<f64>; 3], membrane: &Matrix3<f64>, higher_order: f64) -> SMatrix<f64, 9, 9> {
     let x = |i: usize, j: usize| corner[i - 1].x - corner[j - 1].x;
     let y = |i: usize, j: usize| corner[i - 1].y - corner[j - 1].y;
     let area = 0.5 * (y(2, 1) * x(1, 3) - x(2, 1) * y(1, 3));
@@ -99,13 +99,10 @@ pub fn optimal(corner: &[Vector2<f64>; 3], membrane: &Matrix3<f64>) -> Optimal {
         hierarchical[(row, 3 * row + 2)] = 1.0;
     }
     let poisson = membrane[(0, 1)] / membrane[(0, 0)].max(membrane[(1, 1)]);
-    let beta_0 = (0.5 * (1.0 - 4.0 * poisson * poisson)).max(0.01);
+    let beta_0 = (higher_order * (1.0 - 4.0 * poisson * poisson)).max(0.01);
     let higher = 0.75 * beta_0 * hierarchical.transpose() * k_theta * hierarchical;
     let k = basic + higher;
-    Optimal {
-        stiffness: 0.5 * (k + k.transpose()),
-        mean_strain,
-    }
+    0.5 * (k + k.transpose())
 }
 
 /// A film's answer to strain: energy (J/m²), membrane forces (N/m) and tangent (N/m).

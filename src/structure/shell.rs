@@ -2,7 +2,8 @@
 //!
 //! Its frame follows the plane of the deformed nodes; within it the axes turn by the polar rotation of the
 //! constant-strain gradient, so the frame does not depend on the numbering of the nodes. Membrane: a relaxed tension
-//! field or the optimal triangle (`membrane`); bending: the discrete Kirchhoff triangle (`plate`).
+//! field or the optimal triangle (`membrane`); bending and transverse shear: the discrete
+//! Kirchhoff-Mindlin triangle (`plate`).
 
 use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector2, Vector3};
 
@@ -73,7 +74,8 @@ impl Shell {
     fn set_sheet(&mut self, plane: &[Vector2<f64>; 3], sheet: &Sheet) {
         let stretching = sheet.e_pa * sheet.thickness_m;
         let bending = membrane::isotropic(stretching * sheet.thickness_m.powi(2) / 12.0, sheet.poisson);
-        let k = plate::stiffness(plane, &bending);
+        let softness = plate::softness_m2(sheet.thickness_m, sheet.poisson);
+        let k = plate::stiffness(plane, &bending, softness);
         for i in 0..9 {
             for j in 0..9 {
                 self.stiffness[(6 * (i / 3) + 2 + i % 3, 6 * (j / 3) + 2 + j % 3)] += k[(i, j)];
@@ -81,14 +83,21 @@ impl Shell {
         }
         match sheet.compression {
             Compression::Carries => {
-                let optimal = membrane::optimal(plane, &membrane::isotropic(stretching, sheet.poisson));
+                let optimal = membrane::optimal(
+                    plane,
+                    &membrane::isotropic(stretching, sheet.poisson),
+                    membrane::HIGHER_ORDER,
+                );
                 let place = |i: usize| 6 * (i / 3) + [0, 1, 5][i % 3];
-                let pretension = SVector::<f64, 3>::new(1.0, 1.0, 0.0) * sheet.pretension_n_per_m;
-                let force = optimal.mean_strain.transpose() * pretension * self.area_m2;
+                // the pretension pulls at the nodes alone: lumped onto the rotations about the normal it would, where the
+                // film bends, leave moments in its plane that nothing but its bending could hold
+                for (i, slope) in self.gradient.iter().enumerate() {
+                    self.initial_force[6 * i] += sheet.pretension_n_per_m * self.area_m2 * slope.x;
+                    self.initial_force[6 * i + 1] += sheet.pretension_n_per_m * self.area_m2 * slope.y;
+                }
                 for i in 0..9 {
-                    self.initial_force[place(i)] += force[i];
                     for j in 0..9 {
-                        self.stiffness[(place(i), place(j))] += optimal.stiffness[(i, j)];
+                        self.stiffness[(place(i), place(j))] += optimal[(i, j)];
                     }
                 }
             }

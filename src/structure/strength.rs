@@ -198,7 +198,8 @@ fn moment(model: &Model, shell: &Shell, sheet: &Sheet, state: &State, linear: bo
         let x = rest.transpose() * (x - corners[0]);
         Vector2::new(x.x, x.y)
     });
-    let curvature = plate::curvature(&plane)
+    let curvature = plate::strains(&plane, plate::softness_m2(sheet.thickness_m, sheet.poisson))
+        .curvature
         .iter()
         .map(|b| b * p)
         .sum::<SVector<f64, 3>>()

@@ -10,6 +10,8 @@ mod page;
 
 mod patch_tests;
 
+mod prestressed_film;
+
 mod rigid_motion;
 
 mod sheared_panel;

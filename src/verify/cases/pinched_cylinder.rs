@@ -7,6 +7,10 @@
 //!  (========)    value: deflection under a force, 164.24 P/(E t)
 //!       ↑
 //! ```
+//!
+//! The reference is that of a thin shell. In one that yields to shear the place under a point force goes down without
+//! end as the mesh gets finer, here by 0.2 % for every halving: 20 cells a side are fine enough for the rest (1.0 % above
+//! the reference on 24, 1.1 % on 32, 1.2 % on 64; 0.3 % on 64 without shear).
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -37,7 +41,7 @@ pub const CASE: Case = Case {
 };
 
 fn run(level: Level, _: &Progress) -> Result<Answer, VerifyError> {
-    let count = [level.times(8), level.times(8)];
+    let count = [level.times(5), level.times(5)];
     let mut grid = Grid::new(count, plate(3e6, 0.3, 3.0), |xi, eta| {
         let (sine, cosine) = (FRAC_PI_2 * eta).sin_cos();
         Vector3::new(300.0 * cosine, 300.0 * xi, 300.0 * sine)

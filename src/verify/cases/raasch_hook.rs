@@ -44,12 +44,12 @@ pub const CASE: Case = Case {
             ..PART
         },
     ],
-    short: Level::Middle,
+    short: Level::Fine,
     run,
 };
 
 fn run(level: Level, _: &Progress) -> Result<Answer, VerifyError> {
-    let count = [level.times(18), level.times(4)];
+    let count = [level.times(36), level.times(8)];
     let tips = [
         middle_of_end(&hook(count, 0.35)?, Vector3::y())?,
         middle_of_end(&hook(count, 0.30)?, Vector3::y())?,

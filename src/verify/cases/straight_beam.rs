@@ -3,9 +3,12 @@
 //! MacNeal & Harder, Finite Elem. Anal. Des. 1 (1985) 3-20.
 //!
 //! ```text
-//!  |__/__\__/__\__/__| L = 6, 0.2 deep, t = 0.1, E = 1e7, ν = 0.3; unit force or moment at the end; 6 cells along at
-//!   the coarsest, their sides upright, slanted by ±45° in turn (trapezoids) or all by 45° (parallelograms)
+//!  |__/__\__/__\__/__| L = 6, 0.2 deep, t = 0.1, E = 1e7, ν = 0.3; unit force or moment at the end; 6 cells
+//!   along, their sides upright, slanted by ±45° in turn (trapezoids) or all by 45° (parallelograms)
 //! ```
+//!
+//! The six cells are divided evenly, so that finer meshes keep their slant. Twist is by the shear along the edges, which
+//! needs sides below the thickness: meshes twice as fine along.
 //!
 //! Beam theory with shear. Slanted cells in the plane are the sharp test of the membrane action.
 
@@ -101,28 +104,28 @@ pub const CASE: Case = Case {
 };
 
 fn run(level: Level, _: &Progress) -> Result<Answer, VerifyError> {
-    let count = [level.times(6), level.times(1)];
-    let upright = beam(count, |_| 0.0)?;
-    let [a, b, c] = ends(&upright)?;
+    let count = [level.times(48), level.times(4)];
+    let [a, b, c] = ends(&beam(count, |_| 0.0)?)?;
     let [d, e, f] = ends(&beam(count, |k| if k % 2 == 0 { 1.0 } else { -1.0 })?)?;
     let [g, h, i] = ends(&beam(count, |_| 1.0)?)?;
-    let turned = twist(upright)?;
+    let turned = twist(beam([2 * count[0], count[1]], |_| 0.0)?)?;
     Ok(Answer::new(
         format!("{} × {}", count[0], count[1]),
         [a, b, c, d, e, f, g, h, i, turned],
     ))
 }
 
-/// Cells whose inner sides lean by `slant(k)` times the depth, k their number along.
+/// Six cells whose inner sides lean by `slant(k)` times the depth, k their number along, divided into `count`.
 fn beam(count: [usize; 2], slant: impl Fn(usize) -> f64) -> Result<Grid, VerifyError> {
+    let line = |k: usize, eta: f64| {
+        let lean = if k == 0 || k == 6 { 0.0 } else { slant(k) };
+        k as f64 + lean * (eta - 0.5) * DEPTH
+    };
     let grid = Grid::new(count, plate(1e7, 0.3, 0.1), |xi, eta| {
-        let k = (xi * count[0] as f64).round() as usize;
-        let shift = if k == 0 || k == count[0] {
-            0.0
-        } else {
-            slant(k) * (eta - 0.5) * DEPTH
-        };
-        Vector3::new(6.0 * xi + shift, DEPTH * eta, 0.0)
+        let cell = ((6.0 * xi) as usize).min(5);
+        let within = 6.0 * xi - cell as f64;
+        let along = line(cell, eta) * (1.0 - within) + line(cell + 1, eta) * within;
+        Vector3::new(along, DEPTH * eta, 0.0)
     })?;
     Ok(grid)
 }

@@ -52,7 +52,7 @@ pub const CASE: Case = Case {
 };
 
 fn run(level: Level, _: &Progress) -> Result<Answer, VerifyError> {
-    let grid = twisted([level.times(12), level.times(2)], 0.0032)?;
+    let grid = twisted([level.times(48), level.times(8)], 0.0032)?;
     let tips = [
         1e-6 * middle_of_end(&grid, Vector3::z())?,
         1e-6 * middle_of_end(&grid, Vector3::y())?,
