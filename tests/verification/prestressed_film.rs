@@ -13,8 +13,9 @@ use nalgebra::Vector3;
 use washout::progress::Progress;
 use washout::structure::state::State;
 use washout::structure::{Equilibrium, Loads, NewtonSettings, Sheet};
+use washout::verify::grid::{Grid, film, plate};
 
-use crate::support::{Grid, film, off, plate};
+use crate::support::off;
 
 const SIDE: f64 = 0.03;
 
@@ -32,16 +33,15 @@ fn rise(pressure_pa: f64, sheet: Sheet) -> (f64, [usize; 2], usize) {
             eta + wobble * (2.3 * i - 1.1 * j).cos(),
             0.0,
         )
-    });
+    })
+    .unwrap();
     for line in [
         grid.side(false),
         grid.side(true),
         grid.edge(false),
         grid.edge(true),
     ] {
-        for node in line {
-            grid.model.hold(node, [true, true, true, false, false, false]);
-        }
+        grid.hold(&line, [true, true, true, false, false, false]);
     }
     let mut loads = Loads::none(grid.model.nodes.len());
     for shell in &grid.model.shells {
