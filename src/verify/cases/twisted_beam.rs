@@ -20,9 +20,7 @@ const PART: Quantity = Quantity {
     source: "MacNeal & Harder 1985, in FinEtools",
     confidence: Confidence::Seen,
     tolerance: 0.01,
-    order: Order::Exempt(
-        "singular corners at the clamp; shear along the free edges, in strips half as wide as the plate is thick",
-    ),
+    order: Order::Exempt("singular corners at the clamp"),
     ..Quantity::BLANK
 };
 
