@@ -16,7 +16,7 @@ use super::noise::Noise;
 const PATIENCE: usize = 30;
 /// Largest last step, in standard deviations of the posterior, that ends the search; a fall of Q by less than its square
 /// (over 1 + Q) does too.
-const TOLERANCE: f64 = 1e-3;
+const TOLERANCE: f64 = 1e-2;
 
 /// The best fit.
 #[derive(Debug, Clone)]

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use nalgebra::{DMatrix, DVector};
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use super::case::PreparedCase;
+use super::case::{PreparedCase, Solved};
 use super::error::StudyError;
 use super::forward::{Condition, Forward, Linear, Observable, Unknown, UnknownKind};
 use super::unknowns::{Target, Targets};
@@ -64,12 +64,16 @@ impl Campaign {
             study.study.name,
             cases.len()
         ));
-        let readable: Vec<Vec<Result<f64, String>>> = cases
+        let solved: Vec<(Vec<Result<f64, String>>, Solved)> = cases
             .par_iter()
-            .map(|case| case.read_each(&case.solve(&case.design, &progress.unseen())?))
-            .collect::<Result<_, _>>()?;
+            .map(|case| {
+                let solved = case.solve(&case.design, &progress.unseen())?;
+                Ok((case.read_each(&solved)?, solved))
+            })
+            .collect::<Result<_, StudyError>>()?;
         let (mut observables, mut conditions, mut skipped) = (Vec::new(), Vec::new(), Vec::new());
-        for (index, (case, readings)) in cases.iter_mut().zip(readable).enumerate() {
+        for (index, (case, (readings, solved))) in cases.iter_mut().zip(solved).enumerate() {
+            case.start_from(solved);
             let mut kept = Vec::new();
             for (row, reading) in case.rows.iter().zip(readings) {
                 match reading {
@@ -148,7 +152,7 @@ impl Campaign {
     fn each<T: Send>(
         &self,
         at: &[f64],
-        give: impl Fn(usize, &PreparedCase, &super::case::Solved) -> Result<T, StudyError> + Sync,
+        give: impl Fn(usize, &PreparedCase, &Solved) -> Result<T, StudyError> + Sync,
     ) -> Result<Vec<T>, StudyError> {
         let times = 1 + self.asked.fetch_add(1, Ordering::Relaxed);
         self.progress.say(format_args!(

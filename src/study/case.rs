@@ -9,6 +9,7 @@ use super::error::StudyError;
 use super::forward::{Condition, Observable};
 use crate::aero::{AirLaw, Flow};
 use crate::coupling::sensitivity::Nearby;
+use crate::coupling::solution::Solution;
 use crate::coupling::strips::Strips;
 use crate::coupling::wing::Wing;
 use crate::coupling::{self, CouplingError, Sensitivity};
@@ -32,6 +33,8 @@ pub struct PreparedCase {
     /// Measured rows.
     pub rows: Vec<Row>,
     is_held_out: bool,
+    /// The case as it stands, from which it is solved with other values: fixed by the study, so that results are too.
+    base: Option<Solution>,
     air_table: Option<Vec<[f64; 3]>>,
     mesh_file: Option<(String, Vec<u8>)>,
 }
@@ -82,6 +85,7 @@ impl PreparedCase {
             design,
             rows: case.rows.clone(),
             is_held_out: case.is_held_out,
+            base: None,
             air_table: case.loaded.air_table.clone(),
             mesh_file,
         })
@@ -103,6 +107,11 @@ impl PreparedCase {
             dynamic_pressure_pa: 0.5 * design.air.density_kg_m3.value() * speed * speed,
             length_m,
         }
+    }
+
+    /// Starts every further solve from this one.
+    pub fn start_from(&mut self, solved: Solved) {
+        self.base = Some(solved.solution);
     }
 
     /// A failure of this case.
@@ -131,7 +140,8 @@ impl PreparedCase {
     pub fn solve(&self, design: &Design, progress: &Progress) -> Result<Solved, StudyError> {
         progress.check()?;
         let (planform, mesh) = self.mesh(design).map_err(|error| self.failed(error))?;
-        let solution = coupling::solve(design, &planform, &mesh, self.air_table.as_deref(), progress);
+        let table = self.air_table.as_deref();
+        let solution = coupling::solve_from(design, &planform, &mesh, table, self.base.as_ref(), progress);
         Ok(Nearby {
             design: design.clone(),
             planform,
