@@ -2,6 +2,8 @@
 
 use clap::{Args, ValueEnum};
 
+use crate::compare::StudyComparison;
+use crate::diagnose::Diagnosis;
 use crate::export::difference::Difference;
 use crate::export::modes::ModesSummary;
 use crate::export::summary::RunSummary;
@@ -14,11 +16,15 @@ use super::{Console, Failure};
 #[command(after_help = "Examples:
   washout schema > design.schema.json           of design files, for editors
   washout schema --output                       of `washout solve --json` and summary.json
+  washout schema --study                        of study files
   washout schema --output diff                  of `washout diff --json`")]
 pub struct Schema {
     /// Of the JSON document that a verb prints, instead of design files
     #[arg(long, value_name = "VERB", num_args = 0..=1, default_missing_value = "solve")]
     pub output: Option<Output>,
+    /// Of study files, instead of design files
+    #[arg(long, conflicts_with = "output")]
+    pub study: bool,
 }
 
 /// Verbs whose JSON document has a schema.
@@ -38,6 +44,12 @@ pub enum Output {
     Mesh,
     /// `washout init --json`
     Init,
+    /// `washout compare STUDY --json`
+    Study,
+    /// `washout diagnose --json`
+    Diagnose,
+    /// `washout add --json`
+    Add,
     /// `washout verify --json`, and `verify.json`
     Verify,
 }
@@ -46,6 +58,7 @@ impl Schema {
     /// Prints the schema.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let schema = match self.output {
+            None if self.study => crate::input::schema::study_schema(),
             None => crate::input::schema::design_schema(),
             Some(Output::Solve) => schemars::schema_for!(RunSummary),
             Some(Output::Compare) => schemars::schema_for!(super::compare::CompareReport),
@@ -53,6 +66,9 @@ impl Schema {
             Some(Output::Diff) => schemars::schema_for!(Difference),
             Some(Output::Modes) => schemars::schema_for!(ModesSummary),
             Some(Output::Mesh) => schemars::schema_for!(super::mesh::MeshReport),
+            Some(Output::Study) => schemars::schema_for!(StudyComparison),
+            Some(Output::Diagnose) => schemars::schema_for!(Diagnosis),
+            Some(Output::Add) => schemars::schema_for!(super::add::AddReport),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
             Some(Output::Verify) => schemars::schema_for!(VerifyReport),
         };

@@ -18,6 +18,8 @@ mod schema;
 
 mod solve;
 
+mod study;
+
 mod verify;
 
 mod writing;

@@ -1,4 +1,5 @@
 //! Comparison with the measurements that are shipped.
 
+mod studies;
 mod torsion_rod;
 mod twisting_wings;

@@ -5,6 +5,7 @@ mod bad_designs;
 mod bad_files;
 
 mod bad_measurements;
+mod bad_studies;
 
 mod properties;
 

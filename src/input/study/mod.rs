@@ -105,7 +105,7 @@ pub struct Uncertain {
     pub mean: Option<f64>,
     /// The standard deviation of its prior; that of the design's assumed range (its width over √12) where absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e12, "examples" = [0.8]))]
+    #[schemars(extend("minimum" = 1e-15, "maximum" = 1e12, "examples" = [0.8]))]
     pub sigma: Option<f64>,
     /// The values that it may take; the design's assumed range, or four standard deviations, where absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -136,7 +136,7 @@ pub struct Ruler {
     #[schemars(extend("examples" = [["bending"]]))]
     pub runs: Option<Vec<String>>,
     /// The standard deviation of its prior: of an offset in the unit of the channel, of a scale as a share.
-    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e9, "examples" = [0.5]))]
+    #[schemars(extend("minimum" = 1e-15, "maximum" = 1e9, "examples" = [0.5]))]
     pub sigma: f64,
     /// Where the prior comes from.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -166,7 +166,7 @@ pub struct StudyEffect {
     pub strength: f64,
     /// The standard deviation of the prior of its strength, about 0; without one the strength stays as it is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e12, "examples" = [0.2]))]
+    #[schemars(extend("minimum" = 1e-15, "maximum" = 1e12, "examples" = [0.2]))]
     pub sigma: Option<f64>,
     /// The effect's other numbers.
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]

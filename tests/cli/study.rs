@@ -1,0 +1,122 @@
+//! Studies: compared, diagnosed, an effect added and taken out again.
+
+use std::fs;
+use std::path::Path;
+
+use crate::washout;
+
+/// A cantilever whose torsional stiffness was 20 % lower than its design says: 1 mN·m to 3 mN·m at the tip, ten readings.
+fn bench(folder: &Path) {
+    fs::write(
+        folder.join("rod.toml"),
+        "format = 1\nname = 'rod'\n[planform]\nlength_mm = 100.0\noutline = [[0.0, 20.0], [100.0, 20.0]]\ntip_cut = 1.0\n\
+         [ribs]\nbays = 10\n[[rod]]\nfrom_mm = 0.0\nto_mm = 100.0\nmaterial = 'steel'\n\
+         section = { shape = 'round', diameter_mm = 1.0 }\n\
+         [material.steel]\ne_gpa = 200.0\ng_gpa = 80.0\npoisson = 0.25\ndensity_kg_m3 = 8000.0\n\
+         [[load]]\nat_mm = 100.0\nmoment_n_m = [0.001, 0.0, 0.0]\n",
+    )
+    .unwrap();
+    let mut rows =
+        String::from("case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound\n");
+    let per_mn_m = 0.001 * 0.1 / (80e9 * std::f64::consts::PI / 32.0 * 1e-12);
+    let scatter = [0.6, -0.9, 0.2, -0.3, 1.1, -0.5, 0.4, -1.2, 0.1, 0.8];
+    for moment in 1..=3 {
+        for (place, noise) in scatter.iter().enumerate() {
+            let r_mm = 10.0 * (place + 1) as f64;
+            let twist = 1.25 * f64::from(moment) * per_mn_m.to_degrees() * r_mm / 100.0
+                + 0.004 * noise * f64::from(4 - moment);
+            rows.push_str(&format!(
+                "m-{moment},twist,chord_rotation,deg,washout,,{r_mm},,{twist:.5},0.01,stated,none\n"
+            ));
+        }
+    }
+    fs::write(folder.join("m.csv"), rows).unwrap();
+    fs::write(
+        folder.join("study.toml"),
+        "# my bench\nformat = 1\nname = 'bench'\n[[case]]\ndesign = 'rod.toml'\nset = ['load[0].moment_n_m=[{moment*0.001}, 0, 0]']\n\
+         measurement = 'm.csv'\nmeasured = 'm-{moment}'\nheld_out = ['m-2']\n\
+         [[ruler]]\nkind = 'offset'\nchannel = 'twist'\nsigma = 0.01\n",
+    )
+    .unwrap();
+}
+
+#[test]
+fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_not_fitted() {
+    let folder = tempfile::tempdir().unwrap();
+    bench(folder.path());
+    let run = |arguments: &[&str]| washout(folder.path(), arguments);
+
+    let compared = run(&["compare", "study.toml"]);
+    assert_eq!(compared.code, Some(0), "{}", compared.err);
+    assert!(
+        compared.out.contains("offset of twist"),
+        "{}",
+        compared.out
+    );
+
+    let few = [
+        "--effect",
+        "rod-shear-modulus",
+        "--effect",
+        "centre-of-pressure-shift",
+    ];
+    let mut arguments = vec!["diagnose", "study.toml", "--json"];
+    arguments.extend(few);
+    let said = run(&arguments);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let diagnosis: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+    assert_eq!(
+        diagnosis["hypotheses"][0]["effects"][0], "rod-shear-modulus",
+        "{}",
+        said.out
+    );
+    let strength = diagnosis["hypotheses"][0]["strength"].as_f64().unwrap();
+    assert!((strength - 0.25).abs() < 0.03, "{strength}");
+
+    let added = run(&["add", "rod-shear-modulus", "--to", "study.toml"]);
+    assert_eq!(added.code, Some(0), "{}", added.err);
+    let text = fs::read_to_string(folder.path().join("study.toml")).unwrap();
+    assert!(
+        text.starts_with("# my bench") && text.contains("name = \"rod-shear-modulus\""),
+        "{text}"
+    );
+    let report = run(&["compare", "study.toml", "--json"]);
+    let report: serde_json::Value = serde_json::from_str(&report.out).unwrap();
+    let held_out = report["groups"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|g| g["is_held_out"] == true)
+        .unwrap();
+    assert!(held_out["rmse"][1].as_f64().unwrap() < 0.02, "{held_out}");
+
+    let again = run(&arguments);
+    let diagnosis: serde_json::Value = serde_json::from_str(&again.out).unwrap();
+    assert_ne!(diagnosis["verdict"], "effect", "{}", diagnosis["sentence"]);
+    assert!(
+        diagnosis["significance"]["p_null"].as_f64().unwrap() > 0.01,
+        "{}",
+        diagnosis["sentence"]
+    );
+
+    let removed = run(&["add", "rod-shear-modulus", "--to", "study.toml", "--remove"]);
+    assert_eq!(removed.code, Some(0), "{}", removed.err);
+    let text = fs::read_to_string(folder.path().join("study.toml")).unwrap();
+    assert!(!text.contains("rod-shear-modulus"), "{text}");
+}
+
+#[test]
+fn options_that_belong_to_a_design_and_unknown_effects_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    bench(folder.path());
+    let run = |arguments: &[&str]| washout(folder.path(), arguments);
+    let said = run(&["compare", "study.toml", "--with", "m.csv"]);
+    assert_eq!(said.code, Some(2));
+    assert!(said.err.contains("--with: belongs to a design"), "{}", said.err);
+    let said = run(&["add", "magic", "--to", "study.toml"]);
+    assert_eq!(said.code, Some(2));
+    assert!(said.err.contains("there is no effect magic"), "{}", said.err);
+    let said = run(&["diagnose", "study.toml", "--effect", "magic"]);
+    assert_eq!(said.code, Some(2));
+    assert!(said.err.contains("there is no effect magic"), "{}", said.err);
+}

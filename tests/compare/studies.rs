@@ -1,0 +1,99 @@
+//! Studies that are shipped: derivatives against differences, and what comes out, as it comes out.
+
+use std::path::Path;
+
+use washout::compare::StudyComparison;
+use washout::compare::study::compare_study;
+use washout::input::measurement::Channel;
+use washout::input::study::LoadedStudy;
+use washout::progress::Progress;
+use washout::study::{Campaign, Forward};
+
+fn load(name: &str) -> LoadedStudy {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("studies")
+        .join(format!("{name}.toml"));
+    LoadedStudy::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn compared(name: &str) -> StudyComparison {
+    let study = load(name);
+    let campaign = Campaign::new(&study, &[], &Progress::quiet()).unwrap();
+    compare_study(&campaign, &study.study.title).unwrap()
+}
+
+/// Root mean square errors (as stated, calibrated) of a channel of a wing, fitted or held out.
+fn rmse(comparison: &StudyComparison, wing: &str, channel: Channel, is_held_out: bool) -> [f64; 2] {
+    let mut groups = comparison.groups.iter();
+    let found = groups.find(|g| g.wing == wing && g.channel == channel && g.is_held_out == is_held_out);
+    found.unwrap_or_else(|| panic!("no {wing}")).rmse
+}
+
+fn near(found: f64, expected: f64) {
+    assert!((found / expected - 1.0).abs() < 0.02, "{found}, was {expected}");
+}
+
+#[test]
+fn every_study_that_is_shipped_loads() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        LoadedStudy::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+        count += 1;
+    }
+    assert!(count >= 6, "{count}");
+}
+
+#[test]
+fn derivatives_of_a_study_are_those_of_cases_solved_again() {
+    let mut study = load("tang-dowell-wind");
+    study.cases.retain(|case| case.name.starts_with("aero-2.2-3"));
+    let campaign = Campaign::new(&study, &["centre-of-pressure-shift"], &Progress::quiet()).unwrap();
+    let at = campaign.start();
+    let linear = campaign.linearize(&at, &|_| true).unwrap();
+    assert_eq!(campaign.unknowns().len(), 6);
+    for (k, unknown) in campaign.unknowns().iter().enumerate() {
+        let step = 1e-2 * unknown.sigma;
+        let moved = |share: f64| {
+            let mut at = at.clone();
+            at[k] += share * step;
+            campaign.predict(&at).unwrap()
+        };
+        let slope = (moved(1.0) - moved(-1.0)) / (2.0 * step);
+        let error = (&slope - linear.jacobian.column(k)).amax() / slope.amax();
+        println!("{}: {error:.1e}", unknown.name);
+        assert!(error < 1e-4, "{}: {error}", unknown.name);
+    }
+}
+
+/// The wing sags and twists as its stated stiffness and mass say: at 45 deg, held out, by −40.4 mm and 0.136 deg.
+#[test]
+fn tang_and_dowells_wing_under_its_own_weight_agrees_within_the_uncertainty_but_for_a_little_twist() {
+    let comparison = compared("tang-dowell-gravity");
+    for group in &comparison.groups {
+        assert!(group.explained > 0.4, "{group:?}");
+    }
+    let [stated, calibrated] = rmse(&comparison, "tang-dowell", Channel::Twist, true);
+    near(stated, 0.0178);
+    near(calibrated, 0.0160);
+    let [stated, _] = rmse(&comparison, "tang-dowell", Channel::Deflection, true);
+    near(stated, 0.373);
+}
+
+#[test]
+fn a_moment_along_the_span_twists_the_wing_as_its_torsional_stiffness_says() {
+    let study = load("tang-dowell-gravity");
+    let campaign = Campaign::new(&study, &[], &Progress::quiet()).unwrap();
+    let stations = 9;
+    let response = campaign.moment_response(&campaign.start(), stations).unwrap();
+    let row = campaign
+        .observables()
+        .iter()
+        .position(|o| o.channel == Channel::Twist && campaign.conditions()[o.condition].name == "gravity-90")
+        .unwrap();
+    // a uniform moment per length m twists the tip by m L²/(2 GJ)
+    let total: f64 = (0..stations).map(|k| response[(row, k)]).sum();
+    let expected = (0.4508_f64.powi(2) / (2.0 * 0.9539)).to_degrees();
+    assert!((total / expected - 1.0).abs() < 0.01, "{total} {expected}");
+}
