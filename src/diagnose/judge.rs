@@ -131,7 +131,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
     let (settings, data, forward) = (baseline.settings, &baseline.data, baseline.forward);
     let significance = baseline.significance(&baseline.whitened, &baseline.directions);
     let is_null = significance.p_null > settings.significance;
-    let families = families(forward, data);
+    let families = families(forward, data, &baseline.directions.lengths);
     let scales = Scales {
         forward,
         data,

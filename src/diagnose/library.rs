@@ -6,6 +6,10 @@ use super::data::Data;
 use super::evidence::{Likelihood, LinearEvidence, of_one, of_two};
 use super::screening::{Directions, effect_of, is_one_sided};
 
+/// Effects whose prior standard deviation moves the data by less than this, in standard deviations, explain nothing: if
+/// they are missing, nothing detectable is.
+const VISIBLE: f64 = 0.3;
+
 /// Effects that are the same physics at another place or by another formula.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Family {
@@ -17,10 +21,14 @@ pub struct Family {
     pub is_located: bool,
 }
 
-/// Families of the missing effects, in the order of their first members.
-pub fn families(forward: &dyn Forward, data: &Data) -> Vec<Family> {
+/// Families of the missing effects that these data can see, in the order of their first members; `lengths` of their
+/// directions per prior standard deviation.
+pub fn families(forward: &dyn Forward, data: &Data, lengths: &[f64]) -> Vec<Family> {
     let mut found: Vec<Family> = Vec::new();
     for (k, &i) in data.missing.iter().enumerate() {
+        if lengths[k] < VISIBLE {
+            continue;
+        }
         let Some((_, name, _, _)) = effect_of(&forward.unknowns()[i]) else {
             continue;
         };

@@ -153,7 +153,7 @@ pub fn reconstruct(
     });
     let field: Vec<FieldProfile> = field.collect();
     let scaling = match fields[best].law {
-        Law::Load { .. } => Some(scaling_of_laws(fields, &weight)),
+        Law::Load { .. } => scaling_of_laws(fields, &weight),
         Law::Free => scaling_of_conditions(forward, &fields[best], &field),
         _ => None,
     };
@@ -217,8 +217,8 @@ fn profile(condition: Option<String>, value: &DVector<f64>, spread: &DMatrix<f64
     }
 }
 
-/// Powers averaged over the laws by their probability.
-fn scaling_of_laws(fields: &[Field], weight: &dyn Fn(usize) -> f64) -> Scaling {
+/// Powers averaged over the laws by their probability; none if the campaign has but one law.
+fn scaling_of_laws(fields: &[Field], weight: &dyn Fn(usize) -> f64) -> Option<Scaling> {
     let laws: Vec<(f64, f64, f64)> = (0..fields.len())
         .filter_map(|k| match fields[k].law {
             Law::Load {
@@ -228,6 +228,9 @@ fn scaling_of_laws(fields: &[Field], weight: &dyn Fn(usize) -> f64) -> Scaling {
             _ => None,
         })
         .collect();
+    if laws.len() < 2 {
+        return None;
+    }
     let total = ln_sum(laws.iter().map(|law| law.0));
     let average = |of: &dyn Fn(&(f64, f64, f64)) -> f64| -> [f64; 2] {
         let mean: f64 = laws.iter().map(|law| (law.0 - total).exp() * of(law)).sum();
@@ -238,10 +241,10 @@ fn scaling_of_laws(fields: &[Field], weight: &dyn Fn(usize) -> f64) -> Scaling {
         // two powers a step of 1 apart: half a step is not told
         [mean, (variance + 1.0 / 12.0).sqrt()]
     };
-    Scaling {
+    Some(Scaling {
         frequency: average(&|law| law.1),
         amplitude: average(&|law| law.2),
-    }
+    })
 }
 
 /// Powers from the sizes of a free field in every condition, by regression of logarithms weighted by their errors.

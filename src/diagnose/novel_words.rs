@@ -29,7 +29,11 @@ pub fn draft(reconstruction: &Reconstruction) -> Option<Draft> {
                 ),
             )
         }
-        (Law::Load { .. } | Law::Free, None) => (
+        (Law::Load { .. }, None) => (
+            String::new(),
+            format!("a moment per length {place}, the same in all conditions"),
+        ),
+        (Law::Free, None) => (
             String::new(),
             format!("a moment per length {place}, different in every condition"),
         ),

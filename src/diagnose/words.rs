@@ -103,6 +103,12 @@ fn novel(diagnosis: &Diagnosis) -> String {
             near.effect, near.cosine
         )
     });
+    if diagnosis.novel.probability < 0.5 {
+        return format!(
+            "Something is missing that no known effect explains, and nothing smooth along the span does well; nearest \
+             comes {what}{nearest}."
+        );
+    }
     format!("Something is missing that no known effect explains: {what}{nearest}.")
 }
 

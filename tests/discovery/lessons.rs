@@ -419,3 +419,25 @@ fn all_effects_are_linearized_twice_and_few_unknowns_some_forty_times() {
         assert!(whole <= 2 && few <= 60, "{whole} {few}");
     }
 }
+
+#[test]
+fn an_effect_that_moves_nothing_is_no_hypothesis() {
+    let mut toy = study(vec![Hidden::Known("film_tension", 1.0)], 13);
+    let index = toy
+        .unknowns
+        .iter()
+        .position(|u| u.name == "gravity")
+        .expect("that effect");
+    toy.unknowns[index].sigma = 1e-9;
+    if let UnknownKind::Effect { scale, .. } = &mut toy.unknowns[index].kind {
+        *scale = 1e-9;
+    }
+    let said = said(&toy);
+    assert!(
+        said.hypotheses
+            .iter()
+            .all(|h| !h.effects.contains(&"gravity".to_string()))
+    );
+    assert!(said.unseen.contains(&"gravity".to_string()));
+    assert_eq!(said.hypotheses[0].effects, ["film_tension"]);
+}
