@@ -245,7 +245,7 @@ fn believe(outcomes: &[Outcome], beliefs: &mut Vec<(f64, bool)>) {
             first.effects == ["novel"]
         } else {
             let named = first.families.iter().all(|f| truth.contains(&f.as_str()));
-            named && !first.families.is_empty() && truth.iter().all(|name| stated(name))
+            named && !first.families.is_empty() && truth.iter().all(stated)
         };
         beliefs.push((first.probability, right));
     }
