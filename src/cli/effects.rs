@@ -1,11 +1,14 @@
 //! `washout effects`: the physics that can be added, and the card of each.
 
 use std::fmt::Write;
+use std::path::PathBuf;
 
 use clap::Args;
 use serde_json::Value;
 
 use crate::effects::{ALL, Card, named};
+use crate::export::ExportError;
+use crate::export::effects::effects_page;
 
 use super::{Console, Failure};
 
@@ -18,6 +21,9 @@ use super::{Console, Failure};
 pub struct ListEffects {
     /// Print the card of this effect
     pub name: Option<String>,
+    /// Write the cards of all as a page of documentation
+    #[arg(long, value_name = "FILE", conflicts_with = "name")]
+    pub page: Option<PathBuf>,
 }
 
 impl ListEffects {
@@ -25,6 +31,9 @@ impl ListEffects {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let Some(name) = &self.name else {
             let cards: Vec<Card> = ALL.iter().map(|effect| effect.card()).collect();
+            if let Some(path) = &self.page {
+                std::fs::write(path, effects_page(&cards)).map_err(ExportError::file("write", path))?;
+            }
             return console.result(&list(&cards), &cards);
         };
         let Some(effect) = named(name) else {

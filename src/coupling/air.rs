@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::strips::{Strip, Strips};
 use crate::aero::{AeroError, AirLaw, Flow, SectionAir, SectionChange, SectionCoefficients};
 use crate::effects::{Bound, Dual, Motion, Seam, StripPlace};
-use crate::input::design::{Design, Kinematics};
+use crate::input::design::Design;
 
 /// The air that strips meet.
 #[derive(Debug, Clone)]
@@ -14,8 +14,8 @@ pub struct Air {
     pub law: AirLaw,
     /// The flow; a bench has still air.
     pub flow: Flow,
-    /// Small turns about the wing at rest.
-    pub linear: bool,
+    /// Share of large turns: 0 takes small turns about the wing at rest, 1 the turned strip.
+    pub large_share: f64,
     acting: Option<Acting>,
 }
 
@@ -39,6 +39,7 @@ impl Air {
         design: &Design,
         strips: &Strips,
         effects: &[Bound],
+        large_share: f64,
         air_table: Option<&[[f64; 3]]>,
     ) -> Result<Option<Air>, AeroError> {
         let flow = Flow::from_design(design);
@@ -67,7 +68,7 @@ impl Air {
         Ok(Some(Air {
             law: AirLaw::from_design(design, air_table)?,
             flow: flow.unwrap_or(still),
-            linear: design.structure.kinematics == Kinematics::Linear,
+            large_share,
             acting: (!acting.effects.is_empty()).then_some(acting),
         }))
     }

@@ -5,11 +5,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::CouplingError;
+use super::build::large_share;
 use super::solution::Solution;
 use super::vibration::Standing;
 use crate::aero::Flow;
+use crate::effects::bind;
 use crate::geometry::Planform;
-use crate::input::design::{Design, Kinematics, Section};
+use crate::input::design::{Design, Section};
 use crate::mesh::BeamPart;
 use crate::progress::Progress;
 use crate::structure::state::State;
@@ -90,7 +92,8 @@ pub fn engineering(
     let standing = Standing::loaded(design, solution)?;
     let mut found = Engineering::default();
     found.weigh(design, planform, &standing.model);
-    found.load(design, &standing.model, solution);
+    let linear = large_share(design, &bind(design)?) == 0.0;
+    found.load(design, &standing.model, solution, linear);
     found.vibrate(design, planform, standing, progress)?;
     Ok(found)
 }
@@ -111,7 +114,7 @@ impl Engineering {
         }
     }
 
-    fn load(&mut self, design: &Design, model: &Model, solution: &Solution) {
+    fn load(&mut self, design: &Design, model: &Model, solution: &Solution, linear: bool) {
         let (parts, force) = (&solution.mesh.beams, &solution.beam_force);
         let beams = |rod: bool| {
             let of = move |index: &usize| matches!(parts[*index].part, BeamPart::Rod(_)) == rod;
@@ -121,7 +124,6 @@ impl Engineering {
         self.rod_shear_stress = torsion_peak(model, beams(true), force).map(Extreme::from);
         self.rod_bending_stress = bending_peak(model, beams(true), force, strength).map(Extreme::from);
         self.spar_stress = bending_peak(model, beams(false), force, strength).map(Extreme::from);
-        let linear = design.structure.kinematics == Kinematics::Linear;
         let strength = design
             .film
             .as_ref()

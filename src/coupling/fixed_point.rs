@@ -7,7 +7,7 @@ use super::wing::Wing;
 use crate::input::design::{Coupling, Structure};
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Loads, NewtonSettings};
+use crate::structure::{Equilibrium, Loads, Model, NewtonSettings};
 
 /// A coupled equilibrium.
 #[derive(Debug, Clone)]
@@ -54,18 +54,17 @@ impl Coupled {
 /// # Errors
 /// If it has no equilibrium.
 pub fn cured(
-    wing: &Wing,
+    model: &Model,
     equilibrium: &mut Equilibrium,
     progress: &Progress,
 ) -> Result<(State, usize), CouplingError> {
-    let nodes = wing.model.nodes.len();
+    if let Some(blend) = &model.blend {
+        return Ok((blend.rest.clone(), 0));
+    }
+    let nodes = model.nodes.len();
     let (mut state, none) = (State::at_rest(nodes), Loads::none(nodes));
-    if wing
-        .model
-        .sheets
-        .iter()
-        .all(|sheet| sheet.pretension_n_per_m == 0.0)
-    {
+    let mut sheets = model.sheets.iter();
+    if sheets.all(|sheet| sheet.pretension_n_per_m == 0.0) {
         return Ok((state, 0));
     }
     // hold the flat film by forces and let go of them
@@ -175,7 +174,7 @@ pub(super) fn stable(
 ) -> Result<Coupled, CouplingError> {
     let shapes = wing.strips.shapes(&coupled.state);
     coupled.negative_pivots = if wing.linear {
-        equilibrium.factorize(rest, &Loads::none(wing.model.nodes.len()))?
+        equilibrium.factorize(rest, &wing.bench.growing())?
     } else {
         equilibrium.factorize(&coupled.state, &coupled.loads)?
     };

@@ -6,6 +6,8 @@ pub mod air;
 
 pub mod air_resistance;
 
+pub mod build;
+
 pub mod engineering;
 
 pub mod error;
@@ -83,7 +85,7 @@ pub fn solve_from(
     progress.check()?;
     let wing = Wing::new(design, mesh, air_table)?;
     let mut equilibrium = Equilibrium::new(&wing.model)?;
-    let (rest, steps) = fixed_point::cured(&wing, &mut equilibrium, progress)?;
+    let (rest, steps) = fixed_point::cured(&wing.model, &mut equilibrium, progress)?;
     let mut coupled = couple(design, &wing, &mut equilibrium, &rest, nearby, progress)?;
     coupled.newton_steps += steps;
     let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false);

@@ -92,7 +92,7 @@ impl<'a> Sensitivity<'a> {
     ) -> Result<Self, SensitivityError> {
         let mut equilibrium = Equilibrium::new(&wing.model)?;
         if wing.linear {
-            equilibrium.factorize(&solution.rest, &Loads::none(wing.model.nodes.len()))?;
+            equilibrium.factorize(&solution.rest, &wing.bench.growing())?;
         } else {
             equilibrium.factorize(&solution.state, &wing.loads_on(&solution.state))?;
         }
@@ -274,13 +274,9 @@ impl<'a> Sensitivity<'a> {
         }
         let rest = &self.solution.rest;
         let mut values = vec![0.0; pattern.entries()];
-        let start = wing.model.tangent(
-            pattern,
-            rest,
-            &Loads::none(state.displacement.len()),
-            None,
-            &mut values,
-        );
+        let growing = loads.growing();
+        wing.model.tangent(pattern, rest, &growing, None, &mut values);
+        let start = wing.model.residual(pattern, rest, loads);
         let mut moved = vec![0.0; pattern.len()];
         for (node, (u, q)) in state.displacement.iter().zip(&state.rotation).enumerate() {
             let at = pattern.freedom(node, 0);
@@ -290,7 +286,6 @@ impl<'a> Sensitivity<'a> {
         }
         let mut residual = pattern.multiply(&values, &moved);
         residual.iter_mut().zip(start).for_each(|(r, s)| *r += s);
-        loads.subtract(pattern, rest, &mut residual);
         residual
     }
 

@@ -197,23 +197,23 @@ impl Strip {
         let velocity = air.flow.velocity(self.r_m);
         let chord = Vector3::new(shape[0], shape[1], shape[2]);
         let span = Vector3::new(shape[3], shape[4], shape[5]);
-        let section = if air.linear {
+        let linear = || {
             let alpha = alpha_linear(&velocity, &chord, &span, self.chord_m);
-            strip_force_linear(&air.law, &velocity, alpha, self.chord_m, change)
-        } else {
-            strip_force(
-                &air.law,
-                &velocity.map(D::from),
-                &chord,
-                &span,
-                self.chord_m,
-                change,
-            )
+            let force = strip_force_linear(&air.law, &velocity, alpha, self.chord_m, change);
+            (force, D::from(self.chord_m))
         };
-        let lever = if air.linear {
-            D::from(self.chord_m)
-        } else {
-            chord.dot(&chord).sqrt()
+        let large = || {
+            let velocity = velocity.map(D::from);
+            let force = strip_force(&air.law, &velocity, &chord, &span, self.chord_m, change);
+            (force, chord.dot(&chord).sqrt())
+        };
+        let (section, lever) = match air.large_share {
+            0.0 => linear(),
+            1.0 => large(),
+            share => {
+                let ((a, short), (b, long)) = (linear(), large());
+                (mixed(share, &a, &b), short * (1.0 - share) + long * share)
+            }
         };
         let pair = section.moment_n * self.width_m / lever;
         Spread {
@@ -277,6 +277,25 @@ impl Spread<Dual> {
             weights: self.weights.iter().map(|w| w.re).collect(),
             couple_n: self.couple_n.map(|f| f.re),
         }
+    }
+}
+
+/// The share `large` of `b` and the rest of `a`.
+fn mixed<D: Number>(large: f64, a: &StripForce<D>, b: &StripForce<D>) -> StripForce<D> {
+    let one = |a: &D, b: &D| *a * (1.0 - large) + *b * large;
+    let three = |a: &Vector3<D>, b: &Vector3<D>| Vector3::from_fn(|i, _| one(&a[i], &b[i]));
+    StripForce {
+        alpha: one(&a.alpha, &b.alpha),
+        speed: one(&a.speed, &b.speed),
+        cl: one(&a.cl, &b.cl),
+        cd: one(&a.cd, &b.cd),
+        centre_of_pressure: one(&a.centre_of_pressure, &b.centre_of_pressure),
+        moment_n: one(&a.moment_n, &b.moment_n),
+        normal_n_per_m: one(&a.normal_n_per_m, &b.normal_n_per_m),
+        tangential_n_per_m: one(&a.tangential_n_per_m, &b.tangential_n_per_m),
+        normal: three(&a.normal, &b.normal),
+        chord: three(&a.chord, &b.chord),
+        force_n_per_m: three(&a.force_n_per_m, &b.force_n_per_m),
     }
 }
 

@@ -3,15 +3,17 @@
 use nalgebra::Vector3;
 
 use super::CouplingError;
+use super::build::{built, large_share};
 use super::fixed_point;
 use super::solution::Solution;
 use super::wing::Wing;
+use crate::effects::bind;
 use crate::geometry::Planform;
-use crate::input::design::{Design, Kinematics};
+use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Loads, Model, Vibration, bench_loads, lowest_modes, wing_model};
+use crate::structure::{Equilibrium, Loads, Model, Vibration, lowest_modes};
 
 /// A wing in equilibrium, about which it vibrates.
 #[derive(Debug, Clone)]
@@ -38,7 +40,7 @@ impl Standing {
         progress: &Progress,
     ) -> Result<Self, CouplingError> {
         let wing = Wing::new(design, mesh, air_table)?;
-        let (state, _) = fixed_point::cured(&wing, &mut Equilibrium::new(&wing.model)?, progress)?;
+        let (state, _) = fixed_point::cured(&wing.model, &mut Equilibrium::new(&wing.model)?, progress)?;
         let loads = Loads::none(mesh.nodes.len());
         Ok(Standing {
             model: wing.model,
@@ -53,12 +55,13 @@ impl Standing {
     /// # Errors
     /// If design and mesh do not belong together.
     pub fn loaded(design: &Design, solution: &Solution) -> Result<Self, CouplingError> {
-        let model = wing_model(design, &solution.mesh)?;
+        let effects = bind(design)?;
+        let (model, bench) = built(design, &solution.mesh, &effects, None)?;
         let nodes = model.nodes.len();
         let (mut state, mut loads) = (State::at_rest(nodes), Loads::none(nodes));
-        if design.structure.kinematics != Kinematics::Linear {
+        if large_share(design, &effects) > 0.0 {
             state = solution.state.clone();
-            loads = bench_loads(design, &solution.mesh, &model);
+            loads = bench;
             for (load, air) in loads.force_n.iter_mut().zip(&solution.air_force_n) {
                 *load += Vector3::from(*air);
             }

@@ -5,17 +5,18 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use super::air::Air;
+use super::build::{built, large_share};
 use super::error::CouplingError;
 use super::fixed_point::Coupled;
 use super::motion::motion;
 use super::solution::StripLoad;
 use super::strips::{StripAir, StripShape, Strips};
 use crate::aero::pressure_density;
-use crate::effects::{Bound, Motion, Need, Structure, bind};
-use crate::input::design::{Design, Kinematics};
+use crate::effects::{Bound, Motion, Need, bind};
+use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Loads, Model, bench_loads, wing_model};
+use crate::structure::{Beam, Equilibrium, Loads, Model, Shell};
 
 /// The structure, the strips and the air of a design, with the laws by which they act on each other.
 #[derive(Debug, Clone)]
@@ -28,7 +29,7 @@ pub struct Wing {
     pub bench: Loads,
     /// The air, if there is any.
     pub air: Option<Air>,
-    /// Small rotations about the wing at rest.
+    /// Small rotations about the wing at rest, and nothing else.
     pub linear: bool,
     /// What the stroke does at the phase of the design, if an effect needs it; frozen.
     pub motion: Option<Arc<Motion>>,
@@ -60,35 +61,30 @@ impl Wing {
             Some(known) => Some(known),
             None => Some(Arc::new(motion(design, mesh, air_table)?)),
         };
-        let mut model = wing_model(design, mesh)?;
-        let mut structure = Structure {
-            design,
-            mesh,
-            model: &mut model,
-            motion: motion.as_deref(),
-        };
-        for bound in &effects {
-            bound.effect.structure(&bound.values, &mut structure)?;
-        }
-        let mut bench = bench_loads(design, mesh, structure.model);
-        for bound in &effects {
-            bound.effect.load(&bound.values, &structure, &mut bench);
-        }
+        let (model, bench) = built(design, mesh, &effects, motion.as_deref())?;
         let mut strips = Strips::new(mesh);
-        let air = Air::new(design, &strips, &effects, air_table)?;
+        let large_share = large_share(design, &effects);
+        let air = Air::new(design, &strips, &effects, large_share, air_table)?;
         let air = air.map(|air| air.with_motion(motion.clone()));
         if air.is_none() {
             strips = Strips::default();
         }
-        let linear = design.structure.kinematics == Kinematics::Linear;
         Ok(Wing {
             model,
             strips,
             bench,
             air,
-            linear,
+            linear: large_share == 0.0,
             motion,
         })
+    }
+
+    /// Share of the linear model: 1 alone, between 0 and 1 beside large rotation.
+    fn linear_share(&self) -> f64 {
+        if self.linear {
+            return 1.0;
+        }
+        self.model.blend.as_ref().map_or(0.0, |blend| blend.linear_share)
     }
 
     /// Whether a film is to carry the air in linear kinematics.
@@ -201,34 +197,39 @@ impl Wing {
 
     /// Section forces of every beam at its middle: N, V_edge, V_flap (N), T, M_flap, M_edge (N·m).
     pub fn beam_forces(&self, rest: &State, state: &State) -> Vec<[f64; 6]> {
-        let force = |beam: &crate::structure::Beam| {
+        let share = self.linear_share();
+        let force = |(index, beam): (usize, &Beam)| {
             let (u, q) = self.model.beam_state(beam, state);
-            if !self.linear {
-                return beam.section_forces(&u, &q);
+            let twist_rad = self.bench.twist_rad(index);
+            let large = beam.section_forces(&u, &q, twist_rad);
+            if share == 0.0 {
+                return large;
             }
             let (u0, q0) = self.model.beam_state(beam, rest);
-            let (before, more) = (
-                beam.section_forces(&u0, &q0),
-                beam.section_forces_linear(&[u[0] - u0[0], u[1] - u0[1]], &[q[0] / q0[0], q[1] / q0[1]]),
-            );
-            std::array::from_fn(|i| before[i] + more[i])
+            let moved = [u[0] - u0[0], u[1] - u0[1]];
+            let turned = [q[0] / q0[0], q[1] / q0[1]];
+            let before = beam.section_forces(&u0, &q0, 0.0);
+            let more = beam.section_forces_linear(&moved, &turned, twist_rad);
+            std::array::from_fn(|i| mixed(share, before[i] + more[i], large[i]))
         };
-        self.model.beams.iter().map(force).collect()
+        self.model.beams.iter().enumerate().map(force).collect()
     }
 
     /// Membrane force of every triangle with x along the projection of the span: N_x, N_y, N_xy (N/m).
     pub fn membrane_forces(&self, rest: &State, state: &State) -> Vec<[f64; 3]> {
-        let force = |shell: &crate::structure::Shell| {
+        let share = self.linear_share();
+        let force = |shell: &Shell| {
             let sheet = &self.model.sheets[shell.sheet];
             let (u, q) = self.model.shell_state(shell, state);
-            if !self.linear {
-                return shell.membrane_force(sheet, &u, &q, &Vector3::x());
+            let large = shell.membrane_force(sheet, &u, &q, &Vector3::x());
+            if share == 0.0 {
+                return large;
             }
             let (u0, q0) = self.model.shell_state(shell, rest);
             let before = shell.membrane_force(sheet, &u0, &q0, &Vector3::x());
             let moved = std::array::from_fn(|i| u[i] - u0[i]);
             let more = shell.membrane_force_linear(sheet, &moved, &Vector3::x());
-            std::array::from_fn(|i| before[i] + more[i])
+            std::array::from_fn(|i| mixed(share, before[i] + more[i], large[i]))
         };
         self.model.shells.iter().map(force).collect()
     }
@@ -268,4 +269,12 @@ impl Wing {
         }
         (force, moment)
     }
+}
+
+/// A linear answer and that of large rotation, mixed; either alone where its share is all.
+fn mixed(linear_share: f64, linear: f64, large: f64) -> f64 {
+    if linear_share == 1.0 {
+        return linear;
+    }
+    linear_share * linear + (1.0 - linear_share) * large
 }

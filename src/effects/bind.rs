@@ -6,7 +6,7 @@ use super::card::{Card, Need};
 use super::custom::Custom;
 use super::error::EffectError;
 use super::{ALL, Effect, named};
-use crate::input::design::{Design, Kinematics, Section};
+use crate::input::design::{Design, FilmCompression, Kinematics, Section};
 
 /// The numbers of an effect, in the order of its card.
 #[derive(Debug, Clone, PartialEq)]
@@ -174,6 +174,15 @@ pub(super) fn number(value: &toml::Value) -> Option<f64> {
 }
 
 fn lacks(card: &Card, design: &Design) -> Option<String> {
+    let film_kept = (design.film.as_ref()).map(|film| match film.compression {
+        FilmCompression::TensionField => film.residual_compression.value(),
+        FilmCompression::Carries => 1.0,
+    });
+    let has = |effect: &str| {
+        let table = design.effects.get(effect);
+        let strength = table.and_then(|table| number(table.get("strength")?));
+        strength.is_some_and(|strength| strength != 0.0)
+    };
     let lacking = |need: &Need| {
         let (has, words) = match need {
             Need::Flow => (
@@ -187,6 +196,14 @@ fn lacks(card: &Card, design: &Design) -> Option<String> {
                 "the wing is looked at in mid-stroke (flapping.phase_deg = 0), where it does not act",
             ),
             Need::Film => (design.film.is_some(), "the wing has no film"),
+            Need::WrinklingFilm => (
+                film_kept.is_some_and(|kept| kept < 1.0),
+                "the wing has no film that wrinkles",
+            ),
+            Need::CarryingFilm => (
+                film_kept.is_some_and(|kept| kept == 1.0),
+                "the wing has no film that carries compression (film.compression = \"carries\")",
+            ),
             Need::Spars => (!design.spar.is_empty(), "the wing has no spars"),
             Need::HalfRound => (
                 (design.rod.iter()).any(|rod| matches!(rod.section, Section::HalfRound { .. })),
@@ -196,7 +213,10 @@ fn lacks(card: &Card, design: &Design) -> Option<String> {
                 design.structure.kinematics == Kinematics::Linear,
                 "the model has large rotation already (structure.kinematics is not linear)",
             ),
-            Need::Gravity => (design.gravity.is_some(), "there is no gravity in this design"),
+            Need::Gravity => (
+                design.gravity.is_some() || has("gravity") || has("centrifugal-load"),
+                "mass is not felt in this design: it has no gravity, nor the effect gravity or centrifugal-load",
+            ),
         };
         (!has).then(|| words.to_string())
     };

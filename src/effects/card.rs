@@ -102,12 +102,16 @@ pub enum Need {
     OffMidStroke,
     /// A film.
     Film,
+    /// A film that wrinkles.
+    WrinklingFilm,
+    /// A film that carries compression.
+    CarryingFilm,
     /// Spars.
     Spars,
     /// A half-round rod.
     HalfRound,
     /// Linear kinematics.
     Linear,
-    /// Mass in gravity.
+    /// Gravity, as the design or an effect has it, or centrifugal load: what makes mass felt at rest.
     Gravity,
 }

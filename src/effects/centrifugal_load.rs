@@ -54,12 +54,21 @@ impl Effect for CentrifugalLoad {
         let rate = std::f64::consts::TAU * frequency_hz * half_amplitude_rad * phase_rad.cos();
         let axis = Vector3::new(0.0, -stop_angle_rad.sin(), stop_angle_rad.cos());
         let across = Matrix3::identity() - axis * axis.transpose();
-        for (node, mass_kg) in wing.model.lumped_mass_kg().into_iter().enumerate() {
+        let mut own = wing.model.lumped_mass_kg();
+        for mass in &wing.model.masses {
+            own[mass.node] -= mass.mass_kg;
+        }
+        let own = own.into_iter().enumerate();
+        let own = own.map(|(node, mass_kg)| (node, Vector3::zeros(), mass_kg));
+        let carried = wing.model.masses.iter();
+        let carried = carried.map(|mass| (mass.node, mass.arm_m, mass.mass_kg));
+        for (node, arm_m, mass_kg) in own.chain(carried) {
             let gradient_n_m = across * (values.strength() * rate * rate * mass_kg);
-            let arm = wing.model.nodes[node] + Vector3::new(root_offset_m, 0.0, 0.0);
+            let from_axis_m = wing.model.nodes[node] + arm_m + Vector3::new(root_offset_m, 0.0, 0.0);
             loads.linear.push(LinearForce {
                 node,
-                force_n: gradient_n_m * arm,
+                arm_m,
+                force_n: gradient_n_m * from_axis_m,
                 gradient_n_m,
             });
         }

@@ -51,6 +51,52 @@ pub mod leading_edge_vortex_loss;
 
 pub mod centre_of_pressure_shift;
 
+pub mod gravity;
+
+pub mod stop_backlash;
+
+pub mod half_rod_shear_centre;
+
+pub mod warping_restraint;
+
+pub mod bend_twist_coupling;
+
+pub mod skin_bending;
+
+pub mod skin_torsion;
+
+pub mod leading_edge_frame;
+
+pub mod rod_ends_early;
+
+pub mod rod_split;
+
+pub mod root_flexure;
+
+pub mod root_bending;
+
+pub mod root_chord_held;
+
+pub mod spar_stiffness;
+
+pub mod spar_joint_compliance;
+
+pub mod broken_spar;
+
+pub mod film_softening;
+
+pub mod film_wrinkling;
+
+pub mod film_slack;
+
+pub mod film_cure_tension;
+
+pub mod tip_mass;
+
+pub mod distributed_mass;
+
+pub mod large_rotation;
+
 pub mod tip_loss_prandtl;
 
 pub mod tip_loss_exponential;
@@ -103,6 +149,27 @@ pub trait Effect: Sync + Send + std::fmt::Debug {
 /// Every effect, in the order in which they act.
 pub static ALL: &[&dyn Effect] = &[
     &rod_shear_modulus::RodShearModulus,
+    &half_rod_shear_centre::HalfRodShearCentre,
+    &warping_restraint::WarpingRestraint,
+    &bend_twist_coupling::BendTwistCoupling,
+    &skin_bending::SkinBending,
+    &skin_torsion::SkinTorsion,
+    &leading_edge_frame::LeadingEdgeFrame,
+    &rod_ends_early::RodEndsEarly,
+    &rod_split::RodSplit,
+    &root_flexure::RootFlexure,
+    &root_bending::RootBending,
+    &root_chord_held::RootChordHeld,
+    &spar_stiffness::SparStiffness,
+    &spar_joint_compliance::SparJointCompliance,
+    &broken_spar::BrokenSpar,
+    &film_softening::FilmSoftening,
+    &film_wrinkling::FilmWrinkling,
+    &film_slack::FilmSlack,
+    &film_cure_tension::FilmCureTension,
+    &tip_mass::TipMass,
+    &distributed_mass::DistributedMass,
+    &large_rotation::LargeRotation,
     &amplitude_drag::AmplitudeDrag,
     &phase_lag::PhaseLag,
     &inflow_uniform::InflowUniform,
@@ -124,6 +191,8 @@ pub static ALL: &[&dyn Effect] = &[
     &twist_dynamics::TwistDynamics,
     &added_mass::AddedMass,
     &inertia_off_mid_stroke::InertiaOffMidStroke,
+    &gravity::Gravity,
+    &stop_backlash::StopBacklash,
 ];
 
 /// The effect of a name.

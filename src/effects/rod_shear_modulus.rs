@@ -3,7 +3,6 @@
 use super::card::{Card, Parameter, Seam};
 use super::{Effect, Structure, Values};
 use crate::input::measurement::Channel;
-use crate::mesh::BeamPart;
 use crate::structure::StructureError;
 
 /// See the module.
@@ -39,16 +38,9 @@ impl Effect for RodShearModulus {
     }
 
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
-        for (index, beam) in wing.mesh.beams.iter().enumerate() {
-            if matches!(beam.part, BeamPart::Rod(_)) {
-                wing.model.change_section(index, |section| {
-                    let factor = (1.0 + values.strength()).sqrt();
-                    for k in 0..6 {
-                        section.compliance[(3, k)] *= factor;
-                        section.compliance[(k, 3)] *= factor;
-                    }
-                })?;
-            }
+        for (beam, _) in wing.rod_elements() {
+            wing.model
+                .change_section(beam, |section| section.soften_torsion(values.strength()))?;
         }
         Ok(())
     }

@@ -5,7 +5,7 @@ use num_dual::DualSVec64;
 
 use crate::aero::{AirLaw, Flow};
 use crate::input::design::Design;
-use crate::mesh::Mesh;
+use crate::mesh::{BeamPart, Mesh};
 use crate::structure::Model;
 
 /// Numbers of the air's seam: with derivatives by the six numbers of a strip's shape.
@@ -22,6 +22,45 @@ pub struct Structure<'a> {
     pub model: &'a mut Model,
     /// What the stroke does at the phase of the design; none unless an effect needs it.
     pub motion: Option<&'a Motion>,
+}
+
+/// A beam element, and how far its ends lie along its part, m.
+pub type Element = (usize, [f64; 2]);
+
+impl Structure<'_> {
+    /// Elements of the rod, from the base to its end.
+    pub fn rod_elements(&self) -> Vec<Element> {
+        self.elements(|part| matches!(part, BeamPart::Rod(_)))
+    }
+
+    /// Elements of a spar, from the leading to the trailing edge; none if there is no such spar.
+    pub fn spar_elements(&self, spar: usize) -> Vec<Element> {
+        self.elements(|part| part == BeamPart::Spar(spar))
+    }
+
+    /// Elements of the rod that reach beyond a fraction of its length, each with the share of it that does.
+    pub fn rod_outboard(&self, fraction: f64) -> Vec<(usize, f64)> {
+        let rod = self.rod_elements();
+        let station_m = fraction * rod.last().map_or(0.0, |(_, [_, end_m])| *end_m);
+        let share = |(beam, [from_m, to_m]): Element| {
+            let covered_m = to_m - station_m.clamp(from_m, to_m);
+            (covered_m > 0.0).then(|| (beam, covered_m / (to_m - from_m)))
+        };
+        rod.into_iter().filter_map(share).collect()
+    }
+
+    fn elements(&self, belongs: impl Fn(BeamPart) -> bool) -> Vec<Element> {
+        let mut along_m = 0.0;
+        let of_part = self.mesh.beams.iter().enumerate();
+        of_part
+            .filter(|(_, beam)| belongs(beam.part))
+            .map(|(index, _)| {
+                let from_m = along_m;
+                along_m += self.mesh.beam_length_m(index);
+                (index, [from_m, along_m])
+            })
+            .collect()
+    }
 }
 
 /// Where a strip stands, and in which flow.

@@ -28,6 +28,8 @@ pub mod diagnosis;
 
 pub mod difference;
 
+pub mod effects;
+
 pub mod report;
 
 pub mod study;

@@ -83,19 +83,21 @@ impl Beam {
     }
 
     /// Energy, force and tangent in the deformed shape; the tangent at the local freedoms `guess` if there are any.
+    /// `twist_rad`: the twist from end to end at which the element is without torque.
     pub fn response(
         &self,
         u: &[Vector3<f64>; 2],
         q: &[UnitQuaternion<f64>; 2],
+        twist_rad: f64,
         guess: Option<&SVector<f64, 12>>,
     ) -> Response<12> {
         let frame = self.frame(u, q);
         let p = frame.local_freedoms(&self.rest, u, q);
-        let local = self.local(&p);
+        let local = self.local(&untwisted(&p, twist_rad));
         let Some(guess) = guess else {
             return frame.to_global(&p, &local);
         };
-        let tangent = frame.to_global(guess, &self.local(guess));
+        let tangent = frame.to_global(guess, &self.local(&untwisted(guess, twist_rad)));
         Response {
             energy: local.energy,
             force: frame.global_force(&p, &local.force),
@@ -116,24 +118,40 @@ impl Beam {
     }
 
     /// Energy and force only.
-    pub fn force(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> (f64, SVector<f64, 12>) {
+    pub fn force(
+        &self,
+        u: &[Vector3<f64>; 2],
+        q: &[UnitQuaternion<f64>; 2],
+        twist_rad: f64,
+    ) -> (f64, SVector<f64, 12>) {
         let frame = self.frame(u, q);
         let p = frame.local_freedoms(&self.rest, u, q);
-        let f = self.stiffness * p;
-        (0.5 * p.dot(&f), frame.global_force(&p, &f))
+        let strained = untwisted(&p, twist_rad);
+        let f = self.stiffness * strained;
+        (0.5 * strained.dot(&f), frame.global_force(&p, &f))
     }
 
     /// Section forces at the middle: N, V_edge, V_flap (N), T, M_flap, M_edge (N·m), deformed axes.
-    pub fn section_forces(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> [f64; 6] {
+    pub fn section_forces(
+        &self,
+        u: &[Vector3<f64>; 2],
+        q: &[UnitQuaternion<f64>; 2],
+        twist_rad: f64,
+    ) -> [f64; 6] {
         let frame = self.frame(u, q);
         let p = frame.local_freedoms(&self.rest, u, q);
-        let f = self.stiffness * p;
+        let f = self.stiffness * untwisted(&p, twist_rad);
         let mean = |i: usize| 0.5 * (f[6 + i] - f[i]);
         std::array::from_fn(mean)
     }
 
     /// The same to first order about the rest, for linear kinematics.
-    pub fn section_forces_linear(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> [f64; 6] {
+    pub fn section_forces_linear(
+        &self,
+        u: &[Vector3<f64>; 2],
+        q: &[UnitQuaternion<f64>; 2],
+        twist_rad: f64,
+    ) -> [f64; 6] {
         let mut p = SVector::<f64, 12>::zeros();
         for i in 0..2 {
             p.fixed_rows_mut::<3>(6 * i)
@@ -141,7 +159,7 @@ impl Beam {
             p.fixed_rows_mut::<3>(6 * i + 3)
                 .copy_from(&(self.rest.axes.transpose() * q[i].scaled_axis()));
         }
-        let f = self.stiffness * p;
+        let f = self.stiffness * untwisted(&p, twist_rad);
         std::array::from_fn(|i| 0.5 * (f[6 + i] - f[i]))
     }
 
@@ -183,6 +201,14 @@ impl Beam {
             spin,
         }
     }
+}
+
+/// Local freedoms less a twist from end to end.
+fn untwisted(p: &SVector<f64, 12>, twist_rad: f64) -> SVector<f64, 12> {
+    let mut strained = *p;
+    strained[3] += 0.5 * twist_rad;
+    strained[9] -= 0.5 * twist_rad;
+    strained
 }
 
 /// Stiffness of a straight prismatic beam along e₁ for (u₁, θ₁, u₂, θ₂), from the section's compliance.
@@ -279,11 +305,11 @@ mod tests {
     #[test]
     fn force_is_the_gradient_of_the_energy() {
         let (beam, u, q) = bent(1.0);
-        let (_, force) = beam.force(&u, &q);
+        let (_, force) = beam.force(&u, &q, 0.3);
         for k in 0..12 {
             let energy = |h: f64| {
                 let (u, q) = nudged(&u, &q, k, h);
-                beam.force(&u, &q).0
+                beam.force(&u, &q, 0.3).0
             };
             let h = 1e-6;
             let slope = (energy(h) - energy(-h)) / (2.0 * h);
@@ -301,13 +327,13 @@ mod tests {
         // equilibrium, which is of second order; spins do not commute: moments leave S(m)/2, which the loads cancel
         let error = |size: f64| {
             let (beam, u, q) = bent(size);
-            let here = beam.response(&u, &q, None);
+            let here = beam.response(&u, &q, 0.0, None);
             let mut difference = SMatrix::<f64, 12, 12>::zeros();
             let h = 1e-6;
             for k in 0..12 {
                 let force = |h: f64| {
                     let (u, q) = nudged(&u, &q, k, h);
-                    beam.force(&u, &q).1
+                    beam.force(&u, &q, 0.0).1
                 };
                 difference.set_column(k, &((force(h) - force(-h)) / (2.0 * h)));
             }

@@ -138,11 +138,7 @@ impl<'m> Equilibrium<'m> {
     /// If it is singular.
     pub fn solve_linear(&mut self, about: &State, loads: &Loads) -> Result<State, StructureError> {
         if !self.is_linear {
-            let growing = Loads {
-                linear: loads.linear.clone(),
-                ..Loads::none(self.model.nodes.len())
-            };
-            self.factorize(about, &growing)?;
+            self.factorize(about, &loads.growing())?;
             self.is_linear = true;
         }
         let mut step = self.model.residual(&self.pattern, about, loads);

@@ -38,6 +38,14 @@ pub enum StructureError {
         /// The part, in words.
         part: String,
     },
+    /// A spar that the wing does not have is named.
+    #[error("there is no spar {index}: the wing has {count}, counted from 0; name one of them")]
+    NoSuchSpar {
+        /// Its index.
+        index: usize,
+        /// Number of spars.
+        count: usize,
+    },
     /// The factorization met a matrix that it cannot factorize.
     #[error("the stiffness matrix is singular at node {node}; is a part of the wing without support?")]
     Singular {

@@ -78,6 +78,7 @@ pub fn film(design: &Design) -> Result<Option<Sheet>, StructureError> {
         compression: Compression::TensionField {
             residual,
             drilling_factor,
+            slack: 0.0,
         },
     }))
 }

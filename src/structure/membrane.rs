@@ -119,29 +119,38 @@ pub struct FilmResponse {
 /// Relaxed tension field of an isotropic film (Pipkin, IMA J. Appl. Math. 36 (1986) 85-99): taut, wrinkled or slack.
 ///
 /// `strain`: (ε_x, ε_y, γ_xy); `young_n_per_m` = E t, `poisson`; `residual`: share of the unrelaxed energy that is kept so
-/// that a slack film keeps a stiffness (both energies are convex, so is their mean).
+/// that a slack film keeps a stiffness (both energies are convex, so is their mean); `slack`: strain, alike in all
+/// directions, that the relaxed film does not feel.
 pub fn tension_field(
     strain: &SVector<f64, 3>,
     young_n_per_m: f64,
     poisson: f64,
     residual: f64,
+    slack: f64,
 ) -> FilmResponse {
     let plane_stress = isotropic(young_n_per_m, poisson);
-    let full_force = plane_stress * strain;
-    let full = FilmResponse {
-        energy: 0.5 * strain.dot(&full_force),
-        force: full_force,
-        tangent: plane_stress,
+    let elastic = |strain: &SVector<f64, 3>| {
+        let force = plane_stress * strain;
+        FilmResponse {
+            energy: 0.5 * strain.dot(&force),
+            force,
+            tangent: plane_stress,
+        }
     };
+    let full = elastic(strain);
+    let strain = strain - SVector::<f64, 3>::new(slack, slack, 0.0);
     let centre = 0.5 * (strain[0] + strain[1]);
     let half = 0.5 * (strain[0] - strain[1]);
     let shear = 0.5 * strain[2];
     let radius = half.hypot(shear);
     let (first, second) = (centre + radius, centre - radius);
-    if second + poisson * first >= 0.0 && first >= 0.0 {
+    let is_taut = second + poisson * first >= 0.0 && first >= 0.0;
+    if is_taut && slack == 0.0 {
         return full;
     }
-    let relaxed = if first <= 0.0 {
+    let relaxed = if is_taut {
+        elastic(&strain)
+    } else if first <= 0.0 {
         FilmResponse {
             energy: 0.0,
             force: SVector::zeros(),
@@ -195,9 +204,9 @@ mod tests {
             [-1e-3, -5e-4, 2e-4],
             [3e-4, -1.4e-4, 9e-4],
         ];
-        for case in cases {
+        for (case, slack) in cases.into_iter().flat_map(|case| [(case, 0.0), (case, 1.5e-4)]) {
             let e = SVector::<f64, 3>::from(case);
-            let at = |e: &SVector<f64, 3>| tension_field(e, 15000.0, 0.34, 1e-4);
+            let at = |e: &SVector<f64, 3>| tension_field(e, 15000.0, 0.34, 1e-4, slack);
             let here = at(&e);
             for i in 0..3 {
                 let mut step = SVector::<f64, 3>::zeros();
@@ -218,10 +227,20 @@ mod tests {
     }
 
     #[test]
+    fn a_film_with_slack_carries_what_it_is_stretched_beyond_it() {
+        let stretched = SVector::<f64, 3>::new(3e-3, 2e-3, 1e-3);
+        let slack = tension_field(&stretched, 1e4, 0.3, 0.0, 1e-3);
+        let tight = tension_field(&SVector::<f64, 3>::new(2e-3, 1e-3, 1e-3), 1e4, 0.3, 0.0, 0.0);
+        assert!((slack.force - tight.force).norm() < 1e-12 * tight.force.norm());
+        let flat = tension_field(&SVector::zeros(), 1e4, 0.3, 1e-4, 1e-3);
+        assert_eq!(flat.force, SVector::<f64, 3>::zeros());
+    }
+
+    #[test]
     fn tension_field_is_uniaxial_when_wrinkled_and_nearly_nothing_when_slack() {
-        let wrinkled = tension_field(&SVector::<f64, 3>::new(1e-3, -2e-3, 0.0), 1e4, 0.3, 0.0);
+        let wrinkled = tension_field(&SVector::<f64, 3>::new(1e-3, -2e-3, 0.0), 1e4, 0.3, 0.0, 0.0);
         assert!((wrinkled.force - SVector::<f64, 3>::new(10.0, 0.0, 0.0)).norm() < 1e-12);
-        let slack = tension_field(&SVector::<f64, 3>::new(-1e-3, -2e-3, 0.0), 1e4, 0.3, 1e-4);
+        let slack = tension_field(&SVector::<f64, 3>::new(-1e-3, -2e-3, 0.0), 1e4, 0.3, 1e-4, 0.0);
         assert!(slack.force.norm() < 1e-2);
     }
 }

@@ -2,6 +2,10 @@
 
 pub mod beam;
 
+pub mod blend;
+
+pub mod change;
+
 pub mod corotational;
 
 pub mod equilibrium;
@@ -51,9 +55,10 @@ pub mod taming;
 pub mod wing;
 
 pub use beam::Beam;
+pub use blend::Blend;
 pub use equilibrium::Equilibrium;
 pub use error::StructureError;
-pub use loads::{ArmForce, LinearForce, Loads};
+pub use loads::{ArmForce, BeamTwist, LinearForce, Loads};
 pub use mass::{MassProperties, mass_matrix};
 pub use mixed::Mixed;
 pub use model::{Model, PointMass, Spring};
@@ -63,4 +68,4 @@ pub use section::Section;
 pub use sheet::{Compression, Sheet};
 pub use shell::Shell;
 pub use strength::{FilmStress, Peak, bending_peak, film_stress, torsion_peak};
-pub use wing::{bench_loads, wing_model};
+pub use wing::{bench_loads, weigh, wing_model};

@@ -1,11 +1,14 @@
 //! A structure: nodes, elements, supports, springs and masses; its energy, forces and tangent.
 
+use std::sync::Arc;
+
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 
 use super::StructureError;
 use super::beam::Beam;
+use super::blend::Blend;
 use super::loads::Loads;
 use super::pattern::Pattern;
 use super::rotation::{moment_correction, spin_to_vector};
@@ -36,6 +39,8 @@ pub struct Model {
     pub springs: Vec<Spring>,
     /// Masses besides those of the elements.
     pub masses: Vec<PointMass>,
+    /// The linear model that is mixed into this one, if any.
+    pub blend: Option<Arc<Blend>>,
 }
 
 /// Spring between a node and the ground.
@@ -124,25 +129,6 @@ impl Model {
         self.hold(node, [true; 6]);
     }
 
-    /// Gives one beam element a section of its own, made from that which it has.
-    ///
-    /// # Errors
-    /// If the new section is none.
-    pub fn change_section(
-        &mut self,
-        beam: usize,
-        change: impl FnOnce(&mut Section),
-    ) -> Result<(), StructureError> {
-        let mut section = self.sections[self.beams[beam].section].clone();
-        change(&mut section);
-        let index = self.add_section(section);
-        let old = &self.beams[beam];
-        let ends = old.nodes.map(|node| self.nodes[node]);
-        let normal = old.axes().column(2).into_owned();
-        self.beams[beam] = Beam::new(old.nodes, ends, &normal, index, &self.sections[index])?;
-        Ok(())
-    }
-
     /// Mass of each node when every element hands its mass to its nodes in equal parts, and every point mass to its own, kg.
     pub fn lumped_mass_kg(&self) -> Vec<f64> {
         let mut lumped = vec![0.0; self.nodes.len()];
@@ -197,17 +183,17 @@ impl Model {
         )
     }
 
-    /// Internal forces less loads by freedom of `pattern` (N, N·m), held freedoms included.
-    pub fn residual(&self, pattern: &Pattern, state: &State, loads: &Loads) -> Vec<f64> {
+    /// Internal forces less loads of the large-rotation model, as [`Model::residual`].
+    pub(super) fn large_residual(&self, pattern: &Pattern, state: &State, loads: &Loads) -> Vec<f64> {
         let mut residual = vec![0.0; pattern.len()];
         for shell in &self.shells {
             let (u, q) = self.shell_state(shell, state);
             let (_, force) = shell.force(&self.sheets[shell.sheet], &u, &q);
             scatter(pattern, &mut residual, &shell.nodes, force.as_slice());
         }
-        for beam in &self.beams {
+        for (index, beam) in self.beams.iter().enumerate() {
             let (u, q) = self.beam_state(beam, state);
-            let (_, force) = beam.force(&u, &q);
+            let (_, force) = beam.force(&u, &q, loads.twist_rad(index));
             scatter(pattern, &mut residual, &beam.nodes, force.as_slice());
         }
         for spring in &self.springs {
@@ -226,7 +212,7 @@ impl Model {
         });
         let beams = self.beams.iter().map(|beam| {
             let (u, q) = self.beam_state(beam, state);
-            beam.force(&u, &q).0
+            beam.force(&u, &q, 0.0).0
         });
         let springs = self
             .springs
@@ -235,21 +221,8 @@ impl Model {
         shells.sum::<f64>() + beams.sum::<f64>() + springs.sum::<f64>()
     }
 
-    /// Residual as in [`Model::residual`], and its tangent added to `values`; the tangent with the help of
-    /// `aid` if there is one.
-    pub fn tangent(
-        &self,
-        pattern: &Pattern,
-        state: &State,
-        loads: &Loads,
-        aid: Option<&Aid>,
-        values: &mut [f64],
-    ) -> Vec<f64> {
-        self.assemble(pattern, state, loads, aid, values).residual
-    }
-
-    /// As [`Model::tangent`], with the residual that a mixed step starts from too.
-    pub fn assemble(
+    /// Residual and tangent of the large-rotation model, as [`Model::assemble`].
+    pub(super) fn large_assemble(
         &self,
         pattern: &Pattern,
         state: &State,
@@ -298,7 +271,7 @@ impl Model {
         for (index, beam) in self.beams.iter().enumerate() {
             let (u, q) = self.beam_state(beam, state);
             let guess = guess.map(|guess| &guess.beams[index]);
-            let response = beam.response(&u, &q, guess);
+            let response = beam.response(&u, &q, loads.twist_rad(index), guess);
             scatter(pattern, &mut residual, &beam.nodes, response.force.as_slice());
             pattern.add_beam(values, index, beam.nodes, |i, j| response.stiffness[(i, j)]);
         }

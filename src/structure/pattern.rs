@@ -3,6 +3,7 @@
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::amd;
+use nalgebra::{Matrix3, Matrix6};
 use sprs::{CsMat, TriMat};
 
 use super::model::Model;
@@ -198,6 +199,34 @@ impl Pattern {
             y[column] += sum;
         }
         y
+    }
+
+    /// Tᵀ K T with the symmetric matrix whose lower triangle is `values`; T turns the rotations of each node by `turn(node)`.
+    pub fn congruent(&self, values: &[f64], turn: impl Fn(usize) -> Matrix3<f64>) -> Vec<f64> {
+        let spread = |&node: &usize| {
+            let mut t = Matrix6::<f64>::identity();
+            t.fixed_view_mut::<3, 3>(3, 3).copy_from(&turn(node));
+            t
+        };
+        let t: Vec<Matrix6<f64>> = self.node_at.iter().map(spread).collect();
+        let mut turned = vec![0.0; values.len()];
+        for (place, right) in t.iter().enumerate() {
+            let start: [usize; 6] = std::array::from_fn(|j| self.column_start[6 * place + j]);
+            let rows = &self.row[start[0]..start[1]];
+            for (block, row) in rows.iter().step_by(6).enumerate() {
+                let left = t[row / 6].transpose();
+                if block == 0 {
+                    let at = |i: usize, j: usize| start[i.min(j)] + i.max(j) - i.min(j);
+                    let k = left * Matrix6::from_fn(|i, j| values[at(i, j)]) * right;
+                    (0..6).for_each(|j| (j..6).for_each(|i| turned[at(i, j)] = k[(i, j)]));
+                } else {
+                    let at = |i: usize, j: usize| start[j] + 6 * block - j + i;
+                    let k = left * Matrix6::from_fn(|i, j| values[at(i, j)]) * right;
+                    (0..6).for_each(|j| (0..6).for_each(|i| turned[at(i, j)] = k[(i, j)]));
+                }
+            }
+        }
+        turned
     }
 
     /// Takes the held freedoms out of a matrix: their rows and columns become those of the unit matrix.

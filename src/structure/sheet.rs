@@ -33,5 +33,8 @@ pub enum Compression {
         residual: f64,
         /// Scale of the weak spring that holds rotations about the normal; 1 is usual.
         drilling_factor: f64,
+        /// Strain, alike in all directions, by which the film is longer than its frame: it carries beyond that. What it
+        /// keeps in compression does not know of it, so that the flat film is without force.
+        slack: f64,
     },
 }

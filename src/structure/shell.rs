@@ -218,7 +218,7 @@ impl Shell {
     }
 
     pub(super) fn film(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> Option<membrane::FilmResponse> {
-        let Compression::TensionField { residual, .. } = sheet.compression else {
+        let Compression::TensionField { residual, slack, .. } = sheet.compression else {
             return None;
         };
         let stretching = sheet.e_pa * sheet.thickness_m;
@@ -236,6 +236,7 @@ impl Shell {
             stretching,
             sheet.poisson,
             residual,
+            slack,
         ))
     }
 
@@ -298,6 +299,7 @@ mod tests {
         let wrinkles = Compression::TensionField {
             residual: 1e-4,
             drilling_factor: 1.0,
+            slack: 0.0,
         };
         [
             sheet,

@@ -260,7 +260,7 @@ mod tests {
             .unwrap();
         let force = model.beams.iter().map(|beam| {
             let (u, q) = model.beam_state(beam, &state);
-            beam.section_forces(&u, &q)
+            beam.section_forces(&u, &q, 0.0)
         });
         let force = force.collect();
         (model, force)

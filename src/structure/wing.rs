@@ -83,8 +83,8 @@ pub fn bench_loads(design: &Design, mesh: &Mesh, model: &Model) -> Loads {
     loads
 }
 
-/// Adds the weight of every element and mass.
-fn weigh(model: &Model, acceleration: &Vector3<f64>, loads: &mut Loads) {
+/// Adds the weight of every element and mass under an acceleration, m/s².
+pub fn weigh(model: &Model, acceleration: &Vector3<f64>, loads: &mut Loads) {
     for beam in &model.beams {
         let half = 0.5 * model.sections[beam.section].mass_kg_m * beam.length_m();
         for node in beam.nodes {

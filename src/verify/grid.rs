@@ -24,6 +24,7 @@ pub fn film(sheet: Sheet, residual: f64) -> Sheet {
         compression: Compression::TensionField {
             residual,
             drilling_factor: 1.0,
+            slack: 0.0,
         },
         ..sheet
     }

@@ -62,7 +62,7 @@ fn by_hand(
 /// Largest relative errors of force, moment and work over all strips of a wing in random shapes.
 fn worst(wing: &Wing, seed: u64) -> [f64; 3] {
     let strips = Strips::new(&wing.mesh);
-    let air_around = Air::new(&wing.design, &strips, &[], None).unwrap().unwrap();
+    let air_around = Air::new(&wing.design, &strips, &[], 1.0, None).unwrap().unwrap();
     let (law, flow) = (&air_around.law, &air_around.flow);
     let mut noise = Noise(seed);
     let mut worst = [0.0_f64; 3];

@@ -66,11 +66,11 @@ fn solves_with_the_coupled_tangent_agree_with_differences_of_the_coupled_residua
 fn forces_of_the_points_differentiate_exactly_for_random_shapes() {
     let wing = shipped("twist-v2", &["mesh.refine=0.5"]);
     let strips = Strips::new(&wing.mesh);
-    let mut air = Air::new(&wing.design, &strips, &[], None).unwrap().unwrap();
+    let mut air = Air::new(&wing.design, &strips, &[], 1.0, None).unwrap().unwrap();
     let mut noise = Noise(3);
     let mut worst = 0.0_f64;
-    for linear in [false, true] {
-        air.linear = linear;
+    for large_share in [1.0, 0.0, 0.4] {
+        air.large_share = large_share;
         for strip in &strips.strips {
             let mut shape = StripShape::zeros();
             let chord = noise.vector().normalize() * strip.chord_m;

@@ -23,6 +23,7 @@ fn answers(drilling_factor: f64) -> [f64; 2] {
         compression: Compression::TensionField {
             residual: 1e-4,
             drilling_factor,
+            slack: 0.0,
         },
         ..plate(2.5e9, 0.34, 6e-6)
     };

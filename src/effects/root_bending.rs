@@ -1,0 +1,56 @@
+//! A root that gives way in flapwise bending.
+
+use super::card::{Card, Parameter, Seam};
+use super::{Effect, Structure, Values};
+use crate::input::measurement::Channel;
+use crate::structure::StructureError;
+
+/// See the module.
+#[derive(Debug)]
+pub struct RootBending;
+
+const CARD: Card = Card {
+    name: "root-bending",
+    family: "root",
+    summary: "The root gives way in bending out of the wing's plane: socket, glue or bench clamp.",
+    formula: "φ_root = C M, C = s L/EI_flap of the innermost rod, spread over its first element",
+    source: "definition; clamps that give way are the common reason for cantilevers that seem too soft",
+    when_right: "bench tests of beams in a clamp; the deflection gains a part that is linear in span",
+    gets_wrong: "bending in the wing's plane",
+    case: "a_root_as_soft_in_bending_as_the_rod_adds_three_deflections",
+    seam: Seam::Structure,
+    parameters: &[Parameter {
+        name: "strength",
+        unit: "1",
+        meaning: "bending compliance of the root, over L/EI of a rod of the innermost section as long as the wing",
+        default: 0.0,
+        range: [0.0, 1000.0],
+        plausible: [0.0, 0.1],
+    }],
+    channels: &[
+        Channel::Twist,
+        Channel::TwistRate,
+        Channel::Deflection,
+        Channel::Lift,
+        Channel::Drag,
+        Channel::Power,
+    ],
+    needs: &[],
+    has_switch: false,
+};
+
+impl Effect for RootBending {
+    fn card(&self) -> Card<'_> {
+        CARD
+    }
+
+    fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
+        let rod = wing.rod_elements();
+        if let (Some((beam, [from_m, to_m])), Some((_, [_, length_m]))) = (rod.first(), rod.last()) {
+            let share = values.strength() * length_m / (to_m - from_m);
+            wing.model
+                .change_section(*beam, |section| section.soften_bending(share, 0.0))?;
+        }
+        Ok(())
+    }
+}
