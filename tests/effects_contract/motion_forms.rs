@@ -170,15 +170,20 @@ fn twist_with_its_inertia_is_that_of_the_periodic_motion() {
         angles.collect::<Vec<f64>>()
     };
     let [still, moving] = [&base, &with(base.clone(), "twist-dynamics", 1.0)].map(twist);
-    let stations = found.stations_m();
-    for index in [stations.len() / 2, stations.len() - 2] {
-        let [periodic, ..] = found.twist(stations[index], 0.0).unwrap();
-        let (more, expected) = (moving[index] - still[index], periodic - still[index]);
-        println!(
-            "{:.4} m: still {:.4} moving {:.4} periodic {periodic:.4} rad",
-            stations[index], still[index], moving[index]
-        );
-        assert!(expected.abs() > 0.2 * still[index].abs());
-        assert!((more / expected - 1.0).abs() < 0.1, "{more} {expected}");
-    }
+    let stations = found.stations_m().into_iter().enumerate();
+    let pairs: Vec<[f64; 2]> = stations
+        .map(|(index, r_m)| {
+            let [periodic, ..] = found.twist(r_m, 0.0).unwrap();
+            [moving[index] - still[index], periodic - still[index]]
+        })
+        .collect();
+    let largest = pairs.iter().map(|pair| pair[1].abs()).fold(0.0, f64::max);
+    let apart = pairs
+        .iter()
+        .map(|[more, expected]| (more - expected).abs())
+        .fold(0.0, f64::max);
+    println!("largest {largest:.4} rad, apart {apart:.4} rad");
+    assert!(largest > 0.02);
+    // modes beyond the eighth, harmonics beyond the thirteenth, and what damping there is
+    assert!(apart < 0.1 * largest, "{pairs:?}");
 }
