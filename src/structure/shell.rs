@@ -121,12 +121,6 @@ impl Shell {
         &self.rest.axes
     }
 
-    /// Unit normal of the deformed triangle.
-    pub fn normal(&self, u: &[Vector3<f64>; 3]) -> Vector3<f64> {
-        let x = self.rest.deformed(u);
-        (x[1] - x[0]).cross(&(x[2] - x[0])).normalize()
-    }
-
     /// Energy, force and tangent in the deformed shape; the tangent at the local freedoms `guess` if there are any,
     /// and as if a film carried at least the share `carried` of compression.
     pub fn response(
@@ -208,13 +202,6 @@ impl Shell {
             }
         }
         (energy, force)
-    }
-
-    /// Out-of-plane stiffness of the deformed triangle under a unit isotropic tension (1 N/m), per pair of nodes.
-    ///
-    /// The block of nodes i and j is the returned factor times n nᵀ, n the normal.
-    pub fn unit_tension(&self) -> SMatrix<f64, 3, 3> {
-        SMatrix::from_fn(|i, j| self.area_m2 * self.gradient[i].dot(&self.gradient[j]))
     }
 
     pub(super) fn film(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> Option<membrane::FilmResponse> {

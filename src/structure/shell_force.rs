@@ -1,12 +1,25 @@
-//! Membrane forces of a shell element, in axes that the caller chooses.
+//! Membrane forces of a shell element, in axes that the caller chooses; its normal and its stiffness under tension.
 
-use nalgebra::{SVector, UnitQuaternion, Vector3};
+use nalgebra::{SMatrix, SVector, UnitQuaternion, Vector3};
 
 use super::membrane;
 use super::sheet::Sheet;
 use super::shell::Shell;
 
 impl Shell {
+    /// Unit normal of the deformed triangle.
+    pub fn normal(&self, u: &[Vector3<f64>; 3]) -> Vector3<f64> {
+        let x = self.rest.deformed(u);
+        (x[1] - x[0]).cross(&(x[2] - x[0])).normalize()
+    }
+
+    /// Out-of-plane stiffness of the deformed triangle under a unit isotropic tension (1 N/m), per pair of nodes.
+    ///
+    /// The block of nodes i and j is the returned factor times n nᵀ, n the normal.
+    pub fn unit_tension(&self) -> SMatrix<f64, 3, 3> {
+        SMatrix::from_fn(|i, j| self.area_m2 * self.gradient[i].dot(&self.gradient[j]))
+    }
+
     /// Membrane forces N_x, N_y, N_xy (N/m) in the axes that `along` gives at rest: its projection is x.
     pub fn membrane_force(
         &self,
