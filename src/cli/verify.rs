@@ -12,6 +12,7 @@ use crate::export::verification::VerifyReport;
 use crate::input::nearest_word;
 use crate::verify::{ALL, Case, Extent, Kind, named, run};
 
+use super::study::compared;
 use super::{Console, Failure};
 
 /// Name of the document of the folder.
@@ -43,6 +44,9 @@ pub struct Verify {
     /// Also write the page "How far to trust washout"
     #[arg(long, value_name = "FILE")]
     pub page: Option<PathBuf>,
+    /// Study whose misfit that page shows too; as often as needed
+    #[arg(long, value_name = "STUDY", requires = "page")]
+    pub study: Vec<PathBuf>,
 }
 
 impl Verify {
@@ -52,6 +56,10 @@ impl Verify {
         if self.list {
             return console.result(&list(&cases), &names(&cases));
         }
+        let studies: Result<Vec<_>, Failure> = (self.study.iter())
+            .map(|path| compared(path, &[], console))
+            .collect();
+        let studies = studies?;
         let mut folder = RunFolder::listed_by(&self.output, DOCUMENT)?;
         let extent = if self.short { Extent::Short } else { Extent::Full };
         let outcomes = run(&cases, extent, console.progress())?;
@@ -63,7 +71,7 @@ impl Verify {
         console.progress().check()?;
         let path = folder.commit()?;
         if let Some(page) = &self.page {
-            write_whole(page, trust_page(&report).as_bytes())?;
+            write_whole(page, trust_page(&report, &studies).as_bytes())?;
         }
         let files = format!("\nFiles in {}: {}\n", path.display(), report.files.join(" "));
         console.result(&(report.page() + &files), &report)?;

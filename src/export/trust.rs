@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::compare::StudyComparison;
+
 use super::text::{number, significant};
 use super::verification::{CaseReport, QuantityReport, VerifyReport, percent, rows};
 
@@ -25,18 +27,36 @@ Validation asks for nature instead: its limit is two standard deviations of the 
 comparison was run. Wings whose measurement needs offsets of the ruler or uncertain inputs are studies, not cases.
 ";
 
-/// The page of documentation; no timings, so that it does not change from run to run.
-pub fn trust_page(report: &VerifyReport) -> String {
-    format!("{HEAD}\n{}", tables(report, false))
+/// What stands above the table of the studies.
+const MEASURED: &str = "\
+## Measured wings
+
+Root mean square of measured minus modelled in the unit of the channel, over all rows of a channel: with the inputs as
+stated (and its mean, the bias), and after calibration of what is uncertain within its prior; rows held out were never
+fitted. The standard deviations of the measurement and of the uncertain inputs (an unknown zero of the ruler among them)
+were written down before the first comparison. *Explained* is the share of the mean square error as stated that both
+together would give on average (ASME V&V 20): where it is less than all, the model lacks something.
+`washout compare STUDY` shows every row.
+";
+
+/// The page of documentation, with the misfit of studies; no timings, so that it does not change from run to run.
+pub fn trust_page(report: &VerifyReport, studies: &[StudyComparison]) -> String {
+    format!(
+        "{HEAD}\n{}{}{}",
+        tables(report, false),
+        measured(studies),
+        notes(report)
+    )
 }
 
 /// `verify.md`: the same tables with timings.
 pub fn markdown(report: &VerifyReport) -> String {
     format!(
-        "# washout {} verify\n\n{}\n{}",
+        "# washout {} verify\n\n{}\n{}{}",
         report.version,
         report.summary(),
-        tables(report, true)
+        tables(report, true),
+        notes(report)
     )
 }
 
@@ -55,7 +75,61 @@ fn tables(report: &VerifyReport, timed: bool) -> String {
         }
         text.push('\n');
     }
-    text + &missed(report) + &notes(report)
+    text += "Errors and limits in percent of the reference; a curve is shown where it is worst.\n\n";
+    text + &missed(report)
+}
+
+/// The studies: misfit as stated and calibrated, and what known uncertainty explains of it.
+fn measured(studies: &[StudyComparison]) -> String {
+    let head = [
+        "study",
+        "wing",
+        "channel",
+        "rows",
+        "as stated",
+        "bias",
+        "calibrated",
+        "σ measured",
+        "σ inputs",
+        "explained",
+    ];
+    let mut text = format!(
+        "{MEASURED}\n| {} |\n|{}\n",
+        head.join(" | "),
+        "---|".repeat(head.len())
+    );
+    for study in studies {
+        for group in &study.groups {
+            let held_out = if group.is_held_out { " held out" } else { "" };
+            let explained = if group.explained < 1.0 {
+                format!("{} %", number(100.0 * group.explained, 0))
+            } else {
+                "all".to_string()
+            };
+            let cells = [
+                study.study.clone(),
+                group.wing.clone(),
+                format!("{}, {}", group.channel.name(), group.unit),
+                format!("{}{held_out}", group.count),
+                significant(group.rmse[0], 2),
+                significant(group.bias[0], 2),
+                significant(group.rmse[1], 2),
+                significant(group.sigma_of_measurement, 2),
+                if group.sigma_of_inputs < 1e-3 * group.sigma_of_measurement {
+                    "0".to_string()
+                } else {
+                    significant(group.sigma_of_inputs, 2)
+                },
+                explained,
+            ];
+            let _ = writeln!(text, "| {} |", cells.join(" | "));
+        }
+    }
+    if studies.is_empty() {
+        String::new()
+    } else {
+        text + "\n"
+    }
 }
 
 /// What fails, in a list; nothing if nothing does.
@@ -134,9 +208,7 @@ fn table(cases: &[CaseReport], timed: bool) -> String {
 
 /// What the cases are, which are exempt from an order and why, and other references.
 fn notes(report: &VerifyReport) -> String {
-    let mut text =
-        String::from("Errors and limits in percent of the reference; a curve is shown where it is worst.\n");
-    text += "\n## The cases\n\n";
+    let mut text = String::from("## The cases\n\n");
     for case in report.cases() {
         let _ = writeln!(text, "- `{}`: {}.", case.name, case.title);
         let mut seen: Vec<&String> = Vec::new();
