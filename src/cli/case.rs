@@ -23,7 +23,7 @@ pub struct DesignArguments {
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
     /// Refine the mesh by this factor in both directions
-    #[arg(long, value_name = "FACTOR")]
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     pub refine: Option<f64>,
     /// Use this Gmsh mesh instead of making one
     #[arg(long, value_name = "FILE")]

@@ -23,7 +23,8 @@ const HALVINGS: usize = 7;
   washout divergence my-wind-tunnel-wing.toml --to 40       up to 40 m/s
   washout divergence designs/twist-v2.toml --to 60          up to 60 deg of half amplitude
 
-A wing that is loaded behind its axis washes out and does not diverge: then the answer is that it did not.")]
+A wing that is loaded behind its axis washes out and does not diverge: then the answer is that it did not.
+Where steps do not settle, the result is printed all the same, and the exit code is 3.")]
 pub struct Divergence {
     /// The design
     #[command(flatten)]
@@ -113,7 +114,14 @@ impl Divergence {
                 }
             }
         }
-        console.result(&page(&report), &report)
+        console.result(&page(&report), &report)?;
+        match report.undecided.len() {
+            0 => Ok(()),
+            steps => Err(Failure::Undecided {
+                design: self.design.design.clone(),
+                steps,
+            }),
+        }
     }
 }
 

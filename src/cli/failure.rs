@@ -70,6 +70,18 @@ pub enum Failure {
         /// Negative pivots of its tangent.
         directions: usize,
     },
+    /// A sweep of which some steps settled on nothing.
+    #[error(
+        "{}: {steps} of the steps did not settle, so the sweep does not say whether the wing diverges there; the result \
+         says at which values and what to try",
+        design.display()
+    )]
+    Undecided {
+        /// The design file.
+        design: PathBuf,
+        /// Steps that did not settle.
+        steps: usize,
+    },
     /// The ranges of the assumed inputs give no band.
     #[error("--uncertainty: {0}")]
     Study(StudyError),
@@ -161,12 +173,13 @@ impl Failure {
             Failure::Coupling { source, .. } | Failure::Phase { source, .. } if source.is_not_converged() => {
                 3
             }
-            Failure::Coupling {
-                source: CouplingError::Interrupted(_),
-                ..
-            } => 130,
+            Failure::Coupling { source, .. } | Failure::Phase { source, .. }
+                if matches!(source, CouplingError::Interrupted(_)) =>
+            {
+                130
+            }
             Failure::Coupling { .. } | Failure::Phase { .. } | Failure::Option { .. } => 2,
-            Failure::Unstable { .. } => 3,
+            Failure::Unstable { .. } | Failure::Undecided { .. } => 3,
             Failure::Diagnosis { source, .. } => match source {
                 DiagnoseError::Study(source) => source.exit_code(),
                 DiagnoseError::Cancelled(_) => 130,

@@ -39,7 +39,7 @@ pub struct Solve {
     /// Folder to write into [default: output/NAME]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Propagate the assumed ranges to a band by N solves [default N: 64]
+    /// Propagate the assumed ranges to a band by N solves, 16 or more [default N: 64]
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "64")]
     pub uncertainty: Option<usize>,
     /// Solve at N phases of the stroke besides, from mid-stroke to the reversal, each as if it stood still

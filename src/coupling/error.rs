@@ -32,11 +32,21 @@ pub enum CouplingError {
         /// Whether a film stands in linear kinematics, where little pre-tension looks like divergence.
         linear_film: bool,
     },
+    /// The wing has an equilibrium, but not one that it would stay in.
+    #[error(
+        "not stable: the loaded shape is an equilibrium, but with {negative_pivots} negative pivots of its tangent, so the \
+         real wing would leave it. Where a load presses along the rod or the film they buckle: lower the load (speed, \
+         amplitude or bench forces), stiffen what is pressed, or add a small force across it, which leads to the buckled \
+         shape; else try structure.load_increments = 10"
+    )]
+    Unstable {
+        /// Negative pivots of the tangent: directions in which the shape would run away.
+        negative_pivots: usize,
+    },
     /// The iteration did not converge.
     #[error(
         "not converged after {iterations} iterations (coupling.max_iterations = {allowed}): the twist still changes by \
-         {twist_change_deg:.2e} deg, residual {residual:.2e}. Allow more iterations, try coupling.accelerator = \
-         \"aitken\" or \"anderson\", or a finer mesh"
+         {twist_change_deg:.2e} deg, residual {residual:.2e}. {cure}"
     )]
     OutOfPatience {
         /// Iterations made.
@@ -47,6 +57,8 @@ pub enum CouplingError {
         twist_change_deg: f64,
         /// Coupled residual relative to the load.
         residual: f64,
+        /// What to try, of what is not in use.
+        cure: String,
     },
     /// There is no periodic motion over the stroke.
     #[error(
@@ -122,6 +134,7 @@ impl CouplingError {
     pub fn is_not_converged(&self) -> bool {
         match self {
             CouplingError::Diverged { .. }
+            | CouplingError::Unstable { .. }
             | CouplingError::OutOfPatience { .. }
             | CouplingError::NoPeriodic { .. } => true,
             CouplingError::Structure(error) => {

@@ -4,7 +4,7 @@ use super::accelerate::Accelerator;
 use super::error::CouplingError;
 use super::feedback::Feedback;
 use super::wing::Wing;
-use crate::input::design::{Coupling, Structure};
+use crate::input::design::{self, Coupling, Structure};
 use crate::progress::Progress;
 use crate::structure::state::State;
 use crate::structure::{Equilibrium, Loads, Model, NewtonSettings};
@@ -77,7 +77,7 @@ pub fn cured(
 /// Iterates from the shape `rest` (in equilibrium without load).
 ///
 /// # Errors
-/// If it does not converge, or converges beyond divergence.
+/// If it does not converge, or converges beyond divergence or on a shape that is not stable.
 pub fn iterate(
     wing: &Wing,
     equilibrium: &mut Equilibrium,
@@ -142,7 +142,7 @@ pub fn iterate(
         }
         shapes = accelerator.next(&shapes, &mapped);
     }
-    patience_lost(wing, equilibrium, rest, coupled, coupling.max_iterations)
+    patience_lost(wing, equilibrium, rest, coupled, coupling)
 }
 
 /// The coupled residual F(u) = internal force − bench loads − air(shape of u), relative to the load.
@@ -165,7 +165,7 @@ fn residual(wing: &Wing, equilibrium: &Equilibrium, state: &State, solved: &Load
 /// The solution with what decides its stability.
 ///
 /// # Errors
-/// If it stands beyond divergence.
+/// If it stands beyond divergence, or is not stable.
 pub(super) fn stable(
     wing: &Wing,
     equilibrium: &mut Equilibrium,
@@ -187,8 +187,37 @@ pub(super) fn stable(
                 linear_film,
             })
         }
+        _ if coupled.negative_pivots > 0 => Err(CouplingError::Unstable {
+            negative_pivots: coupled.negative_pivots,
+        }),
         _ => Ok(coupled),
     }
+}
+
+/// What to try where the iteration does not settle: only what is not in use already.
+fn cure(coupling: &Coupling, linear: bool, film_wrinkles: bool) -> String {
+    let others = [
+        (design::Accelerator::Newton, "newton"),
+        (design::Accelerator::Anderson, "anderson"),
+        (design::Accelerator::Aitken, "aitken"),
+    ];
+    // after Newton's method the fixed point has gone on with Anderson's
+    let in_use = |kind| {
+        kind == coupling.accelerator
+            || (kind == design::Accelerator::Anderson && coupling.accelerator == design::Accelerator::Newton)
+            || (kind == design::Accelerator::Newton && linear)
+    };
+    let names: Vec<String> = (others.iter().filter(|(kind, _)| !in_use(*kind)))
+        .map(|(_, name)| format!("\"{name}\""))
+        .collect();
+    let mut cure = format!(
+        "Allow more iterations (coupling.max_iterations), try coupling.accelerator = {}, a smaller load",
+        names.join(" or ")
+    );
+    if film_wrinkles {
+        cure += ", film.compression = \"carries\" (a film that does not wrinkle)";
+    }
+    cure + ", or a finer mesh"
 }
 
 /// Tells divergence from a mere lack of iterations.
@@ -197,7 +226,7 @@ fn patience_lost(
     equilibrium: &mut Equilibrium,
     rest: &State,
     coupled: Coupled,
-    allowed: usize,
+    coupling: &Coupling,
 ) -> Result<Coupled, CouplingError> {
     let (iterations, twist_change_deg, residual) =
         (coupled.iterations, coupled.twist_change_deg, coupled.residual);
@@ -205,9 +234,10 @@ fn patience_lost(
         Err(diverged @ CouplingError::Diverged { .. }) => Err(diverged),
         _ => Err(CouplingError::OutOfPatience {
             iterations,
-            allowed,
+            allowed: coupling.max_iterations,
             twist_change_deg,
             residual,
+            cure: cure(coupling, wing.linear, wing.has_film_that_wrinkles()),
         }),
     }
 }
@@ -223,4 +253,30 @@ pub(super) fn twists(shapes: &[f64]) -> Vec<f64> {
 /// Largest difference between two lists.
 pub(super) fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn advice_names_no_accelerator_that_is_in_use_and_the_film_only_where_it_wrinkles() {
+        let advice = |accelerator, linear, wrinkles| {
+            let coupling = Coupling {
+                accelerator,
+                ..Coupling::default()
+            };
+            cure(&coupling, linear, wrinkles)
+        };
+        let newton = advice(design::Accelerator::Newton, false, true);
+        assert!(
+            newton.contains("accelerator = \"aitken\", a smaller load"),
+            "{newton}"
+        );
+        assert!(newton.contains("film.compression = \"carries\""), "{newton}");
+        let anderson = advice(design::Accelerator::Anderson, false, false);
+        assert!(anderson.contains("\"newton\" or \"aitken\""), "{anderson}");
+        assert!(!anderson.contains("film"), "{anderson}");
+        assert!(!advice(design::Accelerator::Aitken, true, false).contains("newton"));
+    }
 }

@@ -16,7 +16,7 @@ use crate::effects::{Bound, Motion, Need, bind};
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::structure::state::State;
-use crate::structure::{Beam, Equilibrium, Loads, Model, Shell};
+use crate::structure::{Beam, Compression, Equilibrium, Loads, Model, Shell};
 
 /// The structure, the strips and the air of a design, with the laws by which they act on each other.
 #[derive(Debug, Clone)]
@@ -90,6 +90,13 @@ impl Wing {
     /// Whether a film is to carry the air in linear kinematics.
     pub fn has_linear_film(&self) -> bool {
         self.linear && !self.model.sheets.is_empty()
+    }
+
+    /// Whether a film carries next to nothing in compression.
+    pub fn has_film_that_wrinkles(&self) -> bool {
+        let wrinkles =
+            |compression| matches!(compression, Compression::TensionField { residual, .. } if residual < 1.0);
+        self.model.sheets.iter().any(|sheet| wrinkles(sheet.compression))
     }
 
     /// Air on each strip in the given shapes (six values a strip).

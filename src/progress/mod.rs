@@ -50,7 +50,7 @@ impl Progress {
         }
     }
 
-    /// Makes Ctrl-C cancel this handle; a second Ctrl-C ends the process at once with exit code 130.
+    /// Makes Ctrl-C (or a request to end, SIGTERM) cancel this handle; a second one ends the process at once with exit code 130.
     ///
     /// Does nothing if the process has another handler already.
     pub fn cancel_on_interrupt(&self) {

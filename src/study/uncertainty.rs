@@ -101,8 +101,10 @@ where
             outputs.len(),
         )
     };
-    let nominal = read(design).map_err(|reason| StudyError::Nominal { reason })?;
+    let nominal = read(design);
+    // an interrupted solve has failed for no reason of its own
     progress.check()?;
+    let nominal = nominal.map_err(|reason| StudyError::Nominal { reason })?;
     let points = unit_points(settings.samples, inputs.len(), settings.seed);
     let done = AtomicUsize::new(0);
     let say = |done: usize| {
@@ -411,7 +413,12 @@ mod tests {
         };
         let error = propagate(&assumed(), &outputs(), few, &quiet, quadratic).unwrap_err();
         assert_eq!(error, StudyError::TooFewSamples { asked: 5, fewest: 16 });
-        quiet.cancel();
+        let interrupted = |_: &Design| -> Result<Vec<f64>, String> {
+            quiet.cancel();
+            Err("interrupted".to_string())
+        };
+        let error = propagate(&assumed(), &outputs(), settings, &quiet, interrupted).unwrap_err();
+        assert!(matches!(error, StudyError::Cancelled(_)));
         let error = propagate(&assumed(), &outputs(), settings, &quiet, quadratic).unwrap_err();
         assert!(matches!(error, StudyError::Cancelled(_)));
     }

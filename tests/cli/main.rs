@@ -1,5 +1,7 @@
 //! The program as its user meets it: words, exit codes, documents, files.
 
+mod bench;
+
 mod compare;
 
 mod divergence;
