@@ -9,7 +9,7 @@ use crate::coupling::engineering::engineering;
 use crate::coupling::solution::Solution;
 use crate::export::collect::{Solved, summarize, write_files};
 use crate::export::report::page;
-use crate::export::run::RunFolder;
+use crate::export::run::{RunFolder, read_summary};
 use crate::input::Design;
 use crate::observation::{TwistProfile, read_profile};
 use crate::progress::Progress;
@@ -91,8 +91,13 @@ impl Solve {
         }
         write_files(&mut folder, &solved, &mut summary)?;
         progress.check()?;
+        let earlier = read_summary(&target).ok();
         let path = folder.commit()?;
-        console.result(&page(&summary, Some(&path.display().to_string())), &summary)
+        let mut page = page(&summary, Some(&path.display().to_string()));
+        if earlier.is_some_and(|earlier| earlier.design != summary.design) {
+            page += "They replace an earlier run with other inputs; --output DIR keeps both\n";
+        }
+        console.result(&page, &summary)
     }
 }
 

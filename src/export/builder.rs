@@ -5,8 +5,11 @@ use super::text::{number, significant};
 use super::warnings::SLOW_RATIO;
 use crate::coupling::{Engineering, Extreme};
 
-/// Mass, inertia, frequencies, stresses and margins; empty if there are none.
-pub fn engineering(engineering: &Engineering) -> String {
+/// A margin beyond this says that the part carries nothing but rounding.
+const NO_STRESS: f64 = 1e6;
+
+/// Mass, inertia, frequencies, stresses and margins; empty if there are none. `film_carries`: the film does not wrinkle.
+pub fn engineering(engineering: &Engineering, film_carries: bool) -> String {
     let mut text = String::from("For the builder\n");
     let empty = text.len();
     if let Some(mass) = engineering.mass_mg {
@@ -22,7 +25,11 @@ pub fn engineering(engineering: &Engineering) -> String {
     if let Some(inertia) = engineering.inertia_pitch_g_mm2 {
         line(
             &mut text,
-            "",
+            if engineering.inertia_flapping_g_mm2.is_some() {
+                ""
+            } else {
+                "inertia"
+            },
             &format!("{} g mm² about the leading edge", significant(inertia, 4)),
         );
     }
@@ -77,10 +84,15 @@ pub fn engineering(engineering: &Engineering) -> String {
         );
     }
     if let Some(share) = engineering.film_wrinkled_share {
+        let state = if film_carries {
+            "pressed in some direction, which it carries"
+        } else {
+            "wrinkled or slack"
+        };
         line(
             &mut text,
             "",
-            &format!("{} % of its area is wrinkled or slack", number(100.0 * share, 0)),
+            &format!("{} % of its area is {state}", number(100.0 * share, 0)),
         );
     }
     if text.len() == empty { String::new() } else { text }
@@ -108,7 +120,11 @@ fn stress(extreme: &Extreme) -> String {
             format!(
                 "; strength {} MPa, margin {}",
                 significant(strength, 3),
-                significant(margin, 3)
+                if margin > NO_STRESS {
+                    "–".to_string()
+                } else {
+                    significant(margin, 3)
+                }
             )
         }
         _ => "; strength not stated".to_string(),
@@ -140,8 +156,40 @@ mod tests {
             unstable_directions: 2,
             ..Engineering::default()
         };
-        let text = engineering(&unstable);
+        let text = engineering(&unstable, false);
         assert!(text.contains("run away in 2 directions"), "{text}");
-        assert_eq!(engineering(&Engineering::default()), "");
+        assert_eq!(engineering(&Engineering::default(), false), "");
+    }
+
+    #[test]
+    fn what_carries_is_not_called_wrinkled_and_inertia_keeps_its_label_without_flapping() {
+        let found = Engineering {
+            inertia_pitch_g_mm2: Some(2.0),
+            film_wrinkled_share: Some(0.5),
+            ..Engineering::default()
+        };
+        let [wrinkles, carries] = [false, true].map(|carries| engineering(&found, carries));
+        assert!(
+            wrinkles.contains("wrinkled") && !carries.contains("wrinkled"),
+            "{carries}"
+        );
+        assert!(carries.contains("inertia"), "{carries}");
+    }
+
+    #[test]
+    fn a_margin_of_rounding_is_not_printed() {
+        let of = |margin| {
+            stress(&Extreme {
+                stress_mpa: 1.0,
+                r_mm: 2.0,
+                strength_mpa: Some(3.0),
+                margin: Some(margin),
+            })
+        };
+        assert!(
+            of(9e15).ends_with("margin –") && of(3.0).ends_with("margin 3.00"),
+            "{}",
+            of(3.0)
+        );
     }
 }

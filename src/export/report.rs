@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::builder::engineering;
 use super::comparison::{rows, sign, stages};
+use crate::input::design::FilmCompression;
 use crate::lift::{Forces, LiftReport};
 use crate::study::{Output, Uncertainty};
 
@@ -16,7 +17,9 @@ pub fn page(summary: &RunSummary, folder: Option<&str>) -> String {
     sections.extend(summary.uncertainty.as_ref().map(uncertainty));
     sections.extend(summary.lift.as_ref().map(lift));
     sections.extend(summary.stroke.as_ref().map(stroke));
-    sections.push(engineering(&summary.engineering));
+    let film = summary.design.film.as_ref();
+    let film_carries = film.is_some_and(|film| film.compression == FilmCompression::Carries);
+    sections.push(engineering(&summary.engineering, film_carries));
     if !summary.warnings.is_empty() {
         sections.push(list("Mind", &summary.warnings));
     }
@@ -272,6 +275,9 @@ fn uncertainty(band: &Uncertainty) -> String {
     text
 }
 
+/// A drag below this is rounding (as at a reversal, where the wing stands still), and a ratio to it says nothing.
+const ROUNDING_MN: f64 = 1e-6;
+
 fn lift(report: &LiftReport) -> String {
     let mut table = Table::new(["one wing", "lift_mn", "drag_mn", "power_mw", "lift/drag"]);
     for forces in [&report.solved].into_iter().chain(&report.stroke_mean) {
@@ -282,7 +288,8 @@ fn lift(report: &LiftReport) -> String {
             number(forces.power_mw, 2),
             forces
                 .lift_to_drag
-                .map_or(String::new(), |ratio| number(ratio, 3)),
+                .filter(|_| forces.drag_mn > ROUNDING_MN)
+                .map_or("–".to_string(), |ratio| number(ratio, 3)),
         ]);
     }
     format!("Lift, drag, power\n{}", table.render())

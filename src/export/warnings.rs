@@ -2,6 +2,7 @@
 
 use super::summary::RunSummary;
 use super::text::{number, significant};
+use crate::input::design::{Coefficients, Design, FilmCompression, Section};
 
 /// Below this ratio of the lowest natural frequency to that of the flapping, the shape does not follow its load.
 pub const SLOW_RATIO: f64 = 1.5;
@@ -42,5 +43,99 @@ pub fn warnings(summary: &RunSummary) -> Vec<String> {
             significant(extreme.strength_mpa.unwrap_or_default(), 3)
         ));
     }
+    warnings.extend(of_design(&summary.design, summary.wing.tip_mm));
     warnings
+}
+
+/// What in the design is unlikely to be meant, or beyond what a law was measured for; `tip_mm` is where the wing is cut.
+fn of_design(design: &Design, tip_mm: f64) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let rod_end_mm = design.rod.iter().map(|piece| piece.to_mm.value());
+    let rod_end_mm = rod_end_mm.fold(0.0, f64::max);
+    if !design.rod.is_empty() && rod_end_mm < tip_mm * (1.0 - 1e-9) {
+        warnings.push(format!(
+            "the rod ends at {} mm and the wing at {} mm: outboard of the rod the film alone makes the leading edge",
+            number(rod_end_mm, 1),
+            number(tip_mm, 1)
+        ));
+    }
+    let thinnest_mm = design
+        .rod
+        .iter()
+        .filter_map(|piece| smallest_size_mm(&piece.section));
+    let thinnest_mm = thinnest_mm.fold(f64::INFINITY, f64::min);
+    if let Some(film) = &design.film {
+        let thickness_mm = film.thickness_mm.value();
+        if film.compression == FilmCompression::TensionField && thickness_mm > thinnest_mm / 3.0 {
+            warnings.push(format!(
+                "the film is {thickness_mm} mm thick, more than a third of the thinnest rod ({thinnest_mm} mm): it will not \
+                 wrinkle as film.compression = \"tension-field\" has it; \"carries\" is nearer, or check the unit"
+            ));
+        }
+    }
+    if design.steady.is_some() && design.air.coefficients == Coefficients::Dickinson {
+        warnings.push(
+            "the Dickinson coefficients were measured on a flapping wing, whose leading-edge vortex does not stall; in a \
+             steady stream they promise too much lift at large angles (air.coefficients = \"table\" takes measured ones)"
+                .to_string(),
+        );
+    }
+    warnings
+}
+
+/// The smallest outer size of a section that has one, mm.
+fn smallest_size_mm(section: &Section) -> Option<f64> {
+    match section {
+        Section::Round { diameter_mm } => Some(diameter_mm.value()),
+        Section::HalfRound { diameter_mm, .. } => Some(0.5 * diameter_mm.value()),
+        Section::Tube {
+            outer_diameter_mm, ..
+        } => Some(outer_diameter_mm.value()),
+        Section::Rectangle {
+            width_mm,
+            thickness_mm,
+        } => Some(width_mm.value().min(thickness_mm.value())),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn design(steady: bool, film_mm: f64, rod_end_mm: f64) -> Design {
+        let steady = if steady { "[steady]\nspeed_m_s = 5.0\n" } else { "" };
+        let text = format!(
+            "format = 1\nname = 'w'\n[planform]\nlength_mm = 100.0\noutline = [[0.0, 20.0], [100.0, 20.0]]\n{steady}\
+             [[rod]]\nfrom_mm = 0.0\nto_mm = {rod_end_mm:?}\nmaterial = 'm'\n\
+             section = {{ shape = 'round', diameter_mm = 0.6 }}\n\
+             [film]\nmaterial = 'm'\nthickness_mm = {film_mm:?}\n\
+             [material.m]\ne_gpa = 3.0\ng_gpa = 1.0\ndensity_kg_m3 = 1000.0\n"
+        );
+        Design::from_toml(&text, "w.toml").unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    #[test]
+    fn an_outline_whose_tip_has_a_chord_is_not_cut() {
+        assert_eq!(design(false, 0.01, 100.0).planform.tip_cut.value(), 1.0);
+    }
+
+    #[test]
+    fn a_short_rod_a_thick_film_and_flapping_coefficients_in_a_stream_are_minded_and_nothing_else() {
+        assert_eq!(
+            of_design(&design(false, 0.01, 100.0), 100.0),
+            Vec::<String>::new()
+        );
+        for (wing, words) in [
+            (
+                design(false, 0.01, 80.0),
+                "the rod ends at 80.0 mm and the wing at 100.0 mm",
+            ),
+            (design(false, 0.3, 100.0), "0.3 mm thick, more than a third"),
+            (design(true, 0.01, 100.0), "Dickinson"),
+        ] {
+            let warnings = of_design(&wing, 100.0);
+            assert!(warnings.len() == 1 && warnings[0].contains(words), "{warnings:?}");
+        }
+    }
 }

@@ -13,6 +13,7 @@ use super::file;
 use super::form;
 use super::keys;
 use super::measurement::Measurement;
+use super::quantity::Quantity;
 use super::set::Setting;
 
 /// A design with all that its file refers to.
@@ -124,10 +125,14 @@ impl Design {
 pub(crate) fn design_of(root: &Node) -> Result<Design, InputError> {
     check::format_is_one(root)?;
     form::check(root, keys::design())?;
-    let design = Design::deserialize(root.to_value()).map_err(|error| {
+    let mut design = Design::deserialize(root.to_value()).map_err(|error| {
         let message = format!("cannot be read: {}", error.message());
         InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
     })?;
+    let cut = root.get("planform").and_then(|planform| planform.get("tip_cut"));
+    if cut.is_none() && design.planform.has_tip_chord() {
+        design.planform.tip_cut = Quantity::Stated(1.0);
+    }
     check::check(&design, root)?;
     Ok(design)
 }

@@ -77,7 +77,7 @@ fn an_unknown_effect_ends_with_2_and_names_those_that_there_are() {
     for words in [
         "bench.toml",
         "effects.ground: there is no such effect",
-        "tip_loss_prandtl",
+        "tip-loss-prandtl",
         "washout effects",
     ] {
         assert!(said.err.contains(words), "{words:?} is not in {}", said.err);
@@ -89,4 +89,21 @@ fn a_negative_refinement_is_refused_by_its_range() {
     let said = solve(&rod("force_n = [0.0, 0.0, 0.1]", ""), &["--refine", "-1"]);
     assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
     assert!(said.err.contains("mesh.refine"), "{}", said.err);
+}
+
+#[test]
+fn a_run_that_replaces_one_with_other_inputs_says_so_and_one_with_the_same_does_not() {
+    let here = folder();
+    fs::write(
+        here.path().join("bench.toml"),
+        rod("force_n = [0.0, 0.0, 0.1]", ""),
+    )
+    .expect("written");
+    let replaces = |set: &[&str]| {
+        let said = washout(here.path(), &[&["solve", "bench.toml"], set].concat());
+        let last = said.out.lines().last().expect("a line").to_string();
+        last.starts_with("They replace an earlier run with other inputs")
+    };
+    assert!(!replaces(&[]) && !replaces(&[]));
+    assert!(replaces(&["--set", "load[0].force_n=[0.0, 0.0, 0.2]"]));
 }

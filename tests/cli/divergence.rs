@@ -34,3 +34,15 @@ fn a_value_off_the_range_of_its_key_ends_with_2() {
     assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
     assert!(said.err.contains("flapping.half_amplitude_deg"), "{}", said.err);
 }
+
+#[test]
+fn a_sweep_that_does_not_settle_prints_its_result_and_ends_with_3() {
+    let here = folder();
+    let design = design("rigid.toml");
+    let arguments = ["divergence", &design, "--steps", "2", "--to", "40", "--json"];
+    let hasty = ["--set", "coupling.max_iterations=1"];
+    let said = washout(here.path(), &[&arguments[..], &hasty[..]].concat());
+    assert_eq!(said.code, Some(3), "{}", said.err);
+    assert_eq!(said.document()["undecided"].as_array().expect("a list").len(), 2);
+    assert!(said.err.contains("2 of the steps did not settle"), "{}", said.err);
+}

@@ -40,9 +40,19 @@ pub struct Planform {
     #[schemars(extend("minimum" = 0.0, "maximum" = 0.5, "examples" = [0.02]))]
     pub base_closure: Quantity,
     /// The fraction of the length at which the wing is cut (closes the tip).
+    ///
+    /// Where absent, 1 with an `outline` that has a chord at the tip, else 0.99.
     #[serde(default = "tip_cut")]
     #[schemars(extend("minimum" = 0.5, "maximum" = 1.0, "examples" = [0.99]))]
     pub tip_cut: Quantity,
+}
+
+impl Planform {
+    /// Whether an outline of points has a chord at the very tip, so that nothing need be cut there.
+    pub fn has_tip_chord(&self) -> bool {
+        let last = self.outline.as_ref().and_then(|points| points.last());
+        last.is_some_and(|[r_mm, chord_mm]| *r_mm >= self.length_mm.value() && *chord_mm > 0.0)
+    }
 }
 
 fn base_closure() -> Quantity {
