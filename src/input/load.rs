@@ -124,6 +124,7 @@ impl Design {
 /// The checked design of a tree.
 pub(crate) fn design_of(root: &Node) -> Result<Design, InputError> {
     check::format_is_one(root)?;
+    check::one_flow(root)?;
     form::check(root, keys::design())?;
     let mut design = Design::deserialize(root.to_value()).map_err(|error| {
         let message = format!("cannot be read: {}", error.message());

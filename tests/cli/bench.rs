@@ -107,3 +107,15 @@ fn a_run_that_replaces_one_with_other_inputs_says_so_and_one_with_the_same_does_
     assert!(!replaces(&[]) && !replaces(&[]));
     assert!(replaces(&["--set", "load[0].force_n=[0.0, 0.0, 0.2]"]));
 }
+
+#[test]
+fn flapping_set_on_a_wing_in_a_stream_is_refused_for_standing_beside_it() {
+    let steady = rod("force_n = [0.0, 0.0, 0.1]", "[steady]\nspeed_m_s = 5.0\n");
+    let said = solve(&steady, &["--set", "flapping.frequency_hz=20"]);
+    assert_eq!(said.code, Some(2));
+    assert!(
+        said.err.contains("cannot stand together with flapping"),
+        "{}",
+        said.err
+    );
+}

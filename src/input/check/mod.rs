@@ -50,12 +50,17 @@ fn name(design: &Design, root: &Node) -> Result<(), InputError> {
     Ok(())
 }
 
-fn flow(design: &Design, root: &Node) -> Result<(), InputError> {
-    if design.flapping.is_some() && design.steady.is_some() {
+/// Flapping or a stream, not both; judged before what either lacks.
+pub(crate) fn one_flow(root: &Node) -> Result<(), InputError> {
+    if root.get("flapping").is_some() && root.get("steady").is_some() {
         let message = "cannot stand together with flapping";
         let cure = "Keep [flapping] or [steady]; delete both for bench loads only";
         return refuse(root, "steady", message, &["flapping"], cure);
     }
+    Ok(())
+}
+
+fn flow(design: &Design, root: &Node) -> Result<(), InputError> {
     if design.air.coefficients == super::design::Coefficients::Table && design.air.table.is_none() {
         let message = "needs air.table";
         let cure =
