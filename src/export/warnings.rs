@@ -104,7 +104,11 @@ mod tests {
     use super::*;
 
     fn design(steady: bool, film_mm: f64, rod_end_mm: f64) -> Design {
-        let steady = if steady { "[steady]\nspeed_m_s = 5.0\n" } else { "" };
+        let steady = if steady {
+            "[steady]\nspeed_m_s = 5.0\nroot_angle_deg = 5.0\n"
+        } else {
+            ""
+        };
         let text = format!(
             "format = 1\nname = 'w'\n[planform]\nlength_mm = 100.0\noutline = [[0.0, 20.0], [100.0, 20.0]]\n{steady}\
              [[rod]]\nfrom_mm = 0.0\nto_mm = {rod_end_mm:?}\nmaterial = 'm'\n\

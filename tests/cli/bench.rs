@@ -110,7 +110,10 @@ fn a_run_that_replaces_one_with_other_inputs_says_so_and_one_with_the_same_does_
 
 #[test]
 fn flapping_set_on_a_wing_in_a_stream_is_refused_for_standing_beside_it() {
-    let steady = rod("force_n = [0.0, 0.0, 0.1]", "[steady]\nspeed_m_s = 5.0\n");
+    let steady = rod(
+        "force_n = [0.0, 0.0, 0.1]",
+        "[steady]\nspeed_m_s = 5.0\nroot_angle_deg = 5.0\n",
+    );
     let said = solve(&steady, &["--set", "flapping.frequency_hz=20"]);
     assert_eq!(said.code, Some(2));
     assert!(
