@@ -120,7 +120,7 @@ mod tests {
             let phase = f64::from(step) * 0.05;
             let [here, there] = [phase, phase + PI].map(|phase| STROKE.pitch(phase));
             assert!(
-                (here[0] + there[0]).abs() < 1e-12 && (here[1] + there[1]).abs() < 1e-9,
+                here.iter().zip(there).all(|(a, b)| (a + b).abs() < 1e-9),
                 "{phase}"
             );
             let h = 1e-4;
@@ -128,10 +128,12 @@ mod tests {
             // but for the four phases in which a flip begins or ends
             let edge = ((phase.rem_euclid(PI) - FRAC_PI_2).abs() - 0.2 * PI).abs() < 2.0 * h;
             assert!(
-                edge || (curve - here[1]).abs() < 1e-4,
+                edge || (curve - here[2]).abs() < 1e-4,
                 "{phase} {curve} {}",
-                here[1]
+                here[2]
             );
+            let rate = (STROKE.pitch(phase + h)[0] - STROKE.pitch(phase - h)[0]) / (2.0 * h);
+            assert!((rate - here[1]).abs() < 1e-6, "{phase} {rate} {}", here[1]);
         }
     }
 
