@@ -188,7 +188,11 @@ impl Failure {
             Failure::Study(source) | Failure::OfStudy { source, .. } => source.exit_code(),
             Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } | Failure::NoMeasurement { .. } => 2,
-            Failure::Export(ExportError::NoRun { .. } | ExportError::ForeignSummary { .. }) => 2,
+            Failure::Export(
+                ExportError::NoRun { .. }
+                | ExportError::ForeignSummary { .. }
+                | ExportError::NoCounterpart { .. },
+            ) => 2,
             Failure::UnknownCase { .. } => 2,
             Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) | Failure::Cases { .. } => 1,
             Failure::Interrupted(_) => 130,

@@ -37,6 +37,8 @@ pub mod add;
 
 pub mod diff;
 
+pub mod export;
+
 pub mod verify;
 
 use clap::{Args, Parser, Subcommand};
@@ -102,6 +104,8 @@ pub enum Verb {
     Effects(effects::ListEffects),
     /// Compare two runs: inputs, results, twist
     Diff(diff::Diff),
+    /// Write a run as input for another program, for a second opinion
+    Export(export::Export),
     /// Run the published cases that say how far to trust the solver
     Verify(verify::Verify),
 }
@@ -126,6 +130,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Add(verb) => verb.run(&console),
         Verb::Effects(verb) => verb.run(&console),
         Verb::Diff(verb) => verb.run(&console),
+        Verb::Export(verb) => verb.run(&console),
         Verb::Verify(verb) => verb.run(&console),
     };
     console.progress().finish();

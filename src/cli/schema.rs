@@ -50,6 +50,8 @@ pub enum Output {
     Diagnose,
     /// `washout add --json`
     Add,
+    /// `washout export --json`
+    Export,
     /// `washout verify --json`, and `verify.json`
     Verify,
 }
@@ -70,6 +72,7 @@ impl Schema {
             Some(Output::Diagnose) => schemars::schema_for!(Diagnosis),
             Some(Output::Add) => schemars::schema_for!(super::add::AddReport),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
+            Some(Output::Export) => schemars::schema_for!(super::export::ExportReport),
             Some(Output::Verify) => schemars::schema_for!(VerifyReport),
         };
         console.document(&schema)

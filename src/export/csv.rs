@@ -1,8 +1,10 @@
-//! `profile.csv` and `strips.csv`: twist along the span and the air on each strip, units in the head.
+//! `profile.csv`, `strips.csv`, `edges.csv`: twist along the span, the air on each strip, where the edges go; units in the
+//! head.
 
 use serde::Serialize;
 
 use crate::coupling::solution::StripLoad;
+use crate::mesh::Mesh;
 
 use super::ExportError;
 use super::summary::ProfileRow;
@@ -34,6 +36,9 @@ const STRIPS_HEAD: [&str; 10] = [
     "tangential_n_per_m",
 ];
 
+/// Columns of `edges.csv`.
+const EDGES_HEAD: [&str; 7] = ["edge", "node", "r_mm", "y_mm", "ux_mm", "uy_mm", "uz_mm"];
+
 /// The twist profile; `alpha_deg` is blank without flow.
 pub fn profile(rows: &[ProfileRow]) -> Result<Vec<u8>, ExportError> {
     table(&PROFILE_HEAD, rows)
@@ -57,6 +62,19 @@ pub fn strips(strips: &[StripLoad]) -> Result<Vec<u8>, ExportError> {
     };
     let rows: Vec<[f64; 10]> = strips.iter().map(row).collect();
     table(&STRIPS_HEAD, &rows)
+}
+
+/// Leading, then trailing edge from base to tip: place at rest and displacement from the unloaded shape, mm; nodes are
+/// numbered from 1.
+pub fn edges(mesh: &Mesh, displacement_mm: &[[f64; 3]]) -> Result<Vec<u8>, ExportError> {
+    let row = |edge: &'static str, node: usize| {
+        let ([x, y, _], [ux, uy, uz]) = (mesh.nodes[node].map(|x| x * 1e3), displacement_mm[node]);
+        (edge, node + 1, x, y, ux, uy, uz)
+    };
+    let leading = mesh.leading_edge.iter().map(|&node| row("leading", node));
+    let trailing = mesh.trailing_edge.iter().map(|&node| row("trailing", node));
+    let rows: Vec<_> = leading.chain(trailing).collect();
+    table(&EDGES_HEAD, &rows)
 }
 
 fn table(head: &[&str], rows: &[impl Serialize]) -> Result<Vec<u8>, ExportError> {

@@ -44,6 +44,14 @@ pub enum ExportError {
         /// What does not fit.
         reason: String,
     },
+    /// A part of the wing that another program cannot model.
+    #[error("{what} has no counterpart there; {cure}")]
+    NoCounterpart {
+        /// The part.
+        what: &'static str,
+        /// What to do.
+        cure: &'static str,
+    },
     /// An array does not fit the grid that it belongs to.
     #[error("array '{name}' has {found} values, the grid needs {expected}; please report this as a bug")]
     ArrayLength {

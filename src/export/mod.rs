@@ -14,6 +14,8 @@ pub mod pvd;
 
 pub mod csv;
 
+pub mod calculix;
+
 pub mod summary;
 
 pub mod builder;

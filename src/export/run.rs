@@ -188,13 +188,19 @@ fn refuse_foreign(target: &Path, summary: &str) -> Result<(), ExportError> {
         found.insert(entry.file_name().to_string_lossy().into_owned());
     }
     let known = files_of_run(target, summary);
-    match found.into_iter().find(|name| !known.contains(name)) {
+    let foreign = |name: &String| !known.contains(name) && !is_run(&target.join(name));
+    match found.into_iter().find(foreign) {
         None => Ok(()),
         Some(entry) => Err(ExportError::ForeignEntry {
             path: target.to_path_buf(),
             entry,
         }),
     }
+}
+
+/// Whether a folder holds a run and nothing else, such as the deck that `washout export` puts beside the files of a run.
+fn is_run(folder: &Path) -> bool {
+    folder.join(SUMMARY).is_file() && refuse_foreign(folder, SUMMARY).is_ok()
 }
 
 /// The files that a run lists in its summary; none if there is no readable summary.
@@ -264,6 +270,23 @@ mod tests {
         let error = write_run(&target, "second").expect_err("foreign file");
         assert!(error.to_string().contains("'notes.txt'"), "{error}");
         assert_eq!(entries(&target), ["notes.txt", "profile.csv", "summary.json"]);
+    }
+
+    #[test]
+    fn a_run_in_the_folder_of_a_run_is_replaced_with_it_but_not_with_files_of_the_user() {
+        let parent = tempfile::tempdir().expect("folder");
+        let target = parent.path().join("run");
+        write_run(&target, "first").expect("written");
+        write_run(&target.join("deck"), "deck").expect("written");
+        write_run(&target, "second").expect("replaced");
+        assert_eq!(entries(&target), ["profile.csv", "summary.json"]);
+        write_run(&target.join("deck"), "deck").expect("written");
+        fs::write(target.join("deck/notes.txt"), "mine").expect("file");
+        assert!(write_run(&target, "third").is_err());
+        assert_eq!(
+            entries(&target.join("deck")),
+            ["notes.txt", "profile.csv", "summary.json"]
+        );
     }
 
     #[test]

@@ -55,6 +55,26 @@ impl Loaded {
 }
 
 impl Design {
+    /// A design that a run has resolved, with the mesh and the table that it names beside `path`, its file; what was
+    /// measured is left out.
+    pub fn resolved(self, path: &Path) -> Result<Loaded, InputError> {
+        let table = self.air.table.as_ref().map(|name| file::beside(path, name));
+        let table = table.map(|path| {
+            air_table::parse(
+                &file::shown(&path),
+                &file::read_text(&path, "table of coefficients")?,
+            )
+        });
+        Ok(Loaded {
+            mesh_path: self.mesh.file.as_ref().map(|name| file::beside(path, name)),
+            air_table: table.transpose()?,
+            design: self,
+            path: path.to_path_buf(),
+            materials_path: None,
+            measurement: None,
+        })
+    }
+
     /// Reads a design file with the files that it names, after `sets` (`key=value`) have changed it.
     pub fn load(path: &Path, sets: &[String]) -> Result<Loaded, InputError> {
         let settings: Vec<Setting> = sets

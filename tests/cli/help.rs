@@ -3,7 +3,7 @@
 use crate::{folder, washout};
 
 /// Every verb of the program.
-pub const VERBS: [&str; 10] = [
+pub const VERBS: [&str; 11] = [
     "solve",
     "compare",
     "divergence",
@@ -12,6 +12,7 @@ pub const VERBS: [&str; 10] = [
     "init",
     "schema",
     "diff",
+    "export",
     "verify",
     "help",
 ];

@@ -1,0 +1,136 @@
+//! `washout export`: a run as input for another program.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::coupling::vibration::Standing;
+use crate::export::run::{RunFolder, read_summary};
+use crate::export::text::wrapped;
+use crate::export::wing::displacement_mm;
+use crate::export::{ExportError, calculix, csv};
+use crate::input::design::Kinematics;
+
+use super::case::Case;
+use super::{Console, Failure};
+
+/// Tip displacements nearer than this are the same run, mm.
+const SAME_MM: f64 = 1e-5;
+
+/// Arguments of `washout export`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout solve designs/twist-v2.toml --set film.compression=carries
+  washout export --to calculix output/twist-v2              output/twist-v2/calculix/wing.inp
+  python3 docs/second_opinion.py output/twist-v2            solves it with ccx and compares
+
+The deck holds the structure and the loads of the converged shape, kept still in space. edges.csv holds where washout
+puts the leading and the trailing edge.")]
+pub struct Export {
+    /// Folder of the run
+    pub run: PathBuf,
+    /// The other program
+    #[arg(long)]
+    pub to: Program,
+    /// Folder to write into [default: RUN/calculix]
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+/// A program that can be written for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Program {
+    /// CalculiX (`ccx`), an open finite-element program
+    Calculix,
+}
+
+/// What was exported; `summary.json` of its folder.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ExportReport {
+    /// Name of the wing.
+    pub name: String,
+    /// What has no counterpart there and is left out.
+    pub left_out: Vec<String>,
+    /// Whether the deck has a first step that cools the film to its pre-tension; displacements count from its end.
+    pub cured: bool,
+    /// Files of the folder.
+    pub files: Vec<String>,
+}
+
+impl Export {
+    /// Solves the inputs of the run again, which gives its shape and its loads, and writes the deck.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let Program::Calculix = self.to;
+        let summary = read_summary(&self.run)?;
+        let target = self.output.clone().unwrap_or_else(|| self.run.join("calculix"));
+        let mut folder = RunFolder::create(&target)?;
+        let name = summary.name.clone();
+        let case = Case::new(summary.design.resolved(summary.design_file.as_ref())?)?;
+        let design = &case.loaded.design;
+        if design.structure.kinematics == Kinematics::Linear {
+            return Err(Failure::Option {
+                option: "--to calculix",
+                reason:
+                    "the deck is solved with large rotations; solve the design with structure.kinematics = \
+                         \"large-rotation\""
+                        .to_string(),
+            });
+        }
+        console.progress().say(format_args!("solving {name} again"));
+        let solution = super::solve::solve(&case, console.progress())?;
+        let moved = displacement_mm(&solution.rest, &solution.state);
+        let tip = moved.get(summary.tip.node).copied().unwrap_or([f64::INFINITY; 3]);
+        let off = (0..3).any(|k| (tip[k] - summary.tip.displacement_mm[k]).abs() > SAME_MM);
+        if off {
+            return Err(Failure::Export(ExportError::ForeignSummary {
+                path: self.run.clone(),
+                reason: "its inputs give another tip displacement now".to_string(),
+            }));
+        }
+        let standing = Standing::loaded(design, &solution).map_err(|source| Failure::Coupling {
+            design: case.loaded.path.clone(),
+            source,
+        })?;
+        let mesh = &solution.mesh;
+        let mut edges = mesh.leading_edge.clone();
+        edges.extend(
+            mesh.trailing_edge
+                .iter()
+                .filter(|node| !mesh.leading_edge.contains(node)),
+        );
+        let deck = calculix::deck(&name, &standing, &edges)?;
+        folder.add("wing.inp", deck.text.as_bytes())?;
+        folder.add("edges.csv", &csv::edges(mesh, &moved)?)?;
+        let report = ExportReport {
+            name,
+            left_out: deck.left_out,
+            cured: standing
+                .model
+                .sheets
+                .iter()
+                .any(|sheet| sheet.pretension_n_per_m != 0.0),
+            files: folder.listed(),
+        };
+        folder.add_summary(&report)?;
+        console.progress().check()?;
+        let path = folder.commit()?;
+        console.result(&report.page(&path.display().to_string()), &report)
+    }
+}
+
+impl ExportReport {
+    fn page(&self, folder: &str) -> String {
+        let left_out: String = self
+            .left_out
+            .iter()
+            .map(|what| wrapped(&format!("Left out: {what}"), 2))
+            .collect();
+        format!(
+            "{}\n{left_out}\nFiles in {folder}: {}\n",
+            self.name,
+            self.files.join(" ")
+        )
+    }
+}
