@@ -6,6 +6,8 @@ mod compare;
 
 mod divergence;
 
+mod export;
+
 mod help;
 
 mod init;
