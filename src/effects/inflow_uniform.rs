@@ -1,5 +1,7 @@
 //! Downwash of the same speed everywhere, from the mean lift over the area that the wing sweeps.
 
+use num_dual::DualNum;
+
 use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{Flow, SectionAir};
@@ -52,11 +54,10 @@ impl Effect for InflowUniform {
         // mean lift over density, m⁴/s², and swept area, m²
         let lift = 0.25 * cl * rate * rate * place.mean_chord_m * (outer.powi(3) - inner.powi(3)) / 3.0;
         let area = half_amplitude_rad * (outer * outer - inner * inner);
-        let speed_squared = air.speed_squared.re;
-        if lift > 0.0 && area > 0.0 && speed_squared > 0.0 {
-            let ratio = values.strength() * (lift / (2.0 * area)).sqrt() / speed_squared.sqrt();
+        if lift > 0.0 && area > 0.0 && air.speed_squared.re > 0.0 {
+            let ratio = air.speed_squared.sqrt().recip() * (values.strength() * (lift / (2.0 * area)).sqrt());
             air.alpha -= ratio.atan();
-            air.speed_squared *= 1.0 + ratio * ratio;
+            air.speed_squared *= ratio * ratio + 1.0;
         }
     }
 }
