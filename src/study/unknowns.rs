@@ -133,31 +133,35 @@ impl Targets {
         Ok(())
     }
 
+    /// One nuisance for the runs that are named, or one for every run.
     fn add_ruler(&mut self, ruler: &Ruler, observables: &[Observable]) {
-        let mut runs: Vec<&str> = Vec::new();
-        for observable in observables.iter().filter(|o| o.channel == ruler.channel) {
-            let counts = ruler
-                .runs
-                .as_ref()
-                .is_none_or(|runs| runs.contains(&observable.run));
-            if counts && !runs.contains(&observable.run.as_str()) {
-                runs.push(&observable.run);
+        let mut groups: Vec<Vec<String>> = Vec::new();
+        match &ruler.runs {
+            Some(runs) => groups.push(runs.clone()),
+            None => {
+                for observable in observables.iter().filter(|o| o.channel == ruler.channel) {
+                    let own = vec![observable.run.clone()];
+                    if !groups.contains(&own) {
+                        groups.push(own);
+                    }
+                }
             }
         }
-        for run in runs {
-            let belongs = |o: &Observable| o.channel == ruler.channel && o.run == run;
-            let rows = (0..observables.len())
-                .filter(|&row| belongs(&observables[row]))
-                .collect();
+        for runs in groups {
+            let belongs = |o: &Observable| o.channel == ruler.channel && runs.contains(&o.run);
+            let rows: Vec<usize> = (0..observables.len()).filter(|&row| belongs(&observables[row])).collect();
             let (word, unit) = match ruler.kind {
                 RulerKind::Offset => ("offset", ruler.channel.unit()),
                 RulerKind::Scale => ("scale", "1"),
             };
-            let of = if run.is_empty() {
-                String::new()
-            } else {
-                format!(" of run {run}")
+            let of = match runs.join(", ") {
+                names if names.is_empty() => String::new(),
+                names if runs.len() > 1 => format!(" of runs {names}"),
+                names => format!(" of run {names}"),
             };
+            if rows.is_empty() {
+                continue;
+            }
             let unknown = Unknown {
                 name: format!("{word} of {}{of}", ruler.channel.name()),
                 unit: unit.to_string(),

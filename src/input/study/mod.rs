@@ -131,7 +131,7 @@ pub struct Ruler {
     /// The channel that it moves.
     #[schemars(extend("examples" = ["twist"]))]
     pub channel: Channel,
-    /// The runs of the measurement that it moves; every run has its own where absent.
+    /// The runs of the measurement that it moves, all alike; every run has its own where absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = [["bending"]]))]
     pub runs: Option<Vec<String>>,
