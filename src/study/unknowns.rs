@@ -149,7 +149,9 @@ impl Targets {
         }
         for runs in groups {
             let belongs = |o: &Observable| o.channel == ruler.channel && runs.contains(&o.run);
-            let rows: Vec<usize> = (0..observables.len()).filter(|&row| belongs(&observables[row])).collect();
+            let rows: Vec<usize> = (0..observables.len())
+                .filter(|&row| belongs(&observables[row]))
+                .collect();
             let (word, unit) = match ruler.kind {
                 RulerKind::Offset => ("offset", ruler.channel.unit()),
                 RulerKind::Scale => ("scale", "1"),

@@ -123,8 +123,8 @@ const CASES: &[(&str, &str)] = &[
     ),
     (
         "steady.speed_m_s=8",
-        "--set: steady.root_angle_deg is missing.\n  \
-         Give the angle of attack of the root in degrees, e.g. root_angle_deg = 5.0",
+        "--set: steady cannot stand together with flapping.\n  \
+         Keep [flapping] or [steady]; delete both for bench loads only",
     ),
     (
         "observation.instrument=camera",
