@@ -67,9 +67,12 @@ mod tests {
         } = Rectangle::of(&section);
         let a4 = 0.5_f64.powi(4);
         let near = |found: f64, exact: f64| assert!((found / exact - 1.0).abs() < 1e-4, "{found} {exact}");
-        near(e_mpa * b * h, 134e3 * 1.570_796 * 0.25);
+        near(e_mpa * b * h, 134e3 * std::f64::consts::FRAC_PI_2 * 0.25);
         near(e_mpa * b * h.powi(3) / 12.0, 134e3 * 0.109_757 * a4);
-        near(e_mpa * h * b.powi(3) / 12.0, 134e3 * 0.392_699 * a4);
+        near(
+            e_mpa * h * b.powi(3) / 12.0,
+            134e3 * std::f64::consts::FRAC_PI_8 * a4,
+        );
         let torsion = g_mpa * (b * h).powi(3) / (3.0 * (b * b + h * h));
         near(torsion, 4e3 * 0.297_557 * a4);
         assert!(Rectangle::leaves_out(&section));
