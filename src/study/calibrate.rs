@@ -70,8 +70,11 @@ pub fn misfit(observable: &Observable, modelled: f64) -> f64 {
 
 /// Fits the free unknowns.
 ///
+/// The search also ends where no step downhill, however short, lowers Q: the bottom of a kink.
+///
 /// # Errors
-/// If the model has no solution at the start, or the search does not settle.
+/// If the model has no solution at the start or where the search leads, the search does not settle, or the user asked
+/// to stop.
 pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> {
     let unknowns = forward.unknowns();
     let free: Vec<usize> = task.free.to_vec();
@@ -80,28 +83,39 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
     let mut linear = forward.linearize(&at, &|unknown| wanted(&unknown.name))?;
     let mut damping = 1e-3;
     let mut fall = f64::INFINITY;
+    // why a trial had no solution, until whole steps succeed again: a search held back by such trials has found nothing
+    let mut unsolved: Option<StudyError> = None;
     for step in 0..PATIENCE {
         let here = Local::new(forward, task, &at, &linear);
         let moved = here.step(forward, &free, &at, damping);
         if moved.size < TOLERANCE || fall < TOLERANCE * TOLERANCE * (1.0 + here.q()) {
-            return Ok(here.fit(forward, task, at, linear, step));
+            return match unsolved {
+                Some(error) => Err(error),
+                None => Ok(here.fit(forward, task, at, linear, step)),
+            };
         }
-        let trial = forward.linearize(&moved.at, &|unknown| wanted(&unknown.name));
-        let better = trial.ok().map(|trial| {
-            let q = Local::new(forward, task, &moved.at, &trial).q();
-            (trial, q)
-        });
-        match better {
-            Some((trial, q)) if q <= here.q() => {
-                fall = here.q() - q;
-                (at, linear) = (moved.at, trial);
-                damping = (damping * 0.1).max(1e-9);
+        match forward.linearize(&moved.at, &|unknown| wanted(&unknown.name)) {
+            Err(cancelled @ StudyError::Cancelled(_)) => return Err(cancelled),
+            Err(error) => {
+                unsolved = Some(error);
+                damping *= 10.0;
             }
-            _ if damping > 1e8 => return Ok(here.fit(forward, task, at, linear, step)),
-            _ => damping *= 10.0,
+            Ok(trial) => {
+                if damping <= 1.0 {
+                    unsolved = None;
+                }
+                let q = Local::new(forward, task, &moved.at, &trial).q();
+                if q <= here.q() {
+                    fall = here.q() - q;
+                    (at, linear) = (moved.at, trial);
+                    damping = (damping * 0.1).max(1e-9);
+                } else {
+                    damping *= 10.0;
+                }
+            }
         }
     }
-    Err(StudyError::NotCalibrated { steps: PATIENCE })
+    Err(unsolved.unwrap_or(StudyError::NotCalibrated { steps: PATIENCE }))
 }
 
 /// The fit about one point, all in prior standard deviations and whitened.
@@ -343,5 +357,54 @@ mod tests {
         assert!((fit.at[0] - 2.0).abs() < 0.01, "{:?}", fit.at);
         decay.observables[3].bound = Bound::Lower;
         assert!((decay.fit().at[0] - 2.0).abs() > 0.3);
+    }
+
+    /// The decay, with no solution for a above 5.
+    struct Cliff(Decay, fn() -> StudyError);
+
+    impl Forward for Cliff {
+        fn unknowns(&self) -> &[Unknown] {
+            self.0.unknowns()
+        }
+        fn observables(&self) -> &[Observable] {
+            self.0.observables()
+        }
+        fn conditions(&self) -> &[Condition] {
+            self.0.conditions()
+        }
+        fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
+            self.0.predict(at)
+        }
+        fn linearize(&self, at: &[f64], wanted: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError> {
+            if at[0] > 5.0 {
+                return Err((self.1)());
+            }
+            self.0.linearize(at, wanted)
+        }
+        fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {
+            self.0.moment_response(at, stations)
+        }
+    }
+
+    #[test]
+    fn a_search_that_ends_where_the_model_has_no_solution_or_the_user_stops_it_gives_no_fit() {
+        let unsolved = || StudyError::Unsolved {
+            case: "c".into(),
+            reason: "beyond divergence".into(),
+        };
+        let cancelled = || StudyError::Cancelled(crate::progress::Cancelled);
+        for error in [unsolved as fn() -> StudyError, cancelled] {
+            let cliff = Cliff(Decay::new(&exact(20.0, 0.7), 1e-3, [0.0, 5.0]), error);
+            let rows: Vec<usize> = (0..8).collect();
+            let none = DVector::zeros(8);
+            let noise = Noise::new(cliff.observables(), cliff.conditions(), &rows, &none, 0.0).unwrap();
+            let task = Task {
+                rows: &rows,
+                noise: &noise,
+                free: &[0, 1],
+                start: &[1.0, 0.1],
+            };
+            assert_eq!(calibrate(&cliff, &task).unwrap_err(), error());
+        }
     }
 }

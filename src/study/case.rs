@@ -1,5 +1,6 @@
 //! One case of a study: its design solved, and read as it was measured.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
@@ -257,8 +258,16 @@ impl PreparedCase {
                 }
                 None => {
                     let rate = sensitivity.rate(key).map_err(|error| self.failed(error))?;
-                    let column =
-                        sensitivity.read(&rate, |near| self.read(near).unwrap_or_else(|_| here.clone()));
+                    let unread = OnceCell::new();
+                    let column = sensitivity.read(&rate, |near| {
+                        self.read(near).unwrap_or_else(|error| {
+                            let _ = unread.set(error);
+                            here.clone()
+                        })
+                    });
+                    if let Some(error) = unread.into_inner() {
+                        return Err(error);
+                    }
                     column.map_err(|error| self.failed(error))?
                 }
             };
