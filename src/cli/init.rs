@@ -1,4 +1,4 @@
-//! `washout init`: a commented design file to start from.
+//! `washout init`: a commented design file, or a study with its design and readings, to start from.
 
 use std::fs::OpenOptions;
 use std::io::{self, Write};
@@ -13,16 +13,30 @@ use crate::export::ExportError;
 use super::{Console, Failure};
 
 const TEMPLATE: &str = include_str!("init_design.toml");
+const STUDY: &str = include_str!("init_study.toml");
+const READINGS: &str = include_str!("init_measured.csv");
+
+/// What the design of a study has besides.
+const COARSE: &str = "
+# Coarse, so that the study runs in seconds; the usual is 12.
+[mesh]
+chordwise = 6
+";
 
 /// Arguments of `washout init`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout init my-wing                          writes my-wing.toml here
   washout init my-wing --output designs         writes designs/my-wing.toml
-  washout solve my-wing.toml                    solves it")]
+  washout solve my-wing.toml                    solves it
+  washout init my-study --study                 writes my-study.toml, my-study-wing.toml and my-study-measured.csv
+  washout compare my-study.toml                 compares them")]
 pub struct Init {
-    /// Name of the wing: letters, digits, '-' and '_'
+    /// Name of the wing or study: letters, digits, '-' and '_'
     pub name: String,
+    /// Write a study, with its design and made-up readings, instead of a design
+    #[arg(long)]
+    pub study: bool,
     /// Folder to write into [default: this one]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -31,35 +45,69 @@ pub struct Init {
 /// What `washout init` wrote.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct InitReport {
-    /// The design file.
+    /// The design file, or the study.
     pub file: String,
+    /// The design and the readings of the study.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub beside: Vec<String>,
 }
 
 impl Init {
-    /// Writes the file; an existing one is never touched.
+    /// Writes the files, all or none; existing ones are never touched.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let folder = self.output.clone().unwrap_or_default();
-        let path = folder.join(format!("{}.toml", checked(&self.name)?));
-        let write = || {
-            let mut file = OpenOptions::new().write(true).create_new(true).open(&path)?;
-            file.write_all(design(&self.name).as_bytes())
+        let name = checked(&self.name)?;
+        let files = if self.study {
+            study(name)
+        } else {
+            vec![(format!("{name}.toml"), design(name))]
         };
-        match write() {
-            Ok(()) => {}
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                return Err(Failure::Exists { path });
-            }
-            Err(error) => return Err(ExportError::file("write", &path)(error).into()),
+        let files = files
+            .into_iter()
+            .map(|(file, text)| (folder.join(file), text))
+            .collect::<Vec<_>>();
+        if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
+            return Err(Failure::Exists { path: path.clone() });
         }
-        let file = path.display().to_string();
-        let page = format!("{file} written; solve it with: washout solve {file}\n");
-        console.result(&page, &InitReport { file })
+        for (path, text) in &files {
+            let write = || {
+                let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
+                file.write_all(text.as_bytes())
+            };
+            match write() {
+                Ok(()) => {}
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                    return Err(Failure::Exists { path: path.clone() });
+                }
+                Err(error) => return Err(ExportError::file("write", path)(error).into()),
+            }
+        }
+        let mut names = files.iter().map(|(path, _)| path.display().to_string());
+        let file = names.next().unwrap_or_default();
+        let beside: Vec<String> = names.collect();
+        let page = if self.study {
+            let with = beside.join(" and ");
+            format!("{file} written, with {with}; compare them with: washout compare {file}\n")
+        } else {
+            format!("{file} written; solve it with: washout solve {file}\n")
+        };
+        console.result(&page, &InitReport { file, beside })
     }
 }
 
 /// The text of a design with this name.
 fn design(name: &str) -> String {
     TEMPLATE.replace("NAME", name)
+}
+
+/// The files of a study with this name: the study, its design, its readings.
+fn study(name: &str) -> Vec<(String, String)> {
+    let wing = format!("{name}-wing");
+    vec![
+        (format!("{name}.toml"), STUDY.replace("NAME", name)),
+        (format!("{wing}.toml"), design(&wing) + COARSE),
+        (format!("{name}-measured.csv"), READINGS.replace("NAME", name)),
+    ]
 }
 
 fn checked(name: &str) -> Result<&str, Failure> {

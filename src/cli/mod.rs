@@ -25,6 +25,8 @@ pub mod modes;
 
 pub mod mesh;
 
+pub mod measure;
+
 pub mod init;
 
 pub mod schema;
@@ -92,7 +94,9 @@ pub enum Verb {
     Modes(modes::Modes),
     /// Write the mesh of a design, for VTK and Gmsh
     Mesh(mesh::WriteMesh),
-    /// Write a commented design file to start from
+    /// Turn marks clicked in video frames into twist with its error, as a measurement file
+    Measure(measure::Measure),
+    /// Write a commented design, or a study, to start from
     Init(init::Init),
     /// Print the JSON schema of a file or of an output
     Schema(schema::Schema),
@@ -124,6 +128,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Divergence(verb) => verb.run(&console),
         Verb::Modes(verb) => verb.run(&console),
         Verb::Mesh(verb) => verb.run(&console),
+        Verb::Measure(verb) => verb.run(&console),
         Verb::Init(verb) => verb.run(&console),
         Verb::Schema(verb) => verb.run(&console),
         Verb::Diagnose(verb) => verb.run(&console),

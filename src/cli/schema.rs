@@ -17,6 +17,7 @@ use super::{Console, Failure};
   washout schema > design.schema.json           of design files, for editors
   washout schema --output                       of `washout solve --json` and summary.json
   washout schema --study                        of study files
+  washout schema --video                        of video files
   washout schema --output diff                  of `washout diff --json`")]
 pub struct Schema {
     /// Of the JSON document that a verb prints, instead of design files
@@ -25,6 +26,9 @@ pub struct Schema {
     /// Of study files, instead of design files
     #[arg(long, conflicts_with = "output")]
     pub study: bool,
+    /// Of video files for `washout measure`, instead of design files
+    #[arg(long, conflicts_with_all = ["output", "study"])]
+    pub video: bool,
 }
 
 /// Verbs whose JSON document has a schema.
@@ -42,6 +46,8 @@ pub enum Output {
     Modes,
     /// `washout mesh --json`
     Mesh,
+    /// `washout measure --json`
+    Measure,
     /// `washout init --json`
     Init,
     /// `washout compare STUDY --json`
@@ -61,6 +67,7 @@ impl Schema {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let schema = match self.output {
             None if self.study => crate::input::schema::study_schema(),
+            None if self.video => crate::input::schema::video_schema(),
             None => crate::input::schema::design_schema(),
             Some(Output::Solve) => schemars::schema_for!(RunSummary),
             Some(Output::Compare) => schemars::schema_for!(super::compare::CompareReport),
@@ -68,6 +75,7 @@ impl Schema {
             Some(Output::Diff) => schemars::schema_for!(Difference),
             Some(Output::Modes) => schemars::schema_for!(ModesSummary),
             Some(Output::Mesh) => schemars::schema_for!(super::mesh::MeshReport),
+            Some(Output::Measure) => schemars::schema_for!(crate::export::video::MeasureReport),
             Some(Output::Study) => schemars::schema_for!(StudyComparison),
             Some(Output::Diagnose) => schemars::schema_for!(Diagnosis),
             Some(Output::Add) => schemars::schema_for!(super::add::AddReport),

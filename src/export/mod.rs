@@ -42,6 +42,8 @@ pub mod trust;
 
 pub mod verification;
 
+pub mod video;
+
 pub mod warnings;
 
 pub use error::ExportError;

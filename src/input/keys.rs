@@ -60,6 +60,12 @@ pub(crate) fn study() -> &'static Kind {
     KIND.get_or_init(|| kind_of_root(schema::study_schema().as_value()))
 }
 
+/// What may stand in a video file.
+pub(crate) fn video() -> &'static Kind {
+    static KIND: OnceLock<Kind> = OnceLock::new();
+    KIND.get_or_init(|| kind_of_root(schema::video_schema().as_value()))
+}
+
 /// What may stand in a materials file.
 pub(crate) fn materials() -> &'static Kind {
     static KIND: OnceLock<Kind> = OnceLock::new();

@@ -16,6 +16,8 @@ pub mod measurement;
 
 pub mod study;
 
+pub mod video;
+
 mod air_table;
 
 mod load;

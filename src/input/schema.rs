@@ -8,6 +8,7 @@ use serde_json::Value;
 
 use super::design::{Design, Material};
 use super::study::Study;
+use super::video::Video;
 
 /// The JSON schema (draft 2020-12) of a design file; keys, ranges, examples, words and defaults.
 ///
@@ -29,6 +30,11 @@ pub fn study_schema() -> Schema {
         .flat_map(|object| object.values_mut())
         .for_each(push_ranges_into_lists);
     schema
+}
+
+/// The JSON schema of a video file.
+pub fn video_schema() -> Schema {
+    schemars::schema_for!(Video)
 }
 
 /// The JSON schema of a materials file.

@@ -28,7 +28,11 @@ mod split_search;
 
 pub mod stages;
 
+pub mod ruler_hint;
+
 pub mod station;
+
+pub mod video;
 
 #[cfg(test)]
 pub(crate) mod imposed;
@@ -40,5 +44,7 @@ pub use motion::{ModeReader, ModeReading, MotionShare};
 pub use observer::Observer;
 pub use profile::{TwistProfile, TwistReading, read_profile, twist_at};
 pub use rate::{MeanRate, mean_rate};
+pub use ruler_hint::{RulerHint, ruler_hints};
 pub use stages::{PointSource, Stage, StageFit, StageSettings, fit_stages};
 pub use station::{Place, SkipReason, SkippedStation, Station};
+pub use video::{VideoReading, VideoTwist, twist_from_video};

@@ -3,3 +3,4 @@
 mod studies;
 mod torsion_rod;
 mod twisting_wings;
+mod video;
