@@ -14,7 +14,7 @@ use super::{Console, Failure};
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout measure examples/video.toml --output my-wing.csv
-  washout compare designs/twist-v2.toml --with my-wing.csv --set measured.case=mid-stroke
+  washout compare designs/twist-v2.toml --with my-wing.csv --case mid-stroke
 
 The file says how the camera stood and names the CSV of marks; docs/from-video-to-twist.md has both, and what a single
 view can tell. All keys: washout schema --video")]

@@ -5,8 +5,8 @@
 //! so that a length becomes an angle only under an assumption: the chord keeps its own length and direction along the span.
 //! With that, d/d₀ = sin α / sin α_root or cos α / cos α_root ([`super::camera`]), and twist is α_root − α.
 //!
-//! Errors to first order, both edges clicked with σ in x and in y, independently. A direction errs by √2 σ/d; a length by
-//! √2 σ, hence θ by (√2 σ/d) tan α along the stroke, (√2 σ/d) cot α along the flapping axis; near a fold of the projection,
+//! Errors to first order, both edges clicked with σ in x and in y, independently. A direction errs by √2 σ/c (c: the chord
+//! in px), a length by √2 σ, hence θ by √2 σ/(c cos α) along the stroke, √2 σ/(c sin α) along the flapping axis; near a fold,
 //! where the first order fails, by √(2 σ_share), which is where the second order stops it. What all stations of a frame share
 //! (reference points, their distance, α_root, the camera's roll) is no scatter: it is kept apart, as a nuisance of the ruler.
 

@@ -14,6 +14,8 @@ mod init;
 
 mod interrupt;
 
+mod measure;
+
 mod mesh;
 
 mod modes;

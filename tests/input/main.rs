@@ -6,6 +6,7 @@ mod bad_files;
 
 mod bad_measurements;
 mod bad_studies;
+mod bad_videos;
 
 mod properties;
 
