@@ -8,9 +8,10 @@ use crate::effects::{Bound, Motion, Structure};
 use crate::input::design::{Design, Kinematics};
 use crate::mesh::Mesh;
 use crate::progress::Progress;
-use crate::structure::{Blend, Equilibrium, Loads, Model, bench_loads, wing_model};
+use crate::structure::{Blend, Equilibrium, Loads, Model, bench_loads, wing_model_beside};
 
-/// The structure, and bench loads with gravity; `motion` as effects see it.
+/// The structure, and bench loads with gravity; `motion` as effects see it; `known`: the structure of another design on this
+/// mesh.
 ///
 /// # Errors
 /// If design and mesh do not belong together, an effect makes a section that is none, or a linear model beside large
@@ -20,8 +21,9 @@ pub fn built(
     mesh: &Mesh,
     effects: &[Bound],
     motion: Option<&Motion>,
+    known: Option<&Model>,
 ) -> Result<(Model, Loads), CouplingError> {
-    let mut model = wing_model(design, mesh)?;
+    let mut model = wing_model_beside(design, mesh, known)?;
     let mut structure = Structure {
         design,
         mesh,

@@ -4,6 +4,8 @@
 //! shapes, the coupled tangent is K − A S. It is singular where the feedback J = S K⁻¹ A, a matrix of six rows a strip,
 //! has the eigenvalue 1; and (K − A S)⁻¹ b = K⁻¹ (b + A y) with (I − J) y = S K⁻¹ b (Woodbury).
 
+use std::borrow::Cow;
+
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::strips::StripAir;
@@ -18,17 +20,26 @@ const KRYLOV: usize = 80;
 pub struct Feedback<'a, 'm> {
     wing: &'a Wing,
     equilibrium: &'a mut Equilibrium<'m>,
-    air: Vec<StripAir>,
+    air: Cow<'a, [StripAir]>,
 }
 
 impl<'a, 'm> Feedback<'a, 'm> {
     /// At the given shapes of the strips.
     pub fn new(wing: &'a Wing, equilibrium: &'a mut Equilibrium<'m>, shapes: &[f64]) -> Self {
-        let air = wing.strip_air(shapes, true);
+        let air = Cow::Owned(wing.strip_air(shapes, true));
         Feedback {
             wing,
             equilibrium,
             air,
+        }
+    }
+
+    /// With the air on each strip that is known, derivatives included.
+    pub fn with_air(wing: &'a Wing, equilibrium: &'a mut Equilibrium<'m>, air: &'a [StripAir]) -> Self {
+        Feedback {
+            wing,
+            equilibrium,
+            air: Cow::Borrowed(air),
         }
     }
 

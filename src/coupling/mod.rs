@@ -6,6 +6,8 @@ pub mod air;
 
 pub mod air_resistance;
 
+mod beside;
+
 pub mod build;
 
 pub mod engineering;
@@ -84,9 +86,23 @@ pub fn solve_from(
 ) -> Result<Solution, CouplingError> {
     progress.check()?;
     let wing = Wing::new(design, mesh, air_table)?;
+    solve_wing(design, &wing, mesh, nearby, progress)
+}
+
+/// As [`solve_from`], of the wing of a design that is set up already.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_wing(
+    design: &Design,
+    wing: &Wing,
+    mesh: &Mesh,
+    nearby: Option<&Solution>,
+    progress: &Progress,
+) -> Result<Solution, CouplingError> {
     let mut equilibrium = Equilibrium::new(&wing.model)?;
     let (rest, steps) = fixed_point::cured(&wing.model, &mut equilibrium, progress)?;
-    let mut coupled = couple(design, &wing, &mut equilibrium, &rest, nearby, progress)?;
+    let mut coupled = couple(design, wing, &mut equilibrium, &rest, nearby, progress)?;
     coupled.newton_steps += steps;
     let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false);
     if let Some(Air { law, .. }) = &wing.air {
@@ -101,7 +117,7 @@ pub fn solve_from(
         pressure_pa: wing.pressure(mesh, &air),
         beam_force: wing.beam_forces(&rest, &coupled.state),
         membrane_force_n_per_m: wing.membrane_forces(&rest, &coupled.state),
-        report: report(&wing, &equilibrium, &coupled),
+        report: report(wing, &equilibrium, &coupled),
         air_force_n: air_force.into_iter().map(Into::into).collect(),
         rest,
         state: coupled.state,

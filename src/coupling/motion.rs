@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 
 use super::error::CouplingError;
-use super::periodic::{Periodic, PeriodicSettings, periodic};
+use super::periodic::{Periodic, PeriodicSettings, periodic_near};
+use super::solution::Solution;
 use crate::effects::{Motion, NodeLoad, StripMotion};
 use crate::input::design::Design;
 use crate::mesh::Mesh;
@@ -12,10 +13,23 @@ use crate::progress::Progress;
 /// The motion of a design at its phase. Effects that are made from it do not act back on it.
 ///
 /// # Errors
-/// As [`periodic`].
+/// As [`super::periodic()`].
 pub fn motion(design: &Design, mesh: &Mesh, air_table: Option<&[[f64; 3]]>) -> Result<Motion, CouplingError> {
+    motion_near(design, mesh, air_table, None)
+}
+
+/// The same from a solution of a design nearby.
+///
+/// # Errors
+/// As [`super::periodic()`].
+pub fn motion_near(
+    design: &Design,
+    mesh: &Mesh,
+    air_table: Option<&[[f64; 3]]>,
+    nearby: Option<&Solution>,
+) -> Result<Motion, CouplingError> {
     let settings = PeriodicSettings::default();
-    let periodic = periodic(design, mesh, air_table, &settings, &Progress::quiet())?;
+    let periodic = periodic_near(design, mesh, air_table, &settings, nearby, &Progress::quiet())?;
     let phase_deg = design
         .flapping
         .as_ref()

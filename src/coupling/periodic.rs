@@ -111,6 +111,21 @@ pub fn periodic(
     settings: &PeriodicSettings,
     progress: &Progress,
 ) -> Result<Periodic, CouplingError> {
+    periodic_near(design, mesh, air_table, settings, None, progress)
+}
+
+/// The same from a solution of a design nearby.
+///
+/// # Errors
+/// As [`periodic`].
+pub fn periodic_near(
+    design: &Design,
+    mesh: &Mesh,
+    air_table: Option<&[[f64; 3]]>,
+    settings: &PeriodicSettings,
+    nearby: Option<&Solution>,
+    progress: &Progress,
+) -> Result<Periodic, CouplingError> {
     let design = at_mid_stroke(design)?;
     let wing = Wing::new(&design, mesh, air_table)?;
     let stroke = wing
@@ -123,7 +138,7 @@ pub fn periodic(
     let planform = Planform::from_design(&design).map_err(|_| CouplingError::NoPeriodic {
         reason: "the wing has no outline",
     })?;
-    let still = super::solve(&design, &planform, mesh, air_table, progress)?;
+    let still = super::solve_from(&design, &planform, mesh, air_table, nearby, progress)?;
     let (about, loads) = if wing.linear {
         (still.rest.clone(), Loads::none(mesh.nodes.len()))
     } else {

@@ -5,18 +5,23 @@
 //! that the differences do not strain the film; the carry is part of du/dψ. The tangent is factorized once for all
 //! parameters. What the stroke does at the phase of the design stays as it is, for effects that are made from it.
 
+use std::borrow::Cow;
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
-use crate::effects::bind;
+use crate::effects::Seam;
 use crate::geometry::Planform;
 use crate::input::design::Design;
 use crate::mesh::{Mesh, MeshError};
 use crate::structure::state::State;
 use crate::structure::{Equilibrium, Loads};
 
-use super::error::{CouplingError, SensitivityError};
+use super::beside::{Beside, Home};
+use super::error::SensitivityError;
 use super::feedback::Feedback;
 use super::solution::Solution;
+use super::strips::StripAir;
 use super::wing::Wing;
 
 /// Step of a parameter over its value, or over its assumed range where that is larger.
@@ -27,20 +32,27 @@ pub type Remesh<'a> = &'a dyn Fn(&Design) -> Result<(Planform, Mesh), MeshError>
 
 /// A solved wing whose coupled tangent is factorized.
 pub struct Sensitivity<'a> {
-    design: &'a Design,
-    wing: &'a Wing,
-    air_table: Option<&'a [[f64; 3]]>,
-    solution: &'a Solution,
-    remesh: Remesh<'a>,
+    home: Home<'a>,
     equilibrium: Equilibrium<'a>,
+    /// Air on each strip, with derivatives.
+    air: Vec<StripAir>,
     /// The tangent of the shape without load; made when a parameter first moves that shape.
     rest: Option<Equilibrium<'a>>,
+    /// Wings of the last parameter's stencil, which reading takes up again.
+    last: Option<Around>,
+}
+
+/// The wings of a parameter's stencil.
+struct Around {
+    key: String,
+    /// Offset from the solved value, in the unit of the key; weight; wing.
+    points: Vec<(f64, f64, Beside)>,
 }
 
 impl std::fmt::Debug for Sensitivity<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Sensitivity")
-            .field("wing", &self.design.name)
+            .field("wing", &self.home.design.name)
             .finish_non_exhaustive()
     }
 }
@@ -68,7 +80,8 @@ pub struct Nearby {
     pub design: Design,
     /// Its outline.
     pub planform: Planform,
-    /// Shape and air to first order; the report is that of the solved wing.
+    /// Shape and air to first order; the report is that of the solved wing. Pressure and forces inside the elements are left
+    /// out.
     pub solution: Solution,
 }
 
@@ -96,14 +109,13 @@ impl<'a> Sensitivity<'a> {
         } else {
             equilibrium.factorize(&solution.state, &wing.loads_on(&solution.state))?;
         }
+        let air = wing.strip_air(&wing.strips.shapes(&solution.state), true);
         Ok(Sensitivity {
-            design,
-            wing,
-            air_table,
-            solution,
-            remesh,
+            home: Home::new(design, wing, air_table, solution, remesh),
             equilibrium,
+            air,
             rest: None,
+            last: None,
         })
     }
 
@@ -112,26 +124,35 @@ impl<'a> Sensitivity<'a> {
     /// # Errors
     /// If there is no such number, the mesh changes its pattern with it, or the coupled tangent is singular.
     pub fn rate(&mut self, key: &str) -> Result<Rate, SensitivityError> {
-        let (value, step, stencil) = self.stencil(key)?;
-        let nodes = self.wing.model.nodes.len();
+        let (value, step, stencil, around) = self.stencil(key)?;
+        let Home {
+            wing: here, solution, ..
+        } = self.home;
+        let nodes = here.model.nodes.len();
         let zeros = || vec![0.0; 6 * nodes];
         // right-hand side and carry, loaded and at rest
         let mut sums = [[zeros(), zeros()], [zeros(), zeros()]];
-        for &(at, weight) in stencil {
-            let (design, _, mesh) = self.design_at(key, value + at * step)?;
-            let wing = Wing::with_motion(&design, &mesh, self.air_table, self.wing.motion.clone())?;
-            let states = [&self.solution.state, &self.solution.rest];
+        let part = Part::of(here, &around);
+        for (_, weight, beside) in &around.points {
+            let wing = &beside.wing;
+            let states = [&solution.state, &solution.rest];
             for ([right, carried], (state, is_loaded)) in
                 sums.iter_mut().zip(states.into_iter().zip([true, false]))
             {
-                let (state, carry) = self.carried(state, &mesh);
+                if !is_loaded && part.is_of_loads() {
+                    continue;
+                }
+                let (moved, carry) = match &beside.moved {
+                    Some((_, mesh)) => self.carried(state, mesh),
+                    None => (Cow::Borrowed(state), Vec::new()),
+                };
                 let loads = if is_loaded {
-                    wing.loads_on(&state)
+                    wing.loads_on(&moved)
                 } else {
                     Loads::none(nodes)
                 };
                 let share = weight / step;
-                for (sum, r) in right.iter_mut().zip(self.residual(&wing, &state, &loads)) {
+                for (sum, r) in right.iter_mut().zip(self.residual(wing, part, &moved, &loads)) {
                     *sum -= share * r;
                 }
                 for (sum, c) in carried.iter_mut().zip(carry) {
@@ -139,9 +160,9 @@ impl<'a> Sensitivity<'a> {
                 }
             }
         }
+        self.last = Some(around);
         let [[loaded, carried], rest] = sums;
-        let shapes = self.wing.strips.shapes(&self.solution.state);
-        let mut state = Feedback::new(self.wing, &mut self.equilibrium, &shapes)
+        let mut state = Feedback::with_air(here, &mut self.equilibrium, &self.air)
             .solve(&loaded)
             .ok_or(SensitivityError::Singular)?;
         state.iter_mut().zip(carried).for_each(|(x, carry)| *x += carry);
@@ -165,8 +186,7 @@ impl<'a> Sensitivity<'a> {
             let at = self.equilibrium.pattern.freedom(node, 0);
             right[at..at + 3].copy_from_slice(force.as_slice());
         }
-        let shapes = self.wing.strips.shapes(&self.solution.state);
-        let state = Feedback::new(self.wing, &mut self.equilibrium, &shapes)
+        let state = Feedback::with_air(self.home.wing, &mut self.equilibrium, &self.air)
             .solve(&right)
             .ok_or(SensitivityError::Singular)?;
         Ok(Rate {
@@ -204,48 +224,76 @@ impl<'a> Sensitivity<'a> {
     /// # Errors
     /// If the design refuses the value, or its mesh has another pattern.
     pub fn nearby(&self, rate: &Rate, offset: f64) -> Result<Nearby, SensitivityError> {
-        let (design, planform, mesh) = self.design_at(&rate.key, rate.value + offset)?;
-        let wing = Wing::with_motion(&design, &mesh, self.air_table, self.wing.motion.clone())?;
+        // the rate of a load has no key
+        if rate.key.is_empty() {
+            return self.predicted(rate, offset, self.home.design, self.home.wing, None);
+        }
+        let of_key = self.last.as_ref().filter(|last| last.key == rate.key);
+        let known = of_key.and_then(|last| last.points.iter().find(|(at, _, _)| *at == offset));
+        let fresh;
+        let beside = match known {
+            Some((_, _, beside)) => beside,
+            None => {
+                fresh = self.home.beside(&rate.key, rate.value + offset)?;
+                &fresh
+            }
+        };
+        self.predicted(rate, offset, &beside.design, &beside.wing, beside.moved.as_ref())
+    }
+
+    fn predicted(
+        &self,
+        rate: &Rate,
+        offset: f64,
+        design: &Design,
+        wing: &Wing,
+        moved: Option<&(Planform, Mesh)>,
+    ) -> Result<Nearby, SensitivityError> {
+        let solution = self.home.solution;
+        let (planform, mesh) = match moved {
+            Some((planform, mesh)) => (planform, mesh),
+            None => (self.home.planform()?, &solution.mesh),
+        };
         let moved = |state: &State, change: &[f64]| match change {
             [] => state.clone(),
             _ => self.equilibrium.moved(state, change, offset),
         };
-        let state = moved(&self.solution.state, &rate.state);
-        let rest = moved(&self.solution.rest, &rate.rest);
+        let state = moved(&solution.state, &rate.state);
+        let rest = moved(&solution.rest, &rate.rest);
         let air = wing.strip_air(&wing.strips.shapes(&state), false);
         let solution = Solution {
             strips: wing.strip_loads(&air),
-            pressure_pa: wing.pressure(&mesh, &air),
-            beam_force: wing.beam_forces(&rest, &state),
-            membrane_force_n_per_m: wing.membrane_forces(&rest, &state),
             air_force_n: wing.air_force(&air).into_iter().map(Into::into).collect(),
+            pressure_pa: Vec::new(),
+            beam_force: Vec::new(),
+            membrane_force_n_per_m: Vec::new(),
             rest,
-            report: self.solution.report.clone(),
+            report: solution.report.clone(),
             state,
-            mesh,
+            mesh: mesh.clone(),
         };
         Ok(Nearby {
-            design,
-            planform,
+            design: design.clone(),
+            planform: planform.clone(),
             solution,
         })
     }
 
     /// A state whose nodes move with those of another mesh, as their rotations turn them; the motion by freedom.
-    fn carried(&self, state: &State, mesh: &Mesh) -> (State, Vec<f64>) {
+    fn carried<'s>(&self, state: &'s State, mesh: &Mesh) -> (Cow<'s, State>, Vec<f64>) {
         let pattern = &self.equilibrium.pattern;
-        let (mut carried, mut motion) = (state.clone(), vec![0.0; pattern.len()]);
-        if self.wing.linear {
-            return (carried, motion);
+        if self.home.wing.linear {
+            return (Cow::Borrowed(state), Vec::new());
         }
-        for (node, (to, from)) in mesh.nodes.iter().zip(&self.solution.mesh.nodes).enumerate() {
+        let (mut carried, mut motion) = (state.clone(), vec![0.0; pattern.len()]);
+        for (node, (to, from)) in mesh.nodes.iter().zip(&self.home.solution.mesh.nodes).enumerate() {
             let step = Vector3::from(*to) - Vector3::from(*from);
             let carry = state.rotation[node] * step - step;
             carried.displacement[node] += carry;
             let at = pattern.freedom(node, 0);
             motion[at..at + 3].copy_from_slice(carry.as_slice());
         }
-        (carried, motion)
+        (Cow::Owned(carried), motion)
     }
 
     /// Change of the shape without load from its right-hand side and carry; nothing if both vanish.
@@ -254,8 +302,11 @@ impl<'a> Sensitivity<'a> {
             return Ok(Vec::new());
         }
         if self.rest.is_none() {
-            let mut equilibrium = Equilibrium::new(&self.wing.model)?;
-            equilibrium.factorize(&self.solution.rest, &Loads::none(self.wing.model.nodes.len()))?;
+            let mut equilibrium = Equilibrium::new(&self.home.wing.model)?;
+            equilibrium.factorize(
+                &self.home.solution.rest,
+                &Loads::none(self.home.wing.model.nodes.len()),
+            )?;
             self.rest = Some(equilibrium);
         }
         if let Some(rest) = &mut self.rest {
@@ -265,14 +316,21 @@ impl<'a> Sensitivity<'a> {
         Ok(right)
     }
 
-    /// Internal forces less loads, in the kinematics of the wing; linear kinematics about the shape without load, whose own
-    /// change moves the linear stiffness only in the second order, which is left out.
-    fn residual(&self, wing: &Wing, state: &State, loads: &Loads) -> Vec<f64> {
+    /// Internal forces less loads as far as the parameter changes them, in the kinematics of the wing; linear kinematics about
+    /// the shape without load, whose own change moves the linear stiffness only in the second order, which is left out.
+    fn residual(&self, wing: &Wing, part: Part, state: &State, loads: &Loads) -> Vec<f64> {
         let pattern = &self.equilibrium.pattern;
-        if !wing.linear {
-            return wing.model.residual(pattern, state, loads);
+        match part {
+            Part::Loads => {
+                let mut residual = vec![0.0; pattern.len()];
+                loads.subtract(pattern, state, &mut residual);
+                return residual;
+            }
+            Part::BeamsAndLoads => return wing.model.residual_without_shells(pattern, state, loads),
+            Part::All if !wing.linear => return wing.model.residual(pattern, state, loads),
+            Part::All => {}
         }
-        let rest = &self.solution.rest;
+        let rest = &self.home.solution.rest;
         let mut values = vec![0.0; pattern.entries()];
         let growing = loads.growing();
         wing.model.tangent(pattern, rest, &growing, None, &mut values);
@@ -289,44 +347,70 @@ impl<'a> Sensitivity<'a> {
         residual
     }
 
-    /// Value, step and a stencil that the design accepts.
-    fn stencil(&self, key: &str) -> Result<(f64, f64, Stencil), SensitivityError> {
+    /// Value, step and a stencil that the design accepts, with its wings.
+    fn stencil(&self, key: &str) -> Result<(f64, f64, Stencil, Around), SensitivityError> {
         let unknown = || SensitivityError::NoNumber { key: key.to_string() };
-        let value = self.design.get(key).ok_or_else(unknown)?;
-        let assumptions = self.design.assumptions();
-        let range = assumptions.iter().find(|assumption| assumption.key == key);
-        let width = range.map_or(0.0, |assumption| assumption.range[1] - assumption.range[0]);
-        let size = value.abs().max(width);
-        let step = STEP * if size > 0.0 { size } else { 1.0 };
-        let accepts = |stencil: Stencil| {
-            let refused = |&(at, _): &(f64, f64)| self.design_at(key, value + at * step).is_err();
-            !stencil.iter().any(refused)
+        let value = self.home.design.get(key).ok_or_else(unknown)?;
+        let step = STEP * self.size(key, value);
+        for stencil in [CENTRAL, FORWARD, BACKWARD] {
+            let points = stencil.iter().map(|&(at, weight)| {
+                let beside = self.home.beside(key, value + at * step)?;
+                Ok((at * step, weight, beside))
+            });
+            if let Ok(points) = points.collect::<Result<Vec<_>, SensitivityError>>() {
+                let key = key.to_string();
+                return Ok((value, step, stencil, Around { key, points }));
+            }
+        }
+        // say why
+        Err(self.home.beside(key, value + step).err().unwrap_or_else(unknown))
+    }
+
+    /// Size of a number, or of its assumed range where that is larger; 1 for zero.
+    fn size(&self, key: &str, value: f64) -> f64 {
+        // the strength of an effect is stated as it is
+        let width = if key.starts_with("effects.") && key.ends_with(".strength") {
+            0.0
+        } else {
+            let assumptions = self.home.design.assumptions();
+            let range = assumptions.iter().find(|assumption| assumption.key == key);
+            range.map_or(0.0, |assumption| assumption.range[1] - assumption.range[0])
         };
-        let stencils = [CENTRAL, FORWARD, BACKWARD].into_iter();
-        let stencil = stencils.clone().find(|stencil| accepts(stencil));
-        match stencil {
-            Some(stencil) => Ok((value, step, stencil)),
-            // say why
-            None => Err(self.design_at(key, value + step).err().unwrap_or_else(unknown)),
+        let size = value.abs().max(width);
+        if size > 0.0 { size } else { 1.0 }
+    }
+}
+
+/// What of the residual a parameter can change; the rest cancels in its differences.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Part {
+    /// Loads on the same structure.
+    Loads,
+    /// Beams, springs and loads; the same films.
+    BeamsAndLoads,
+    /// Anything.
+    All,
+}
+
+impl Part {
+    fn of(here: &Wing, around: &Around) -> Part {
+        let wings = || around.points.iter().map(|(_, _, beside)| &beside.wing);
+        let is_plain = |wing: &Wing| !wing.linear && wing.model.blend.is_none();
+        let stays = around.points.iter().all(|(_, _, beside)| beside.moved.is_none());
+        if !stays || !is_plain(here) || !wings().all(is_plain) {
+            return Part::All;
+        }
+        let at_air = |(_, _, beside): &(f64, f64, Beside)| beside.seam == Some(Seam::Air);
+        if around.points.iter().all(at_air) {
+            Part::Loads
+        } else if wings().all(|wing| Arc::ptr_eq(&wing.model.shells, &here.model.shells)) {
+            Part::BeamsAndLoads
+        } else {
+            Part::All
         }
     }
 
-    /// The design with another value, meshed with the pattern of the solved wing.
-    fn design_at(&self, key: &str, value: f64) -> Result<(Design, Planform, Mesh), SensitivityError> {
-        let mut design = self.design.clone();
-        // the rate of a load has no key
-        if !key.is_empty() {
-            design.set(key, value)?;
-            bind(&design).map_err(CouplingError::from)?;
-        }
-        let (planform, mesh) = (self.remesh)(&design)?;
-        let solved = &self.solution.mesh;
-        let alike = mesh.nodes.len() == solved.nodes.len()
-            && mesh.triangles == solved.triangles
-            && mesh.beams == solved.beams;
-        if !alike {
-            return Err(SensitivityError::OtherPattern { key: key.to_string() });
-        }
-        Ok((design, planform, mesh))
+    fn is_of_loads(self) -> bool {
+        self == Part::Loads
     }
 }

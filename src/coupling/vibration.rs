@@ -56,7 +56,7 @@ impl Standing {
     /// If design and mesh do not belong together.
     pub fn loaded(design: &Design, solution: &Solution) -> Result<Self, CouplingError> {
         let effects = bind(design)?;
-        let (model, bench) = built(design, &solution.mesh, &effects, None)?;
+        let (model, bench) = built(design, &solution.mesh, &effects, None, None)?;
         let nodes = model.nodes.len();
         let (mut state, mut loads) = (State::at_rest(nodes), Loads::none(nodes));
         if large_share(design, &effects) > 0.0 {

@@ -8,11 +8,11 @@ use super::air::Air;
 use super::build::{built, large_share};
 use super::error::CouplingError;
 use super::fixed_point::Coupled;
-use super::motion::motion;
-use super::solution::StripLoad;
+use super::motion::motion_near;
+use super::solution::{Solution, StripLoad};
 use super::strips::{StripAir, StripShape, Strips};
 use crate::aero::pressure_density;
-use crate::effects::{Bound, Motion, Need, bind};
+use crate::effects::{Bound, Motion, Need, Seam, bind};
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::structure::state::State;
@@ -54,15 +54,64 @@ impl Wing {
         air_table: Option<&[[f64; 3]]>,
         known: Option<Arc<Motion>>,
     ) -> Result<Self, CouplingError> {
+        Wing::made(design, mesh, air_table, known, None, None)
+    }
+
+    /// As [`Wing::new`]; a motion that an effect needs is sought from a solution of a design nearby.
+    ///
+    /// # Errors
+    /// As [`Wing::with_motion`].
+    pub fn near(
+        design: &Design,
+        mesh: &Mesh,
+        air_table: Option<&[[f64; 3]]>,
+        nearby: Option<&Solution>,
+    ) -> Result<Self, CouplingError> {
+        Wing::made(design, mesh, air_table, None, None, nearby)
+    }
+
+    /// The wing of another design on the same mesh: what both share is taken over. `seam`: where they differ, if that is by
+    /// the numbers of one effect; `known`: the motion over the stroke.
+    ///
+    /// # Errors
+    /// As [`Wing::with_motion`].
+    pub fn beside(
+        &self,
+        design: &Design,
+        mesh: &Mesh,
+        air_table: Option<&[[f64; 3]]>,
+        seam: Option<Seam>,
+        known: Option<Arc<Motion>>,
+    ) -> Result<Self, CouplingError> {
+        Wing::made(design, mesh, air_table, known, Some((self, seam)), None)
+    }
+
+    fn made(
+        design: &Design,
+        mesh: &Mesh,
+        air_table: Option<&[[f64; 3]]>,
+        known: Option<Arc<Motion>>,
+        beside: Option<(&Wing, Option<Seam>)>,
+        nearby: Option<&Solution>,
+    ) -> Result<Self, CouplingError> {
         let effects = bind(design)?;
         let needs = |bound: &Bound| bound.effect.card().needs.contains(&Need::Motion);
         let motion = match known {
             _ if !effects.iter().any(needs) => None,
             Some(known) => Some(known),
-            None => Some(Arc::new(motion(design, mesh, air_table)?)),
+            None => Some(Arc::new(motion_near(design, mesh, air_table, nearby)?)),
         };
-        let (model, bench) = built(design, mesh, &effects, motion.as_deref())?;
-        let mut strips = Strips::new(mesh);
+        let (model, bench) = match beside {
+            Some((wing, Some(Seam::Air))) => (wing.model.clone(), wing.bench.clone()),
+            _ => {
+                let known = beside.map(|(wing, _)| &wing.model);
+                built(design, mesh, &effects, motion.as_deref(), known)?
+            }
+        };
+        let mut strips = match beside {
+            Some((wing, _)) if wing.air.is_some() => wing.strips.clone(),
+            _ => Strips::new(mesh),
+        };
         let large_share = large_share(design, &effects);
         let air = Air::new(design, &strips, &effects, large_share, air_table)?;
         let air = air.map(|air| air.with_motion(motion.clone()));

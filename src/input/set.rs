@@ -73,6 +73,13 @@ impl Design {
     /// An assumed number stays assumed while the value lies in its range; outside of it, it becomes stated.
     /// The design is checked as if it were read anew, and left as it was where the result is refused.
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), InputError> {
+        // no other number of a design depends on a plain one of an effect
+        if value.is_finite()
+            && let Some(number) = self.effect_number(key)
+        {
+            *number = value;
+            return Ok(());
+        }
         let source = Source::other("set");
         let path = read_path(&source, key)?;
         let mut root = self.tree(&source)?;
@@ -95,11 +102,26 @@ impl Design {
 
     /// The number at a dotted key, in the unit of the key; none where no number stands or may stand there.
     pub fn get(&self, key: &str) -> Option<f64> {
+        if let Some((name, number)) = effect_key(key)
+            && let Some(toml::Value::Float(value)) =
+                self.effects.get(name).and_then(|table| table.get(number))
+        {
+            return Some(*value);
+        }
         let source = Source::other("get");
         let path = KeyPath::parse(key).ok()?;
         let root = self.tree(&source).ok()?;
         let node = root.at(&path)?;
         node.number().or_else(|| node.get("assumed")?.number())
+    }
+
+    /// The plain number at a key of an effect's table, if the key is one.
+    fn effect_number(&mut self, key: &str) -> Option<&mut f64> {
+        let (name, number) = effect_key(key)?;
+        match self.effects.get_mut(name)?.get_mut(number)? {
+            toml::Value::Float(value) => Some(value),
+            _ => None,
+        }
     }
 
     /// The design as a tree without places.
@@ -109,6 +131,11 @@ impl Design {
         })?;
         Ok(Node::from_value(source, &value))
     }
+}
+
+/// Name of the effect and of its number in `effects.NAME.NUMBER`.
+fn effect_key(key: &str) -> Option<(&str, &str)> {
+    key.strip_prefix("effects.")?.split_once('.')
 }
 
 fn read_path(source: &Rc<Source>, key: &str) -> Result<KeyPath, InputError> {

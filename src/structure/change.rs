@@ -2,6 +2,8 @@
 //!
 //! All are of low rank on the compliance (Sherman-Morrison-Woodbury), so that shears that are rigid stay so.
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix2, Matrix6, Matrix6x2, SymmetricEigen, Vector6};
 
 use super::StructureError;
@@ -137,7 +139,7 @@ impl Model {
     /// If a shell has no area.
     pub fn change_sheets(&mut self, mut change: impl FnMut(&mut Sheet)) -> Result<(), StructureError> {
         self.sheets.iter_mut().for_each(&mut change);
-        for shell in &mut self.shells {
+        for shell in Arc::make_mut(&mut self.shells) {
             let corners = shell.nodes.map(|node| self.nodes[node]);
             *shell = Shell::new(shell.nodes, corners, shell.sheet, &self.sheets[shell.sheet])?;
         }

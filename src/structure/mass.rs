@@ -168,7 +168,7 @@ impl MassProperties {
             sum.add(mass / 1.5, &(0.5 * (a + b)), &(own * beam.length_m()));
             sum.add(mass / 6.0, &b, &Matrix3::zeros());
         }
-        for shell in &model.shells {
+        for shell in model.shells.iter() {
             let (u, _) = model.shell_state(shell, state);
             let [moving, turning] = sheet_mass(&model.sheets[shell.sheet], 0.0, &shell.normal(&u));
             let share = shell.area_m2() / 3.0;

@@ -68,4 +68,4 @@ pub use section::Section;
 pub use sheet::{Compression, Sheet};
 pub use shell::Shell;
 pub use strength::{FilmStress, Peak, bending_peak, film_stress, torsion_peak};
-pub use wing::{bench_loads, weigh, wing_model};
+pub use wing::{bench_loads, weigh, wing_model, wing_model_beside};

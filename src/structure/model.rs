@@ -31,8 +31,8 @@ pub struct Model {
     pub sheets: Vec<Sheet>,
     /// Beam elements.
     pub beams: Vec<Beam>,
-    /// Films and plates.
-    pub shells: Vec<Shell>,
+    /// Films and plates; shared with the models that are made from this one and leave them alone.
+    pub shells: Arc<Vec<Shell>>,
     /// Which freedoms of each node are held where the start of a solve has them: x, y, z, rotations about x, y, z.
     pub held: Vec<[bool; 6]>,
     /// Springs to the ground.
@@ -112,8 +112,8 @@ impl Model {
     /// If it has no area.
     pub fn add_shell(&mut self, nodes: [usize; 3], sheet: usize) -> Result<(), StructureError> {
         let corners = nodes.map(|node| self.nodes[node]);
-        self.shells
-            .push(Shell::new(nodes, corners, sheet, &self.sheets[sheet])?);
+        let shell = Shell::new(nodes, corners, sheet, &self.sheets[sheet])?;
+        Arc::make_mut(&mut self.shells).push(shell);
         Ok(())
     }
 
@@ -136,7 +136,7 @@ impl Model {
             let half = 0.5 * self.sections[beam.section].mass_kg_m * beam.length_m();
             beam.nodes.into_iter().for_each(|node| lumped[node] += half);
         }
-        for shell in &self.shells {
+        for shell in self.shells.iter() {
             let sheet = &self.sheets[shell.sheet];
             let third = sheet.density_kg_m3 * sheet.thickness_m * shell.area_m2() / 3.0;
             shell.nodes.into_iter().for_each(|node| lumped[node] += third);
@@ -185,12 +185,18 @@ impl Model {
 
     /// Internal forces less loads of the large-rotation model, as [`Model::residual`].
     pub(super) fn large_residual(&self, pattern: &Pattern, state: &State, loads: &Loads) -> Vec<f64> {
-        let mut residual = vec![0.0; pattern.len()];
-        for shell in &self.shells {
+        let mut residual = self.residual_without_shells(pattern, state, loads);
+        for shell in self.shells.iter() {
             let (u, q) = self.shell_state(shell, state);
             let (_, force) = shell.force(&self.sheets[shell.sheet], &u, &q);
             scatter(pattern, &mut residual, &shell.nodes, force.as_slice());
         }
+        residual
+    }
+
+    /// The same without the forces of films and plates: what tells models apart that share these.
+    pub fn residual_without_shells(&self, pattern: &Pattern, state: &State, loads: &Loads) -> Vec<f64> {
+        let mut residual = vec![0.0; pattern.len()];
         for (index, beam) in self.beams.iter().enumerate() {
             let (u, q) = self.beam_state(beam, state);
             let (_, force) = beam.force(&u, &q, loads.twist_rad(index));

@@ -18,6 +18,18 @@ use crate::mesh::{BeamPart, Mesh};
 /// # Errors
 /// If the mesh and the design do not belong together, or an element has no size.
 pub fn wing_model(design: &Design, mesh: &Mesh) -> Result<Model, StructureError> {
+    wing_model_beside(design, mesh, None)
+}
+
+/// The same; `known` is the structure of another design on the same mesh, whose films are taken over where the sheets are equal.
+///
+/// # Errors
+/// As [`wing_model`].
+pub fn wing_model_beside(
+    design: &Design,
+    mesh: &Mesh,
+    known: Option<&Model>,
+) -> Result<Model, StructureError> {
     let mut model = Model::new(mesh.nodes.iter().map(|x| Vector3::from(*x)).collect());
     let mut sections: Vec<(BeamPart, usize)> = Vec::new();
     for beam in &mesh.beams {
@@ -40,9 +52,14 @@ pub fn wing_model(design: &Design, mesh: &Mesh) -> Result<Model, StructureError>
         model.add_beam(beam.nodes, &Vector3::z(), index)?;
     }
     if let Some(sheet) = material::film(design)? {
-        let sheet = model.add_sheet(sheet);
-        for &triangle in &mesh.triangles {
-            model.add_shell(triangle, sheet)?;
+        let index = model.add_sheet(sheet);
+        match known.filter(|known| known.sheets == model.sheets) {
+            Some(known) => model.shells = known.shells.clone(),
+            None => {
+                for &triangle in &mesh.triangles {
+                    model.add_shell(triangle, index)?;
+                }
+            }
         }
     }
     support(design, mesh, &mut model);
@@ -91,7 +108,7 @@ pub fn weigh(model: &Model, acceleration: &Vector3<f64>, loads: &mut Loads) {
             loads.force_n[node] += acceleration * half;
         }
     }
-    for shell in &model.shells {
+    for shell in model.shells.iter() {
         let sheet = &model.sheets[shell.sheet];
         let third = sheet.density_kg_m3 * sheet.thickness_m * shell.area_m2() / 3.0;
         for node in shell.nodes {

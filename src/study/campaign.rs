@@ -9,6 +9,7 @@ use super::case::{PreparedCase, Solved};
 use super::error::StudyError;
 use super::forward::{Condition, Forward, Linear, Observable, Unknown, UnknownKind};
 use super::unknowns::{Target, Targets};
+use super::work::{Tally, Work};
 use crate::input::measurement::Channel;
 use crate::input::study::{LoadedStudy, RulerKind};
 use crate::progress::Progress;
@@ -29,6 +30,7 @@ pub struct Campaign {
     progress: Progress,
     /// How often all cases were solved, for the progress line.
     asked: AtomicUsize,
+    tally: Tally,
 }
 
 /// A measured row that takes no part.
@@ -64,11 +66,13 @@ impl Campaign {
             study.study.name,
             cases.len()
         ));
+        let tally = Tally::default();
         let solved: Vec<(Vec<Result<f64, String>>, Solved)> = cases
             .par_iter()
             .map(|case| {
                 let solved = case.solve(&case.design, &progress.unseen())?;
-                Ok((case.read_each(&solved)?, solved))
+                tally.add(solved.work());
+                Ok((case.read_each(&solved.at)?, solved))
             })
             .collect::<Result<_, StudyError>>()?;
         let (mut observables, mut conditions, mut skipped) = (Vec::new(), Vec::new(), Vec::new());
@@ -103,12 +107,18 @@ impl Campaign {
             conditions,
             progress: progress.clone(),
             asked: AtomicUsize::new(0),
+            tally,
         })
     }
 
     /// Values with which the unknowns start.
     pub fn start(&self) -> Vec<f64> {
         self.targets.start.clone()
+    }
+
+    /// What was done so far.
+    pub fn work(&self) -> Work {
+        self.tally.so_far()
     }
 
     /// Observables of a case, as a range of rows.
@@ -166,7 +176,9 @@ impl Campaign {
             .map(|index| {
                 let case = &self.cases[index];
                 let design = self.design_at(index, at)?;
-                give(index, case, &case.solve(&design, &unseen)?)
+                let solved = case.solve(&design, &unseen)?;
+                self.tally.add(solved.work());
+                give(index, case, &solved)
             })
             .collect()
     }
@@ -186,7 +198,7 @@ impl Forward for Campaign {
     }
 
     fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
-        let raw = self.each(at, |_, case, solved| case.read(solved))?.concat();
+        let raw = self.each(at, |_, case, solved| case.read(&solved.at))?.concat();
         let seen = raw.into_iter().enumerate().map(|(row, y)| {
             let (scale, offset) = self.ruler(at, row);
             scale * y + offset
@@ -206,10 +218,9 @@ impl Forward for Campaign {
                     columns.push((k, key.clone(), self.switch_step(k, at[k])));
                 }
             }
-            Ok((
-                case.read(solved)?,
-                case.rates(solved, &columns, &self.progress.unseen())?,
-            ))
+            let (rates, work) = case.rates(solved, &columns, &self.progress.unseen())?;
+            self.tally.add(work);
+            Ok((case.read(&solved.at)?, rates))
         })?;
         let size = self.observables.len();
         let mut value = DVector::zeros(size);

@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 
 use super::error::StudyError;
 use super::forward::{Condition, Observable};
+use super::work::Work;
 use crate::aero::{AirLaw, Flow};
 use crate::coupling::sensitivity::Nearby;
 use crate::coupling::solution::Solution;
@@ -40,8 +41,27 @@ pub struct PreparedCase {
     mesh_file: Option<(String, Vec<u8>)>,
 }
 
-/// A solved case: design, outline and solution.
-pub type Solved = Nearby;
+/// Values per row for the index of a column.
+pub type Rates = Vec<(usize, Vec<f64>)>;
+
+/// A solved case: design, outline and solution, and the wing that was solved.
+#[derive(Debug, Clone)]
+pub struct Solved {
+    /// Design, outline and solution.
+    pub at: Nearby,
+    wing: Wing,
+}
+
+impl Solved {
+    /// What it took.
+    pub fn work(&self) -> Work {
+        Work {
+            solves: 1,
+            newton_steps: self.at.solution.report.newton_steps,
+            ..Work::default()
+        }
+    }
+}
 
 impl PreparedCase {
     /// The case of a study with the study's effects on, and `candidates` that can act at strength 0.
@@ -112,7 +132,7 @@ impl PreparedCase {
 
     /// Starts every further solve from this one.
     pub fn start_from(&mut self, solved: Solved) {
-        self.base = Some(solved.solution);
+        self.base = Some(solved.at.solution);
     }
 
     /// A failure of this case.
@@ -141,13 +161,15 @@ impl PreparedCase {
     pub fn solve(&self, design: &Design, progress: &Progress) -> Result<Solved, StudyError> {
         progress.check()?;
         let (planform, mesh) = self.mesh(design).map_err(|error| self.failed(error))?;
-        let table = self.air_table.as_deref();
-        let solution = coupling::solve_from(design, &planform, &mesh, table, self.base.as_ref(), progress);
-        Ok(Nearby {
+        let (table, base) = (self.air_table.as_deref(), self.base.as_ref());
+        let wing = Wing::near(design, &mesh, table, base).map_err(|error| self.unsolved(error))?;
+        let solution = coupling::solve_wing(design, &wing, &mesh, base, progress);
+        let at = Nearby {
             design: design.clone(),
             planform,
             solution: solution.map_err(|error| self.unsolved(error))?,
-        })
+        };
+        Ok(Solved { at, wing })
     }
 
     fn mesh(&self, design: &Design) -> Result<(Planform, Mesh), MeshError> {
@@ -162,7 +184,7 @@ impl PreparedCase {
     ///
     /// # Errors
     /// If the instrument cannot be set up.
-    pub fn read_each(&self, solved: &Solved) -> Result<Vec<Result<f64, String>>, StudyError> {
+    pub fn read_each(&self, solved: &Nearby) -> Result<Vec<Result<f64, String>>, StudyError> {
         let Nearby {
             design,
             planform,
@@ -170,13 +192,14 @@ impl PreparedCase {
         } = solved;
         let own = Observer::new(design, planform, solution).map_err(|error| self.failed(error))?;
         let whole = self.whole_wing(solved)?;
+        let own_profile = OnceCell::new();
         let mut readings = Vec::new();
         for row in &self.rows {
             let reading = match row
                 .instrument
                 .filter(|instrument| *instrument != own.instrument())
             {
-                None => read_channel(row, &own, &own.profile(), &whole),
+                None => read_channel(row, &own, own_profile.get_or_init(|| own.profile()), &whole),
                 Some(instrument) => match own.seen_by(instrument) {
                     Ok(other) => read_channel(row, &other, &other.profile(), &whole),
                     Err(error) => Err(error.to_string()),
@@ -191,7 +214,7 @@ impl PreparedCase {
     ///
     /// # Errors
     /// If a row cannot be read any more.
-    pub fn read(&self, solved: &Solved) -> Result<Vec<f64>, StudyError> {
+    pub fn read(&self, solved: &Nearby) -> Result<Vec<f64>, StudyError> {
         let readings = self.read_each(solved)?.into_iter().zip(&self.rows);
         let value = |(reading, row): (Result<f64, String>, &Row)| {
             reading.map_err(|reason| self.failed(format!("line {} of its measurement: {reason}", row.line)))
@@ -199,7 +222,7 @@ impl PreparedCase {
         readings.map(value).collect()
     }
 
-    fn whole_wing(&self, solved: &Solved) -> Result<BTreeMap<Channel, f64>, StudyError> {
+    fn whole_wing(&self, solved: &Nearby) -> Result<BTreeMap<Channel, f64>, StudyError> {
         let wanted = [Channel::Lift, Channel::Drag, Channel::Power];
         let mut whole = BTreeMap::new();
         let Some(flow) = Flow::from_design(&solved.design) else {
@@ -223,7 +246,7 @@ impl PreparedCase {
     }
 
     /// Derivatives of the readings with keys of the design: (index, values per row) for each of `columns`
-    /// (index, key, finite step if the response has a kink at zero).
+    /// (index, key, finite step if the response has a kink at zero); and what it took.
     ///
     /// # Errors
     /// If the coupled tangent is singular, or a key is none.
@@ -232,15 +255,17 @@ impl PreparedCase {
         solved: &Solved,
         columns: &[(usize, String, Option<f64>)],
         progress: &Progress,
-    ) -> Result<Vec<(usize, Vec<f64>)>, StudyError> {
+    ) -> Result<(Rates, Work), StudyError> {
+        let mut work = Work::default();
         if columns.is_empty() {
-            return Ok(Vec::new());
+            return Ok((Vec::new(), work));
         }
+        work.factorizations += 1;
+        let Solved { at: solved, wing } = solved;
         let here = self.read(solved)?;
-        let wing = self.wing(solved)?;
         let remesh = |design: &Design| self.mesh(design);
         let table = self.air_table.as_deref();
-        let mut sensitivity = Sensitivity::new(&solved.design, &wing, table, &solved.solution, &remesh)
+        let mut sensitivity = Sensitivity::new(&solved.design, wing, table, &solved.solution, &remesh)
             .map_err(|error| self.failed(error))?;
         let mut rates = Vec::new();
         for (index, key, switch) in columns {
@@ -249,7 +274,9 @@ impl PreparedCase {
                 Some(step) => {
                     let mut design = solved.design.clone();
                     design.set(key, *step).map_err(|error| self.failed(error))?;
-                    let there = self.read(&self.solve(&design, progress)?)?;
+                    let there = self.solve(&design, progress)?;
+                    work += there.work();
+                    let there = self.read(&there.at)?;
                     there
                         .iter()
                         .zip(&here)
@@ -257,6 +284,7 @@ impl PreparedCase {
                         .collect()
                 }
                 None => {
+                    work.derivatives += 1;
                     let rate = sensitivity.rate(key).map_err(|error| self.failed(error))?;
                     let unread = OnceCell::new();
                     let column = sensitivity.read(&rate, |near| {
@@ -273,12 +301,7 @@ impl PreparedCase {
             };
             rates.push((*index, column));
         }
-        Ok(rates)
-    }
-
-    fn wing(&self, solved: &Solved) -> Result<Wing, StudyError> {
-        Wing::new(&solved.design, &solved.solution.mesh, self.air_table.as_deref())
-            .map_err(|error| self.failed(error))
+        Ok((rates, work))
     }
 
     /// Response of the readings to a unit moment per length about the span axis (N·m/m), spread as a hat around each of
@@ -287,10 +310,10 @@ impl PreparedCase {
     /// # Errors
     /// If the coupled tangent is singular.
     pub fn moment_response(&self, solved: &Solved, stations: usize) -> Result<Vec<Vec<f64>>, StudyError> {
-        let wing = self.wing(solved)?;
+        let Solved { at: solved, wing } = solved;
         let remesh = |design: &Design| self.mesh(design);
         let table = self.air_table.as_deref();
-        let mut sensitivity = Sensitivity::new(&solved.design, &wing, table, &solved.solution, &remesh)
+        let mut sensitivity = Sensitivity::new(&solved.design, wing, table, &solved.solution, &remesh)
             .map_err(|error| self.failed(error))?;
         let strips = Strips::new(&solved.solution.mesh);
         let here = self.read(solved)?;

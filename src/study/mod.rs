@@ -28,6 +28,8 @@ pub mod uncertainty;
 
 pub mod unknowns;
 
+pub mod work;
+
 pub use band::{OutputBand, SurrogateQuality};
 pub use calibrate::{Fit, Task, calibrate};
 pub use campaign::{Campaign, SkippedRow};
@@ -37,3 +39,4 @@ pub use noise::Noise;
 pub use output::{Output, ProfileOutputs};
 pub use shares::Share;
 pub use uncertainty::{Uncertainty, UncertaintySettings, propagate};
+pub use work::Work;

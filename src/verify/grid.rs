@@ -128,7 +128,7 @@ impl Grid {
     /// Load per area (Pa) over all triangles, a third of each to its nodes.
     pub fn pressure(&self, load_pa: Vector3<f64>) -> Loads {
         let mut loads = Loads::none(self.model.nodes.len());
-        for shell in &self.model.shells {
+        for shell in self.model.shells.iter() {
             for node in shell.nodes {
                 loads.force_n[node] += load_pa * (shell.area_m2() / 3.0);
             }

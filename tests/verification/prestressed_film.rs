@@ -44,7 +44,7 @@ fn rise(pressure_pa: f64, sheet: Sheet) -> (f64, [usize; 2], usize) {
         grid.hold(&line, [true, true, true, false, false, false]);
     }
     let mut loads = Loads::none(grid.model.nodes.len());
-    for shell in &grid.model.shells {
+    for shell in grid.model.shells.iter() {
         for node in shell.nodes {
             loads.force_n[node].z += pressure_pa * shell.area_m2() / 3.0;
         }

@@ -99,7 +99,7 @@ mod tests {
             (mesh.nodes_mm[6], mesh.nodes_mm[10]),
             ([1.0, 1.0, 0.0], [1.0, 1.0, 0.0])
         );
-        model.shells.clear();
+        model.shells = Default::default();
         assert_eq!(QuadraticMesh::of(&model).beams, [[3, 5, 1]]);
     }
 }

@@ -70,7 +70,7 @@ fn run(level: Level, progress: &Progress) -> Result<Answer, VerifyError> {
 /// Pressure on the deformed triangles, a third of each to its nodes.
 fn following(model: &Model, state: &State, pressure_pa: f64) -> Loads {
     let mut loads = Loads::none(model.nodes.len());
-    for shell in &model.shells {
+    for shell in model.shells.iter() {
         let [a, b, c] = shell
             .nodes
             .map(|node| model.nodes[node] + state.displacement[node]);
