@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::error::CouplingError;
 use super::periodic::{Periodic, PeriodicSettings, periodic_near};
 use super::solution::Solution;
-use crate::effects::{Motion, NodeLoad, StripMotion};
+use crate::effects::{Motion, Need, NodeLoad, StripMotion, bind};
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::progress::Progress;
@@ -35,6 +35,23 @@ pub fn motion_near(
         .as_ref()
         .map_or(0.0, |flapping| flapping.phase_deg.value());
     Ok(periodic.at(phase_deg.to_radians()))
+}
+
+/// The design at mid-stroke, without the effects that are made from its motion, or act nowhere but off mid-stroke.
+pub(super) fn at_mid_stroke(design: &Design) -> Result<Design, CouplingError> {
+    let left_out = bind(design)?.into_iter().filter_map(|bound| {
+        let card = bound.effect.card();
+        let moves = |need: &Need| matches!(need, Need::Motion | Need::OffMidStroke);
+        card.needs.iter().any(moves).then(|| card.name.to_string())
+    });
+    let mut still = design.clone();
+    left_out.for_each(|name| {
+        still.effects.remove(&name);
+    });
+    if let Some(flapping) = &mut still.flapping {
+        flapping.phase_deg = 0.0.into();
+    }
+    Ok(still)
 }
 
 impl Periodic {

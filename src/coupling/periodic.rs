@@ -14,11 +14,11 @@ use super::air_resistance::AirResistance;
 use super::error::CouplingError;
 use super::feedback::Feedback;
 use super::harmonic_balance::{Harmonics, Oscillators, StrokeWork};
+use super::motion::at_mid_stroke;
 use super::solution::Solution;
 use super::strips::Strip;
 use super::stroke::{Stroke, standing_path};
 use super::wing::Wing;
-use crate::effects::{Need, bind};
 use crate::geometry::Planform;
 use crate::input::design::Design;
 use crate::mesh::Mesh;
@@ -247,23 +247,6 @@ impl Periodic {
         }
         sum
     }
-}
-
-/// The design at mid-stroke, without the effects that are made from its motion, or act nowhere but off mid-stroke.
-fn at_mid_stroke(design: &Design) -> Result<Design, CouplingError> {
-    let left_out = bind(design)?.into_iter().filter_map(|bound| {
-        let card = bound.effect.card();
-        let moves = |need: &Need| matches!(need, Need::Motion | Need::OffMidStroke);
-        card.needs.iter().any(moves).then(|| card.name.to_string())
-    });
-    let mut still = design.clone();
-    left_out.for_each(|name| {
-        still.effects.remove(&name);
-    });
-    if let Some(flapping) = &mut still.flapping {
-        flapping.phase_deg = 0.0.into();
-    }
-    Ok(still)
 }
 
 /// Mass of the air that moves with each shell along its normal, kg/m²: ρ π/4 c, spread evenly over the chord.
