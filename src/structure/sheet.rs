@@ -23,9 +23,10 @@ pub enum Compression {
     /// It carries compression as tension: a plate, with the optimal triangle for its membrane action.
     ///
     /// Not for films in large rotation: the optimal triangle strains with the nodes' rotations about its normal, and
-    /// where sides as long as 100 thicknesses meet at an angle, a film's bending is too weak to hold those rotations. They
-    /// then relieve the membrane (Hencky's membrane comes out 16 % too soft, after hundreds of steps). A film that
-    /// carries compression is a tension field with `residual` = 1: the whole of the plane-stress law.
+    /// where sides longer than some 100 thicknesses meet at an angle, a film's bending is too weak to hold those rotations.
+    /// They then relieve the membrane: Hencky's membrane comes out 21, 18 and 13 % too soft with sides of 1250, 625 and
+    /// 312 thicknesses, 4 and 0.7 % with 125 and 62. A film that carries compression is a tension field with
+    /// `residual` = 1: the whole of the plane-stress law (1.4, 0.4 and 0.1 % on the same three meshes).
     Carries,
     /// It wrinkles: relaxed tension field on the constant-strain triangle.
     TensionField {

@@ -97,3 +97,16 @@ fn a_moment_along_the_span_twists_the_wing_as_its_torsional_stiffness_says() {
     let expected = (0.4508_f64.powi(2) / (2.0 * 0.9539)).to_degrees();
     assert!((total / expected - 1.0).abs() < 0.01, "{total} {expected}");
 }
+
+/// Fitted at 5 deg the wing with skin is met within a few mm; predicted at 7 deg it falls short by 7 mm on the mean, and by
+/// 2 to 4 σ at three of the speeds: the two angles disagree in a model that is linear in them.
+#[test]
+fn the_skinned_pre_pazy_wing_in_the_wind_is_met_at_5_deg_and_less_well_at_7_deg() {
+    let comparison = compared("pre-pazy-wind");
+    let [stated, calibrated] = rmse(&comparison, "pre-pazy-skin", Channel::Deflection, false);
+    near(stated, 15.05);
+    near(calibrated, 2.132);
+    let [stated, predicted] = rmse(&comparison, "pre-pazy-skin", Channel::Deflection, true);
+    near(stated, 10.79);
+    near(predicted, 9.564);
+}

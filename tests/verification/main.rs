@@ -2,6 +2,7 @@
 
 mod cases;
 
+mod bulged_plate;
 mod drilling;
 
 mod optimal_triangle;
