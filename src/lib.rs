@@ -39,6 +39,8 @@ pub mod verify;
 
 pub mod study;
 
+pub mod synthesize;
+
 pub mod compare;
 
 pub mod diagnose;

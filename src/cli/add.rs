@@ -1,6 +1,7 @@
 //! `washout add`: an effect joins the model of a study, and the error falls, or does not.
 
-use std::path::PathBuf;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use schemars::JsonSchema;
@@ -22,15 +23,19 @@ use super::{Console, Failure};
 #[command(after_help = "Examples:
   washout add skin-bending --to studies/pre-pazy-skin.toml --output with-skin.toml
   washout add skin-bending --to with-skin.toml --remove
+  washout add glue-seam --own examples/effect_of_ones_own.toml --to my-study.toml
 
 The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of
 the strength stays as wide as what is plausible. Comments of the study are kept.")]
 pub struct Add {
-    /// The effect
+    /// The effect: its name, or with --own that of a table [effects.NAME]
     pub effect: String,
     /// The study
     #[arg(long, value_name = "STUDY")]
     pub to: PathBuf,
+    /// An effect of your own: the file with its table [effects.NAME], kind = "custom"
+    #[arg(long, value_name = "FILE", conflicts_with = "remove")]
+    pub own: Option<PathBuf>,
     /// Take the effect out instead
     #[arg(long)]
     pub remove: bool,
@@ -76,37 +81,61 @@ pub struct AddRung {
 impl Add {
     /// Fits, writes and shows.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let Some(effect) = named(&self.effect) else {
-            let reason = format!("there is no effect {} (washout effects)", self.effect);
-            return Err(Failure::Option {
-                option: "washout add EFFECT",
-                reason,
-            });
-        };
-        let card = effect.card();
+        let (scale, table) = self.effect()?;
         let target = self.output.clone().unwrap_or_else(|| self.to.clone());
         let before = self.compared(&LoadedStudy::load(&self.to, &[])?, console)?;
         let text = std::fs::read_to_string(&self.to).map_err(|error| Failure::Option {
             option: "--to",
             reason: format!("{}: {error}", self.to.display()),
         })?;
-        let changed = self.changed(&text, 0.0, 1.5 * card.parameters[0].scale())?;
+        let changed = self.changed(&text, 0.0, 1.5 * scale, &table)?;
         let after = self.compared(&LoadedStudy::from_text(&self.to, &changed, &[])?, console)?;
-        let key = format!("effects.{}.strength", card.name);
+        let key = format!("effects.{}.strength", self.effect);
         let found = after.unknowns.iter().find(|unknown| unknown.unknown.name == key);
         let strength = found.map(|unknown| [unknown.value, unknown.standard_error]);
         let text = match strength {
-            Some([value, _]) => self.changed(&text, value, 1.5 * card.parameters[0].scale())?,
+            Some([value, _]) => self.changed(&text, value, 1.5 * scale, &table)?,
             None => changed,
         };
         write_whole(&target, text.as_bytes())?;
         let report = AddReport {
             written: target,
-            effect: card.name.to_string(),
+            effect: self.effect.clone(),
             strength,
             ladder: ladder(&before, &after),
         };
         console.result(&page(&report), &report)
+    }
+
+    /// Plausible size of the effect, and its table if it is the user's own.
+    fn effect(&self) -> Result<(f64, toml::Table), Failure> {
+        let unknown = |reason: String| Failure::Option {
+            option: "washout add EFFECT",
+            reason,
+        };
+        if let Some(file) = &self.own {
+            let mut tables = own_effects(file)?;
+            let names: Vec<String> = tables.keys().cloned().collect();
+            let Some(mut table) = tables.remove(&self.effect) else {
+                let reason = format!(
+                    "{} has no table [effects.{}], only {}",
+                    file.display(),
+                    self.effect,
+                    names.join(", ")
+                );
+                return Err(unknown(reason));
+            };
+            table.remove("strength");
+            return Ok((1.0, table));
+        }
+        match named(&self.effect) {
+            Some(effect) => Ok((effect.card().parameters[0].scale(), toml::Table::new())),
+            None if self.remove => Ok((1.0, toml::Table::new())),
+            None => Err(unknown(format!(
+                "there is no effect {} (washout effects); one of your own comes with --own FILE",
+                self.effect
+            ))),
+        }
     }
 
     fn compared(&self, study: &LoadedStudy, console: &Console) -> Result<StudyComparison, Failure> {
@@ -119,7 +148,13 @@ impl Add {
     }
 
     /// The study's text with the effect in it, or out of it.
-    fn changed(&self, text: &str, strength: f64, sigma: f64) -> Result<String, Failure> {
+    fn changed(
+        &self,
+        text: &str,
+        strength: f64,
+        sigma: f64,
+        numbers: &toml::Table,
+    ) -> Result<String, Failure> {
         let fault = |reason: String| Failure::Option {
             option: "--to",
             reason,
@@ -148,12 +183,43 @@ impl Add {
             table["name"] = value(self.effect.as_str());
             table["strength"] = value(strength);
             table["sigma"] = value(sigma);
+            if !numbers.is_empty() {
+                let text = toml::to_string(numbers).map_err(|error| fault(error.to_string()))?;
+                let own: DocumentMut = text
+                    .parse()
+                    .map_err(|error: toml_edit::TomlError| fault(error.to_string()))?;
+                table["numbers"] = value(own.as_table().clone().into_inline_table());
+            }
             tables.push(table);
         }
         if tables.is_empty() {
             document.remove("effect");
         }
         Ok(document.to_string())
+    }
+}
+
+/// The effects of the user's own in a file: its tables `[effects.NAME]` by name.
+pub(super) fn own_effects(file: &Path) -> Result<BTreeMap<String, toml::Table>, Failure> {
+    let fault = |reason: String| Failure::Option {
+        option: "--own",
+        reason: format!("{}: {reason}", file.display()),
+    };
+    let text = std::fs::read_to_string(file).map_err(|error| fault(error.to_string()))?;
+    let root: toml::Table = text
+        .parse()
+        .map_err(|error: toml::de::Error| fault(error.to_string()))?;
+    let cure = "there is no table [effects.NAME] with kind = \"custom\", acts_on and expression";
+    let tables = root.get("effects").and_then(toml::Value::as_table);
+    let tables = tables.ok_or_else(|| fault(cure.to_string()))?;
+    let is_own = |table: &&toml::Table| table.contains_key("kind");
+    let found: BTreeMap<String, toml::Table> = tables
+        .iter()
+        .filter_map(|(name, table)| Some((name.clone(), table.as_table().filter(is_own)?.clone())))
+        .collect();
+    match found.is_empty() {
+        true => Err(fault(cure.to_string())),
+        false => Ok(found),
     }
 }
 

@@ -4,11 +4,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::diagnose::{DiagnoseError, Settings, diagnose};
+use crate::diagnose::{DiagnoseError, Settings, diagnose_with};
 use crate::effects::ALL;
 use crate::export::diagnosis::page;
+use crate::export::plan::page as page_of_plan;
 use crate::input::study::LoadedStudy;
-use crate::study::Campaign;
+use crate::study::{Campaign, Forward};
 
 use super::{Console, Failure};
 
@@ -17,9 +18,11 @@ use super::{Console, Failure};
 #[command(after_help = "Examples:
   washout diagnose studies/pre-pazy-skin.toml
   washout diagnose my-study.toml --effect root-flexure --effect tip-loss-prandtl       these two only
+  washout diagnose my-study.toml --plan                  before any measurement: what could be seen, what told apart
   washout diagnose my-study.toml --json | jq .verdict
 
-The verdict comes first, in one sentence; then what it rests on. Writes no files.")]
+The verdict comes first, in one sentence; then what it rests on. With tables [[experiment]] in the study (as [[case]], the
+values of their measurement files empty) it says which of them to make next. Writes no files.")]
 pub struct Diagnose {
     /// The study
     pub study: PathBuf,
@@ -32,6 +35,12 @@ pub struct Diagnose {
     /// Probability of a false alarm that is accepted where nothing is missing
     #[arg(long, value_name = "P", default_value_t = 0.01)]
     pub significance: f64,
+    /// Judge the campaign instead of its measurements, whose values may still be missing
+    #[arg(long)]
+    pub plan: bool,
+    /// Diagnose even data that were made by washout synthesize with the meshes, formulas or seed used here
+    #[arg(long)]
+    pub own_data: bool,
     /// Seed of the draws of noise
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
@@ -41,7 +50,11 @@ impl Diagnose {
     /// Diagnoses.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
-        let study = LoadedStudy::load(&self.study, &self.set)?;
+        let study = match self.plan {
+            true => LoadedStudy::load_planned(&self.study, &self.set)?,
+            false => LoadedStudy::load(&self.study, &self.set)?,
+        };
+        self.refuse_own_word(&study)?;
         let fault = |source: DiagnoseError| Failure::Diagnosis {
             study: self.study.clone(),
             source,
@@ -56,8 +69,30 @@ impl Diagnose {
             seed: self.seed,
             ..Settings::default()
         };
-        let diagnosis = diagnose(&campaign, &settings, progress).map_err(fault)?;
+        if self.plan {
+            let plan = crate::diagnose::plan(&campaign, &settings, progress).map_err(fault)?;
+            return console.result(&page_of_plan(&campaign.name, &plan), &plan);
+        }
+        let experiments = Campaign::of_experiments(&study, &names, progress);
+        let experiments = experiments.map_err(|error| fault(error.into()))?;
+        let candidates = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
+        let diagnosis = diagnose_with(&campaign, candidates, &settings, progress).map_err(fault)?;
         console.result(&page(&campaign.name, &diagnosis), &diagnosis)
+    }
+
+    fn refuse_own_word(&self, study: &LoadedStudy) -> Result<(), Failure> {
+        let own = study
+            .cases
+            .iter()
+            .find_map(|case| Some((case, case.made?.is_own_word(self.seed)?)));
+        match own {
+            Some((case, what)) if !self.own_data && !self.plan => Err(Failure::OwnWord {
+                study: self.study.clone(),
+                case: case.name.clone(),
+                what,
+            }),
+            _ => Ok(()),
+        }
     }
 }
 

@@ -10,6 +10,7 @@ use crate::export::ExportError;
 use crate::input::InputError;
 use crate::progress::Cancelled;
 use crate::study::StudyError;
+use crate::synthesize::SynthesizeError;
 
 /// Why a verb did not do what it should.
 #[derive(Debug, thiserror::Error)]
@@ -101,6 +102,28 @@ pub enum Failure {
         /// Why.
         source: DiagnoseError,
     },
+    /// Measurements that cannot be made.
+    #[error("{}: {source}", study.display())]
+    Synthesis {
+        /// The study file.
+        study: PathBuf,
+        /// Why.
+        source: SynthesizeError,
+    },
+    /// Measurements that a diagnosis would only read back.
+    #[error(
+        "{}: case {case} was made by washout synthesize with {what} as this diagnosis has: finding the answer there would \
+         prove nothing. Make it anew without that, or say --own-data",
+        study.display()
+    )]
+    OwnWord {
+        /// The study file.
+        study: PathBuf,
+        /// Name of the case.
+        case: String,
+        /// What they share.
+        what: &'static str,
+    },
     /// An option that this design does not allow.
     #[error("{option}: {reason}")]
     Option {
@@ -185,6 +208,11 @@ impl Failure {
                 DiagnoseError::Cancelled(_) => 130,
                 _ => 2,
             },
+            Failure::Synthesis { source, .. } => match source {
+                SynthesizeError::Study(source) => source.exit_code(),
+                _ => 2,
+            },
+            Failure::OwnWord { .. } => 2,
             Failure::Study(source) | Failure::OfStudy { source, .. } => source.exit_code(),
             Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } | Failure::NoMeasurement { .. } => 2,

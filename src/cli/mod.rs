@@ -37,6 +37,8 @@ pub mod diagnose;
 
 pub mod add;
 
+pub mod synthesize;
+
 pub mod diff;
 
 pub mod export;
@@ -104,6 +106,8 @@ pub enum Verb {
     Diagnose(diagnose::Diagnose),
     /// Add an effect to the model of a study, and see the error fall
     Add(add::Add),
+    /// Make measurements with a hidden effect, to try a campaign before trusting it
+    Synthesize(synthesize::Synthesize),
     /// List the physics that can be added to a design, or print the card of one
     Effects(effects::ListEffects),
     /// Compare two runs: inputs, results, twist
@@ -133,6 +137,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Schema(verb) => verb.run(&console),
         Verb::Diagnose(verb) => verb.run(&console),
         Verb::Add(verb) => verb.run(&console),
+        Verb::Synthesize(verb) => verb.run(&console),
         Verb::Effects(verb) => verb.run(&console),
         Verb::Diff(verb) => verb.run(&console),
         Verb::Export(verb) => verb.run(&console),

@@ -3,11 +3,12 @@
 use clap::{Args, ValueEnum};
 
 use crate::compare::StudyComparison;
-use crate::diagnose::Diagnosis;
+use crate::diagnose::{Diagnosis, Plan};
 use crate::export::difference::Difference;
 use crate::export::modes::ModesSummary;
 use crate::export::summary::RunSummary;
 use crate::export::verification::VerifyReport;
+use crate::synthesize::Answer;
 
 use super::{Console, Failure};
 
@@ -56,6 +57,12 @@ pub enum Output {
     Diagnose,
     /// `washout add --json`
     Add,
+    /// `washout diagnose --plan --json`
+    Plan,
+    /// `washout synthesize --json`
+    Synthesize,
+    /// answer.json of `washout synthesize`
+    Answer,
     /// `washout export --json`
     Export,
     /// `washout verify --json`, and `verify.json`
@@ -79,6 +86,9 @@ impl Schema {
             Some(Output::Study) => schemars::schema_for!(StudyComparison),
             Some(Output::Diagnose) => schemars::schema_for!(Diagnosis),
             Some(Output::Add) => schemars::schema_for!(super::add::AddReport),
+            Some(Output::Plan) => schemars::schema_for!(Plan),
+            Some(Output::Synthesize) => schemars::schema_for!(super::synthesize::SynthesizeReport),
+            Some(Output::Answer) => schemars::schema_for!(Answer),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
             Some(Output::Export) => schemars::schema_for!(super::export::ExportReport),
             Some(Output::Verify) => schemars::schema_for!(VerifyReport),

@@ -140,7 +140,7 @@ impl<'a, 'm> Feedback<'a, 'm> {
         let most = KRYLOV.min(right.len());
         let mut feedback = DMatrix::<f64>::zeros(most + 1, most);
         for k in 0..most {
-            let more = self.orthogonal_step(&mut basis, &mut feedback, k);
+            let more = self.orthogonal_step(&mut basis, &mut feedback, k) && k + 1 < most;
             let mut projected = -feedback.view((0, 0), (k + 2, k + 1)).into_owned();
             for i in 0..=k {
                 projected[(i, i)] += 1.0;

@@ -7,7 +7,6 @@ use crate::study::calibrate::misfit;
 use crate::study::{Fit, Forward};
 
 use super::data::{Data, Scatter, start};
-use super::draws::Draws;
 use super::error::DiagnoseError;
 use super::evidence::Likelihood;
 use super::fields::{Field, Law, fields};
@@ -18,6 +17,7 @@ use super::rough::{FEWEST, Smooth};
 use super::screening::{Directions, is_one_sided, slopes_of_missing};
 use super::settings::Settings;
 use super::whitened::{Local, Whitened};
+use crate::study::draws::Draws;
 
 /// Size of the fields that count as smooth when the noise is judged, over that of the prediction.
 const SMOOTH_AMPLITUDE: f64 = 0.3;

@@ -8,8 +8,6 @@ pub mod conclude;
 
 pub mod data;
 
-pub mod draws;
-
 pub mod error;
 
 pub mod evidence;

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::progress::Progress;
-use crate::study::{Fit, Forward};
+use crate::study::{Fit, Forward, Unknown, UnknownKind};
 
 use super::error::DiagnoseError;
 
@@ -143,7 +143,11 @@ fn answer(
         })
         .collect();
     let is_free = |name: &str| rival.fit.free.iter().any(|&i| known[i].name == name);
-    let linear = candidates.linearize(&at, &|unknown| is_free(&unknown.name))?;
+    // a nuisance that only the candidate has is as open as its prior leaves it
+    let is_new = |unknown: &Unknown| {
+        unknown.kind == UnknownKind::Ruler && !known.iter().any(|k| k.name == unknown.name)
+    };
+    let linear = candidates.linearize(&at, &|unknown| is_free(&unknown.name) || is_new(unknown))?;
     let place = |i: usize| {
         candidates
             .unknowns()
@@ -153,6 +157,15 @@ fn answer(
     let slopes = DMatrix::from_fn(linear.value.len(), rival.fit.free.len(), |row, k| {
         place(rival.fit.free[k]).map_or(0.0, |column| linear.jacobian[(row, column)])
     });
-    let covariance = &slopes * &rival.fit.covariance * slopes.transpose() * rival.variance;
+    let mut covariance = &slopes * &rival.fit.covariance * slopes.transpose() * rival.variance;
+    for (column, unknown) in candidates
+        .unknowns()
+        .iter()
+        .enumerate()
+        .filter(|(_, u)| is_new(u))
+    {
+        let slope = linear.jacobian.column(column) * unknown.sigma;
+        covariance += &slope * slope.transpose();
+    }
     Ok((linear.value, covariance))
 }

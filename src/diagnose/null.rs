@@ -8,8 +8,8 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::draws::Draws;
 use super::rough::Smooth;
+use crate::study::draws::Draws;
 
 /// Draws that are worked on at a time.
 const BLOCK: usize = 250;

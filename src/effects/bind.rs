@@ -104,6 +104,20 @@ pub fn bind(design: &Design) -> Result<Vec<Bound>, EffectError> {
     Ok(bound)
 }
 
+/// The effect that a table of a design stands for, whether it is on or not.
+///
+/// # Errors
+/// If there is none of this name, or one of the user's own cannot be read.
+pub fn acting(name: &str, table: &toml::Table, design: &Design) -> Result<Acting, EffectError> {
+    match named(name) {
+        Some(effect) => Ok(Acting::Known(effect)),
+        None if Custom::is_own(name, table) => {
+            Ok(Acting::Own(Arc::new(Custom::read(name, table, design)?.0)))
+        }
+        None => Err(unknown(name)),
+    }
+}
+
 /// Whether an effect has something to act on in a design.
 pub fn is_applicable(card: &Card, design: &Design) -> bool {
     lacks(card, design).is_none()

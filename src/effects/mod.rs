@@ -103,7 +103,7 @@ pub mod tip_loss_exponential;
 
 pub mod air_density;
 
-pub use bind::{Acting, Bound, Values, bind, is_applicable};
+pub use bind::{Acting, Bound, Values, acting, bind, is_applicable};
 pub use card::{Card, Need, Parameter, Seam};
 pub use error::EffectError;
 pub use seam::{Dual, Motion, NodeLoad, StripMotion, StripPlace, Structure};

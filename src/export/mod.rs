@@ -8,7 +8,11 @@ pub mod vtu;
 
 pub mod wing;
 
+pub mod measurement;
+
 pub mod modes;
+
+pub mod plan;
 
 pub mod pvd;
 

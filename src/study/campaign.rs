@@ -111,6 +111,30 @@ impl Campaign {
         })
     }
 
+    /// The experiments of a study that could be made next, as conditions of a model with the same unknowns; none if it lists
+    /// none.
+    ///
+    /// # Errors
+    /// As [`Campaign::new`].
+    pub fn of_experiments(
+        study: &LoadedStudy,
+        candidates: &[&str],
+        progress: &Progress,
+    ) -> Result<Option<Campaign>, StudyError> {
+        if study.experiments.is_empty() {
+            return Ok(None);
+        }
+        let mut next = study.clone();
+        next.cases = std::mem::take(&mut next.experiments);
+        let has = |key: &str| {
+            next.cases
+                .iter()
+                .any(|case| case.loaded.design.get(key).is_some())
+        };
+        next.study.uncertain.retain(|uncertain| has(&uncertain.key));
+        Campaign::new(&next, candidates, progress).map(Some)
+    }
+
     /// Values with which the unknowns start.
     pub fn start(&self) -> Vec<f64> {
         self.targets.start.clone()

@@ -15,7 +15,7 @@ use crate::coupling::solution::Solution;
 use crate::coupling::strips::Strips;
 use crate::coupling::wing::Wing;
 use crate::coupling::{self, CouplingError, Sensitivity};
-use crate::effects::{is_applicable, named};
+use crate::effects::{acting, is_applicable, named};
 use crate::geometry::Planform;
 use crate::input::Design;
 use crate::input::measurement::{Channel, Row};
@@ -75,16 +75,16 @@ impl PreparedCase {
             reason,
         };
         for effect in &study.study.effect {
-            if effect
-                .designs
-                .as_ref()
-                .is_some_and(|designs| !designs.contains(&design.name))
-            {
+            let concerns = effect.designs.as_ref();
+            if concerns.is_some_and(|designs| !designs.contains(&design.name)) {
                 continue;
             }
             let mut table = effect.numbers.clone();
             table.insert("strength".to_string(), toml::Value::Float(effect.strength));
-            design.effects.insert(effect.name.clone(), table);
+            let acting = acting(&effect.name, &table, &design).map_err(|error| failed(error.to_string()))?;
+            if is_applicable(&acting.card(), &design) {
+                design.effects.insert(effect.name.clone(), table);
+            }
         }
         for name in candidates {
             let Some(effect) = named(name) else {

@@ -8,6 +8,8 @@ pub mod campaign;
 
 pub mod case;
 
+pub mod draws;
+
 pub mod error;
 
 pub mod forward;

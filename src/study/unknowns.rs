@@ -3,7 +3,7 @@
 use super::case::PreparedCase;
 use super::error::StudyError;
 use super::forward::{Observable, Unknown, UnknownKind};
-use crate::effects::{Card, named};
+use crate::effects::{Card, acting, named};
 use crate::input::study::{LoadedStudy, Ruler, RulerKind, Uncertain};
 
 /// Half-width of the range of an unknown that states none, in standard deviations.
@@ -58,13 +58,13 @@ impl Targets {
             found.add_ruler(ruler, observables);
         }
         for effect in &study.study.effect {
-            let Some(known) = named(&effect.name) else {
-                let reason = format!(
-                    "effect {}: there is no such effect (washout effects)",
-                    effect.name
-                );
+            let with_it = |case: &&PreparedCase| case.design.effects.contains_key(&effect.name);
+            let Some(case) = cases.iter().find(with_it) else {
+                let reason = format!("effect {} acts on none of the designs of the study", effect.name);
                 return Err(StudyError::Unknown { reason });
             };
+            let table = &case.design.effects[&effect.name];
+            let known = acting(&effect.name, table, &case.design).map_err(|error| case.failed(error))?;
             let sigma = effect.sigma.unwrap_or(0.0);
             found.add_effect(&known.card(), cases, effect.strength, sigma);
         }

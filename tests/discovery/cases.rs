@@ -1,6 +1,6 @@
 //! Cases with a hidden cause, made by nature's solver from seeds.
 
-use washout::diagnose::draws::Draws;
+use washout::study::draws::Draws;
 
 use crate::effects::EFFECTS;
 use crate::rod::{Toy, Wing};

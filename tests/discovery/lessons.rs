@@ -3,9 +3,9 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::{DMatrix, DVector};
-use washout::diagnose::draws::Draws;
 use washout::diagnose::{Diagnosis, Plan, Settings, Verdict, diagnose, diagnose_with, plan};
 use washout::progress::Progress;
+use washout::study::draws::Draws;
 use washout::study::{Condition, Forward, Linear, Observable, StudyError, Unknown, UnknownKind};
 
 use crate::cases::{Kind, case, good_campaign, measure, poor_campaign};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use washout::diagnose::draws::Draws;
+use washout::study::draws::Draws;
 
 use crate::rod::{ROOT_ANGLE, ROOT_OFFSET, Toy, chord};
 

@@ -68,6 +68,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "lift",
         ],
     ),
+    ("synthesize", &["progress", "input", "effects", "study"]),
     ("compare", &["progress", "input", "observation", "study"]),
     (
         "diagnose",
@@ -96,6 +97,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "lift",
             "verify",
             "study",
+            "synthesize",
             "compare",
             "diagnose",
         ],
@@ -115,6 +117,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "lift",
             "verify",
             "study",
+            "synthesize",
             "compare",
             "diagnose",
             "export",

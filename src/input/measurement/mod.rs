@@ -11,7 +11,11 @@ use super::error::{InputError, Place, Problem, Range};
 use super::file;
 use super::table::Table;
 
+mod made;
+
 mod row;
+
+pub use made::{Formulas, Made};
 
 use row::{identity, read_row};
 
@@ -45,8 +49,10 @@ pub struct Row {
     pub r_to_mm: Option<f64>,
     /// Chord fraction behind the leading edge at which a displacement was read; none for other channels.
     pub chord_fraction: Option<f64>,
-    /// The value in the unit of the channel; twist is washout, whatever the sign in the file.
+    /// The value in the unit of the channel; twist is washout, whatever the sign in the file; 0 where it is only planned.
     pub value: f64,
+    /// Whether it is yet to be measured: its value stands empty.
+    pub is_planned: bool,
     /// Standard deviation of the value, same unit, positive.
     pub sigma: f64,
     /// Where the standard deviation comes from.
@@ -210,7 +216,27 @@ impl Channel {
     }
 }
 
+/// Refuses rows without a value.
+pub(super) fn refuse_planned(file: &str, rows: &[Row]) -> Result<(), InputError> {
+    let Some(row) = rows.iter().find(|row| row.is_planned) else {
+        return Ok(());
+    };
+    let place = Place {
+        file: file.to_string(),
+        line: Some(row.line),
+        column: None,
+    };
+    let cure = "Give the measured value; rows that are yet to be measured are for diagnose --plan, synthesize, and \
+                [[experiment]]";
+    Err(InputError::new(place, "value", "", Problem::Missing, cure))
+}
+
 impl Measurement {
+    /// What the file says of itself if a program made it.
+    pub fn made(&self) -> Option<Made> {
+        self.comments.iter().find_map(|comment| Made::parse(comment))
+    }
+
     /// Reads a measurement file with all its cases.
     pub fn load(path: &Path) -> Result<Measurement, InputError> {
         let text = file::read_text(path, "measurement file")?;
@@ -242,6 +268,7 @@ impl Measurement {
         };
         let rows = all.case(&case);
         rows.check_stations(design)?;
+        refuse_planned(&all.file, &rows.rows)?;
         Ok(rows)
     }
 

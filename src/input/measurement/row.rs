@@ -21,7 +21,11 @@ pub(super) fn read_row(record: &Record) -> Result<Row, InputError> {
     let (r_mm, r_to_mm) = read_station(record, channel)?;
     let chord_fraction = read_chord_fraction(record, channel)?;
     let cure = format!("Give the value in {}, e.g. 12.5", unit_words(channel));
-    let value = record.number_in("value", channel.range(), &cure)?;
+    let is_planned = record.text("value").is_empty();
+    let value = match is_planned {
+        true => 0.0,
+        false => record.number_in("value", channel.range(), &cure)?,
+    };
     let sigma_cure = "Give the standard deviation of the value in its unit; if the source states none, assume one \
                       and write sigma_kind = assumed";
     let sigma = record.number("sigma", sigma_cure)?;
@@ -55,6 +59,7 @@ pub(super) fn read_row(record: &Record) -> Result<Row, InputError> {
         r_to_mm,
         chord_fraction,
         value: if washout { value } else { -value },
+        is_planned,
         sigma,
         sigma_kind,
         bound,

@@ -11,7 +11,7 @@ use crate::input::design::Design;
 use crate::input::document::Node;
 use crate::input::error::{InputError, Problem};
 use crate::input::load::Loaded;
-use crate::input::measurement::{Measurement, Row};
+use crate::input::measurement::{Made, Measurement, Row, refuse_planned};
 use crate::input::{file, form, keys};
 
 /// A study with all that its file refers to.
@@ -23,6 +23,8 @@ pub struct LoadedStudy {
     pub path: PathBuf,
     /// Its cases, families written out.
     pub cases: Vec<LoadedCase>,
+    /// Experiments that could be made next, families written out; their values are yet to be measured.
+    pub experiments: Vec<LoadedCase>,
 }
 
 /// A design at one operating point, with its measured rows.
@@ -34,6 +36,8 @@ pub struct LoadedCase {
     pub loaded: Loaded,
     /// The measurement file, as the user named it.
     pub measurement: String,
+    /// How the measurement was made, if a program made it.
+    pub made: Option<Made>,
     /// The measured rows that count.
     pub rows: Vec<Row>,
     /// Whether it is kept out of every fit.
@@ -64,6 +68,22 @@ impl LoadedStudy {
     /// # Errors
     /// As [`LoadedStudy::load`].
     pub fn from_text(path: &Path, text: &str, sets: &[String]) -> Result<LoadedStudy, InputError> {
+        let study = LoadedStudy::from_planned(path, text, sets)?;
+        for case in &study.cases {
+            refuse_planned(&case.measurement, &case.rows)?;
+        }
+        Ok(study)
+    }
+
+    /// Reads a study of which measurements may still be missing.
+    ///
+    /// # Errors
+    /// As [`LoadedStudy::load`].
+    pub fn load_planned(path: &Path, sets: &[String]) -> Result<LoadedStudy, InputError> {
+        LoadedStudy::from_planned(path, &file::read_text(path, "study file")?, sets)
+    }
+
+    fn from_planned(path: &Path, text: &str, sets: &[String]) -> Result<LoadedStudy, InputError> {
         let root = Node::parse_file(&file::shown(path), text)?;
         format_is_one(&root)?;
         form::check(&root, keys::study())?;
@@ -72,15 +92,21 @@ impl LoadedStudy {
             InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
         })?;
         check(&study, &root)?;
-        let mut cases = Vec::new();
-        for (index, case) in study.case.iter().enumerate() {
-            family(case, index, path, &root, sets, &mut cases)?;
-        }
+        let families = |tables: &[Case], word: &str| {
+            let mut cases = Vec::new();
+            for (index, case) in tables.iter().enumerate() {
+                family(case, &format!("{word}[{index}]"), path, &root, sets, &mut cases)?;
+            }
+            Ok(cases)
+        };
+        let cases = families(&study.case, "case")?;
+        let experiments = families(&study.experiment, "experiment")?;
         known_designs(&study, &root, &cases)?;
         Ok(LoadedStudy {
             study,
             path: path.to_path_buf(),
             cases,
+            experiments,
         })
     }
 }
@@ -114,13 +140,13 @@ fn check(study: &Study, root: &Node) -> Result<(), InputError> {
 /// Adds the cases of one table.
 fn family(
     case: &Case,
-    index: usize,
+    table: &str,
     study_path: &Path,
     root: &Node,
     sets: &[String],
     cases: &mut Vec<LoadedCase>,
 ) -> Result<(), InputError> {
-    let key = |name: &str| format!("case[{index}].{name}");
+    let key = |name: &str| format!("{table}.{name}");
     let beside = |name: &str, value: &str| {
         let path = file::beside(study_path, value);
         if path.is_file() {
@@ -198,6 +224,7 @@ fn family(
             name: name.to_string(),
             loaded,
             measurement: measurement.file.clone(),
+            made: measurement.made(),
             rows: measurement.rows.into_iter().filter(counts).collect(),
             is_held_out: case.purpose == Purpose::HeldOut || case.held_out.iter().any(|held| held == name),
         });

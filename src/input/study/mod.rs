@@ -34,6 +34,10 @@ pub struct Study {
     pub slop: f64,
     /// The cases, one `[[case]]` table each, or one for each family of measured cases.
     pub case: Vec<Case>,
+    /// The experiments that could be made next, one `[[experiment]]` table each: as cases, but with measurement files whose
+    /// values stand empty.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub experiment: Vec<Case>,
     /// The uncertain inputs of the designs, one `[[uncertain]]` table each.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub uncertain: Vec<Uncertain>,

@@ -1,0 +1,254 @@
+//! `washout synthesize`: measurements with a hidden effect, to try a campaign and its diagnosis before trusting them.
+
+use std::collections::BTreeMap;
+use std::path::{Component, Path, PathBuf};
+
+use clap::Args;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use toml_edit::{DocumentMut, Item, value};
+
+use crate::export::ExportError;
+use crate::export::file::write_whole;
+use crate::export::measurement::measurement_csv;
+use crate::input::measurement::{Formulas, Made, Row};
+use crate::input::study::LoadedStudy;
+use crate::synthesize::{Hidden, Recipe, Synthetic, synthesize};
+
+use super::{Console, Failure};
+
+/// Arguments of `washout synthesize`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout synthesize studies/three-rods.toml --effect root-flexure=0.2 --seed 7 --output try
+  washout diagnose try/three-rods.toml                    finds it, or not
+  cat try/answer.json                                     tells what it was
+  washout synthesize studies/three-rods.toml --seed 8     nothing hidden: is anything found?
+  washout synthesize studies/three-rods.toml --own examples/effect_of_ones_own.toml --output own
+
+The wing that is measured has other meshes than the study, its uncertain inputs are drawn from their priors, outline,
+stiffness and air law have errors that nobody states, and the hidden effect has another formula where there is one.")]
+pub struct Synthesize {
+    /// The study: its cases and the sigmas of its rows are kept, values are made
+    pub study: PathBuf,
+    /// Hide this effect with this strength; can be given several times
+    #[arg(long, value_name = "NAME=STRENGTH")]
+    pub effect: Vec<String>,
+    /// Hide the effects of your own of this file, tables [effects.NAME] with kind = \"custom\"
+    #[arg(long, value_name = "FILE")]
+    pub own: Option<PathBuf>,
+    /// Scatter of the readings over their stated sigma
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
+    pub noise: f64,
+    /// One reading is off by so many sigma
+    #[arg(long, value_name = "SIGMAS")]
+    pub outlier: Option<f64>,
+    /// Relative error of outline, stiffness and air law, one standard deviation
+    #[arg(long, value_name = "SHARE", default_value_t = 0.01)]
+    pub background: f64,
+    /// Factor on the refinement of the meshes
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.25)]
+    pub mesh: f64,
+    /// Hide effects by the program's own formulas, even where there is another of the same physics
+    #[arg(long)]
+    pub same_formulas: bool,
+    /// Seed of all that is drawn
+    #[arg(long, value_name = "N", default_value_t = 2)]
+    pub seed: u64,
+    /// Folder to write into [default: output/NAME-synthetic]
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+/// What `washout synthesize` wrote.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SynthesizeReport {
+    /// The study.
+    pub study: PathBuf,
+    /// The measurements.
+    pub measurements: Vec<PathBuf>,
+    /// What is hidden.
+    pub answer: PathBuf,
+    /// Numbers that were measured.
+    pub numbers: usize,
+    /// Rows that the wing could not be asked for; they were left out.
+    pub unread: Vec<String>,
+}
+
+impl Synthesize {
+    /// Makes and writes them.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let study = LoadedStudy::load_planned(&self.study, &[])?;
+        let recipe = self.recipe()?;
+        let made = synthesize(&study, &recipe, console.progress()).map_err(|source| Failure::Synthesis {
+            study: self.study.clone(),
+            source,
+        })?;
+        let folder = match &self.output {
+            Some(folder) => folder.clone(),
+            None => PathBuf::from("output").join(format!("{}-synthetic", study.study.name)),
+        };
+        let report = write(&self.study, &folder, &made)?;
+        console.result(&page(&report), &report)
+    }
+
+    fn recipe(&self) -> Result<Recipe, Failure> {
+        let option = |option: &'static str, reason: String| Failure::Option { option, reason };
+        for (name, value, low, high) in [
+            ("--noise", self.noise, 0.0, 100.0),
+            ("--outlier", self.outlier.unwrap_or(0.0), 0.0, 1000.0),
+            ("--background", self.background, 0.0, 0.2),
+            ("--mesh", self.mesh, 0.2, 5.0),
+        ] {
+            if !(low..=high).contains(&value) {
+                return Err(option(name, format!("{value} is outside {low} to {high}")));
+            }
+        }
+        let mut hidden = Vec::new();
+        for text in &self.effect {
+            let parsed = text
+                .split_once('=')
+                .and_then(|(name, strength)| Some((name, strength.trim().parse::<f64>().ok()?)));
+            let Some((name, strength)) = parsed.filter(|(_, strength)| strength.is_finite()) else {
+                let reason = format!("{text} is not NAME=STRENGTH; write e.g. --effect root-flexure=0.2");
+                return Err(option("--effect", reason));
+            };
+            hidden.push(Hidden::known(name.trim(), strength));
+        }
+        if let Some(file) = &self.own {
+            hidden.extend(super::add::own_effects(file)?.into_iter().map(|(name, table)| {
+                let strength = table
+                    .get("strength")
+                    .and_then(toml::Value::as_float)
+                    .unwrap_or(1.0);
+                Hidden {
+                    name,
+                    strength,
+                    table,
+                }
+            }));
+        }
+        Ok(Recipe {
+            hidden,
+            made: Made {
+                mesh: self.mesh,
+                formulas: if self.same_formulas {
+                    Formulas::Same
+                } else {
+                    Formulas::Other
+                },
+                background: self.background,
+                seed: self.seed,
+            },
+            noise: self.noise,
+            outlier: self.outlier,
+        })
+    }
+}
+
+/// Writes study, measurements and answer.
+fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeReport, Failure> {
+    std::fs::create_dir_all(folder).map_err(ExportError::file("create", folder))?;
+    let mut files: BTreeMap<String, BTreeMap<usize, Row>> = BTreeMap::new();
+    for case in &made.study.cases {
+        let rows = files.entry(file_name(&case.measurement)).or_default();
+        rows.extend(case.rows.iter().map(|row| (row.line, row.clone())));
+    }
+    let comments = [
+        made.answer.recipe.made.to_string(),
+        "These numbers come from no experiment: they are readings of a model with errors of its own."
+            .to_string(),
+    ];
+    let mut measurements = Vec::new();
+    let mut numbers = 0;
+    for (name, rows) in &files {
+        let rows: Vec<Row> = rows.values().cloned().collect();
+        numbers += rows.len();
+        let path = folder.join(name);
+        write_whole(&path, measurement_csv(&comments, &rows)?.as_bytes())?;
+        measurements.push(path);
+    }
+    let path = folder.join(file_name(&study.to_string_lossy()));
+    write_whole(&path, study_beside(study, folder)?.as_bytes())?;
+    let answer = folder.join("answer.json");
+    let text = serde_json::to_string_pretty(&made.answer).map_err(|error| Failure::Output(error.into()))?;
+    write_whole(&answer, text.as_bytes())?;
+    Ok(SynthesizeReport {
+        study: path,
+        measurements,
+        answer,
+        numbers,
+        unread: made.answer.unread.clone(),
+    })
+}
+
+fn file_name(path: &str) -> String {
+    Path::new(path)
+        .file_name()
+        .map_or_else(|| path.to_string(), |name| name.to_string_lossy().into_owned())
+}
+
+/// The text of a study as it stands in another folder, its measurements beside it.
+fn study_beside(study: &Path, folder: &Path) -> Result<String, Failure> {
+    let fault = |reason: String| Failure::Option {
+        option: "STUDY",
+        reason,
+    };
+    let text =
+        std::fs::read_to_string(study).map_err(|error| fault(format!("{}: {error}", study.display())))?;
+    let mut document: DocumentMut = text
+        .parse()
+        .map_err(|error: toml_edit::TomlError| fault(error.to_string()))?;
+    let home = study.parent().unwrap_or(Path::new(""));
+    for (table, own_measurement) in [("case", true), ("experiment", false)] {
+        let Some(tables) = document.get_mut(table).and_then(Item::as_array_of_tables_mut) else {
+            continue;
+        };
+        for case in tables.iter_mut() {
+            for key in ["design", "measurement"] {
+                let Some(old) = case.get(key).and_then(Item::as_str).map(str::to_string) else {
+                    continue;
+                };
+                case[key] = value(match key {
+                    "measurement" if own_measurement => file_name(&old),
+                    _ => relative(&home.join(old), folder)?,
+                });
+            }
+        }
+    }
+    Ok(document.to_string())
+}
+
+/// A path as seen from a folder.
+fn relative(path: &Path, folder: &Path) -> Result<String, Failure> {
+    let whole = |path: &Path| path.canonicalize().map_err(ExportError::file("find", path));
+    let (path, folder) = (whole(path)?, whole(folder)?);
+    let same = path
+        .components()
+        .zip(folder.components())
+        .take_while(|(a, b)| a == b)
+        .count();
+    let mut relative = PathBuf::new();
+    relative.extend(folder.components().skip(same).map(|_| Component::ParentDir));
+    relative.extend(path.components().skip(same));
+    Ok(relative.to_string_lossy().replace('\\', "/"))
+}
+
+fn page(report: &SynthesizeReport) -> String {
+    let measurements: Vec<String> = report
+        .measurements
+        .iter()
+        .map(|path| path.display().to_string())
+        .collect();
+    let study = report.study.display();
+    let mut page = format!(
+        "{study}: {} numbers in {}; what is hidden stands in {}\n",
+        report.numbers,
+        measurements.join(", "),
+        report.answer.display()
+    );
+    for row in &report.unread {
+        page += &format!("  left out, for the wing cannot be asked for it: {row}\n");
+    }
+    page + &format!("Look for it with: washout diagnose {study}\n")
+}

@@ -1,0 +1,170 @@
+//! Effects hidden in a wing.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Acted;
+use super::error::SynthesizeError;
+use super::rival::{Rival, rival};
+use crate::effects::custom::Custom;
+use crate::effects::{Card, is_applicable, named};
+use crate::input::measurement::Formulas;
+use crate::input::study::LoadedStudy;
+
+/// An effect to hide.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Hidden {
+    /// Its name: of an effect that the program knows, or of the user's own.
+    pub name: String,
+    /// Its strength.
+    pub strength: f64,
+    /// Its other numbers, as in a design; with `kind`, an effect of the user's own.
+    #[schemars(with = "std::collections::BTreeMap<String, serde_json::Value>")]
+    pub table: toml::Table,
+}
+
+impl Hidden {
+    /// One that the program knows, its other numbers at their defaults.
+    pub fn known(name: &str, strength: f64) -> Hidden {
+        Hidden {
+            name: name.to_string(),
+            strength,
+            table: toml::Table::new(),
+        }
+    }
+
+    /// One of the user's own.
+    pub fn own(name: &str, acts_on: &str, expression: &str) -> Hidden {
+        let text = |value: &str| toml::Value::String(value.to_string());
+        let table = [
+            ("kind".to_string(), text("custom")),
+            ("acts_on".to_string(), text(acts_on)),
+            ("expression".to_string(), text(expression)),
+        ];
+        Hidden {
+            name: name.to_string(),
+            strength: 1.0,
+            table: table.into_iter().collect(),
+        }
+    }
+
+    fn fault(&self, reason: impl Into<String>) -> SynthesizeError {
+        SynthesizeError::Hidden {
+            effect: self.name.clone(),
+            reason: reason.into(),
+        }
+    }
+}
+
+/// Puts the hidden effects into every design on which they can act.
+///
+/// # Errors
+/// If one is unknown, in the model already, out of range, or acts on no design.
+pub fn hide(
+    study: &mut LoadedStudy,
+    hidden: &[Hidden],
+    formulas: Formulas,
+) -> Result<Vec<Acted>, SynthesizeError> {
+    hidden
+        .iter()
+        .map(|effect| {
+            if study.study.effect.iter().any(|known| known.name == effect.name) {
+                return Err(effect.fault(
+                    "stands in the study already; take it out (washout add NAME --to STUDY --remove), or hide another",
+                ));
+            }
+            match named(&effect.name) {
+                Some(known) => hide_known(study, effect, &known.card(), formulas),
+                None if effect.table.contains_key("kind") => hide_own(study, effect),
+                None => Err(effect.fault("there is no such effect (washout effects)")),
+            }
+        })
+        .collect()
+}
+
+fn hide_known(
+    study: &mut LoadedStudy,
+    effect: &Hidden,
+    card: &Card,
+    formulas: Formulas,
+) -> Result<Acted, SynthesizeError> {
+    let [low, high] = card.parameters[0].range;
+    if !(low <= effect.strength && effect.strength <= high) {
+        let unit = match card.parameters[0].unit {
+            "1" => String::new(),
+            unit => format!(" {unit}"),
+        };
+        return Err(effect.fault(format!(
+            "strength {} is outside {low} to {high}{unit}",
+            effect.strength
+        )));
+    }
+    let other = match formulas {
+        // numbers of its own are numbers of its own formula
+        Formulas::Other if effect.table.is_empty() => rival(&effect.name, effect.strength),
+        _ => None,
+    };
+    let (name, table, formula) = match other {
+        Some(Rival::Known(name, strength)) => (
+            name.to_string(),
+            with_strength(&effect.table, strength),
+            name.to_string(),
+        ),
+        Some(Rival::Own(own)) => {
+            let formula = own.table["expression"].as_str().unwrap_or_default().to_string();
+            (own.name.clone(), with_strength(&own.table, own.strength), formula)
+        }
+        None => (
+            effect.name.clone(),
+            with_strength(&effect.table, effect.strength),
+            effect.name.clone(),
+        ),
+    };
+    let mut touched = 0;
+    for case in &mut study.cases {
+        if is_applicable(card, &case.loaded.design) {
+            case.loaded.design.effects.insert(name.clone(), table.clone());
+            touched += 1;
+        }
+    }
+    if touched == 0 {
+        return Err(effect
+            .fault("acts on none of the designs of this study (washout effects NAME says what it needs)"));
+    }
+    Ok(Acted {
+        asked: effect.name.clone(),
+        family: card.family.to_string(),
+        strength: effect.strength,
+        formula,
+    })
+}
+
+fn hide_own(study: &mut LoadedStudy, effect: &Hidden) -> Result<Acted, SynthesizeError> {
+    let table = with_strength(&effect.table, effect.strength);
+    let mut touched = 0;
+    for case in &mut study.cases {
+        let design = &mut case.loaded.design;
+        let (own, _) =
+            Custom::read(&effect.name, &table, design).map_err(|error| effect.fault(error.to_string()))?;
+        use crate::effects::Effect;
+        if is_applicable(&own.card(), design) {
+            design.effects.insert(effect.name.clone(), table.clone());
+            touched += 1;
+        }
+    }
+    if touched == 0 {
+        return Err(effect.fault("acts on none of the designs of this study"));
+    }
+    Ok(Acted {
+        asked: effect.name.clone(),
+        family: "user's own".to_string(),
+        strength: effect.strength,
+        formula: table["expression"].as_str().unwrap_or_default().to_string(),
+    })
+}
+
+fn with_strength(table: &toml::Table, strength: f64) -> toml::Table {
+    let mut table = table.clone();
+    table.insert("strength".to_string(), toml::Value::Float(strength));
+    table
+}

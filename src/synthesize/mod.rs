@@ -1,0 +1,212 @@
+//! Measurements with a hidden effect, made by the program itself: to try a campaign and its diagnosis before trusting it.
+//!
+//! So that a diagnosis is not asked what it told itself, the wing that is "measured" differs from the one that is modelled:
+//! other meshes, uncertain inputs drawn from their priors, errors of outline, stiffness and air law that nobody states, and
+//! another formula of the hidden physics where there is one.
+
+pub mod background;
+
+pub mod error;
+
+pub mod hidden;
+
+pub mod rival;
+
+pub use error::SynthesizeError;
+pub use hidden::Hidden;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::input::measurement::{Formulas, Made, Row};
+use crate::input::study::LoadedStudy;
+use crate::progress::Progress;
+use crate::study::draws::Draws;
+use crate::study::{Campaign, Forward, UnknownKind};
+
+/// Streams of the draws.
+const UNKNOWNS: u64 = 1;
+const BACKGROUND: u64 = 2;
+const NOISE: u64 = 3;
+const OUTLIER: u64 = 4;
+
+/// What to make.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Recipe {
+    /// What is hidden; nothing where empty.
+    pub hidden: Vec<Hidden>,
+    /// How the wing that is measured is made.
+    pub made: Made,
+    /// Scatter of the readings over their stated sigma.
+    pub noise: f64,
+    /// By how many sigma one reading is off, if one is.
+    pub outlier: Option<f64>,
+}
+
+/// Measurements that were made.
+#[derive(Debug, Clone)]
+pub struct Synthetic {
+    /// The study, its rows with values.
+    pub study: LoadedStudy,
+    /// What nobody shall know.
+    pub answer: Answer,
+}
+
+/// What is hidden in measurements that were made.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Answer {
+    /// The recipe.
+    pub recipe: Recipe,
+    /// The hidden effects as they acted: `formula` names the effect that was asked for and the one that was used.
+    pub acted: Vec<Acted>,
+    /// Uncertain inputs and nuisances of the ruler as they were drawn.
+    pub unknowns: Vec<Drawn>,
+    /// Errors of outline, stiffness and air law by wing.
+    pub background: Vec<background::Background>,
+    /// Measured rows that the wing could not be asked for; they have no value.
+    pub unread: Vec<String>,
+}
+
+/// A hidden effect as it acted.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Acted {
+    /// The effect that was asked for.
+    pub asked: String,
+    /// Its family.
+    pub family: String,
+    /// Its strength.
+    pub strength: f64,
+    /// The effect or formula that acted.
+    pub formula: String,
+}
+
+/// A value that was drawn from its prior.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Drawn {
+    /// Name of the unknown.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// The value.
+    pub value: f64,
+}
+
+/// Makes measurements for the rows of a study (their values do not matter, their sigmas do).
+///
+/// # Errors
+/// If an effect is none or acts on nothing, or the wing with all this has no solution.
+pub fn synthesize(
+    study: &LoadedStudy,
+    recipe: &Recipe,
+    progress: &Progress,
+) -> Result<Synthetic, SynthesizeError> {
+    let draws = Draws::new(recipe.made.seed);
+    let mut truth = study.clone();
+    truth.experiments.clear();
+    let acted = hidden::hide(&mut truth, &recipe.hidden, recipe.made.formulas)?;
+    let mut background = Vec::new();
+    for case in &mut truth.cases {
+        let design = &mut case.loaded.design;
+        design.mesh.refine *= recipe.made.mesh;
+        let wing = wing_number(study, &design.name);
+        let errors =
+            background::Background::drawn(design, recipe.made.background, draws, BACKGROUND + 8 * wing);
+        errors.apply(design)?;
+        if !background.contains(&errors) {
+            background.push(errors);
+        }
+    }
+    let campaign = Campaign::new(&truth, &[], &progress.unseen())?;
+    let at: Vec<f64> = campaign
+        .unknowns()
+        .iter()
+        .zip(campaign.start())
+        .enumerate()
+        .map(|(index, (unknown, start))| match unknown.kind {
+            UnknownKind::Effect { .. } => start,
+            _ => {
+                let drawn = unknown.mean + unknown.sigma * draws.normal(UNKNOWNS, index as u64);
+                drawn.clamp(unknown.range[0], unknown.range[1])
+            }
+        })
+        .collect();
+    let value = campaign.predict(&at)?;
+    let unknowns = campaign
+        .unknowns()
+        .iter()
+        .zip(&at)
+        .map(|(unknown, &value)| Drawn {
+            name: unknown.name.clone(),
+            unit: unknown.unit.clone(),
+            value,
+        })
+        .collect();
+    let mut made = study.clone();
+    let off = recipe.outlier.map(|sigmas| {
+        let count = value.len() as f64;
+        let which = ((draws.uniform(OUTLIER, 0) * count) as usize).min(value.len().saturating_sub(1));
+        (which, sigmas * draws.normal(OUTLIER, 1).signum())
+    });
+    let mut unread = Vec::new();
+    for (index, case) in made.cases.iter_mut().enumerate() {
+        case.made = Some(recipe.made);
+        case.rows.retain_mut(|row| {
+            let is_it = |observable: &crate::study::Observable| {
+                observable.condition == index && observable.line == row.line
+            };
+            let Some(place) = campaign.observables().iter().position(is_it) else {
+                unread.push(format!("{} line {}", case.name, row.line));
+                return false;
+            };
+            let off = off
+                .filter(|(which, _)| *which == place)
+                .map_or(0.0, |(_, off)| off);
+            let scatter = recipe.noise * draws.normal(NOISE, place as u64) + off;
+            fill(row, value[place] + row.sigma * scatter);
+            true
+        });
+    }
+    Ok(Synthetic {
+        study: made,
+        answer: Answer {
+            recipe: recipe.clone(),
+            acted,
+            unknowns,
+            background,
+            unread,
+        },
+    })
+}
+
+fn fill(row: &mut Row, value: f64) {
+    row.value = value;
+    row.is_planned = false;
+}
+
+/// Place of a wing among those of a study.
+fn wing_number(study: &LoadedStudy, name: &str) -> u64 {
+    let mut wings: Vec<&str> = Vec::new();
+    for case in &study.cases {
+        if !wings.contains(&case.loaded.design.name.as_str()) {
+            wings.push(&case.loaded.design.name);
+        }
+    }
+    wings.iter().position(|wing| *wing == name).unwrap_or(0) as u64
+}
+
+impl Recipe {
+    /// Nothing hidden: other meshes, one percent of background error, noise as stated.
+    pub fn new(seed: u64) -> Recipe {
+        Recipe {
+            hidden: Vec::new(),
+            made: Made {
+                mesh: 1.25,
+                formulas: Formulas::Other,
+                background: 0.01,
+                seed,
+            },
+            noise: 1.0,
+            outlier: None,
+        }
+    }
+}
