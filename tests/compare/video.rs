@@ -5,7 +5,7 @@ use std::path::Path;
 use nalgebra::{Rotation2, Vector2};
 use washout::coupling;
 use washout::coupling::solution::Solution;
-use washout::diagnose::draws::Draws;
+use washout::study::draws::Draws;
 use washout::geometry::Planform;
 use washout::input::design::{CameraAxis, Design, Instrument};
 use washout::input::study::RulerKind;
