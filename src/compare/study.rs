@@ -129,7 +129,7 @@ pub struct Correlation {
 /// If a case has no solution, or the fit does not settle.
 pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison, StudyError> {
     let start = campaign.start();
-    let before = campaign.linearize(&start, &|_| true)?;
+    let (before, footing) = campaign.linearize_from(None, &start, &|_| true)?;
     let (observables, conditions) = (campaign.observables(), campaign.conditions());
     let fitted = |row: &usize| !conditions[observables[*row].condition].is_held_out;
     let rows: Vec<usize> = (0..observables.len()).filter(fitted).collect();
@@ -140,6 +140,7 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
         noise: &noise,
         free: &free,
         start: &start,
+        footing: footing.as_ref(),
     };
     let fit = (!free.is_empty() && !rows.is_empty())
         .then(|| calibrate(campaign, &task))

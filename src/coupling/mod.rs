@@ -86,10 +86,17 @@ pub fn solve_from(
 ) -> Result<Solution, CouplingError> {
     progress.check()?;
     let wing = Wing::new(design, mesh, air_table)?;
-    solve_wing(design, &wing, mesh, nearby, progress)
+    solve_wing(
+        design,
+        &wing,
+        mesh,
+        nearby.map(|solution| (solution, None)),
+        progress,
+    )
 }
 
-/// As [`solve_from`], of the wing of a design that is set up already.
+/// As [`solve_from`], of the wing of a design that is set up already; beside the solution nearby the step from there, by
+/// freedom, to where the shape is expected.
 ///
 /// # Errors
 /// As [`solve`].
@@ -97,7 +104,7 @@ pub fn solve_wing(
     design: &Design,
     wing: &Wing,
     mesh: &Mesh,
-    nearby: Option<&Solution>,
+    nearby: Option<(&Solution, Option<&[f64]>)>,
     progress: &Progress,
 ) -> Result<Solution, CouplingError> {
     let mut equilibrium = Equilibrium::new(&wing.model)?;
@@ -131,7 +138,7 @@ fn couple(
     wing: &Wing,
     equilibrium: &mut Equilibrium,
     rest: &State,
-    nearby: Option<&Solution>,
+    nearby: Option<(&Solution, Option<&[f64]>)>,
     progress: &Progress,
 ) -> Result<Coupled, CouplingError> {
     let Design {
@@ -139,13 +146,14 @@ fn couple(
     } = design;
     let mut lost = 0;
     if coupling.accelerator == Accelerator::Newton && !wing.linear && structure.load_increments == 1 {
-        let nearby = nearby.and_then(|solution| newton::carried(wing, solution));
-        let near = nearby.iter().map(|shape| (shape, true));
-        for (shape, is_loaded) in near.chain([(rest, false)]) {
+        let nearby = nearby.and_then(|(solution, step)| Some((newton::carried(wing, solution)?, step)));
+        let near = nearby.iter().map(|(shape, step)| (shape, true, *step));
+        for (shape, is_loaded, step) in near.chain([(rest, false, None)]) {
             let start = newton::Start {
                 rest,
                 shape,
                 is_loaded,
+                step,
             };
             match newton::iterate(wing, equilibrium, start, coupling, progress)? {
                 Ok(mut found) => {

@@ -31,6 +31,8 @@ pub struct Start<'a> {
     pub shape: &'a State,
     /// Whether the films hang in that shape already.
     pub is_loaded: bool,
+    /// Step by freedom from there to where the shape is expected, to first order.
+    pub step: Option<&'a [f64]>,
 }
 
 /// Iterates; the inner error is the number of steps that did not settle.
@@ -47,6 +49,9 @@ pub fn iterate(
     let rest_twist = twists(&wing.strips.shapes(start.rest));
     let mut coupled = Coupled::at(start.shape.clone(), Loads::none(wing.model.nodes.len()));
     let mut way = Mixed::new();
+    if let Some(step) = start.step.filter(|step| step.len() == equilibrium.pattern.len()) {
+        coupled.state = equilibrium.move_mixed(start.shape, &mut step.to_vec(), &mut way);
+    }
     let mut shapes = wing.strips.shapes(&coupled.state);
     loop {
         progress.check()?;

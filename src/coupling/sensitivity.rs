@@ -70,6 +70,8 @@ pub struct Rate {
     pub state: Vec<f64>,
     /// Change of the shape without load, likewise; empty if it does not change.
     pub rest: Vec<f64>,
+    /// Whether the mesh moves too, and carries the shape along.
+    pub moves_mesh: bool,
     stencil: Stencil,
 }
 
@@ -160,6 +162,7 @@ impl<'a> Sensitivity<'a> {
                 }
             }
         }
+        let moves_mesh = around.points.iter().any(|(_, _, beside)| beside.moved.is_some());
         self.last = Some(around);
         let [[loaded, carried], rest] = sums;
         let mut state = Feedback::with_air(here, &mut self.equilibrium, &self.air)
@@ -172,6 +175,7 @@ impl<'a> Sensitivity<'a> {
             step,
             state,
             rest: self.rest_rate(rest)?,
+            moves_mesh,
             stencil,
         })
     }
@@ -195,6 +199,7 @@ impl<'a> Sensitivity<'a> {
             step: 1.0,
             state,
             rest: Vec::new(),
+            moves_mesh: false,
             stencil: CENTRAL,
         })
     }

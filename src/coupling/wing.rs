@@ -57,7 +57,8 @@ impl Wing {
         Wing::made(design, mesh, air_table, known, None, None)
     }
 
-    /// As [`Wing::new`]; a motion that an effect needs is sought from a solution of a design nearby.
+    /// As [`Wing::new`]; `alike`: the wing of another design on the same mesh, from which what both share is taken over;
+    /// a motion that an effect needs is sought from the solution `nearby`.
     ///
     /// # Errors
     /// As [`Wing::with_motion`].
@@ -65,9 +66,11 @@ impl Wing {
         design: &Design,
         mesh: &Mesh,
         air_table: Option<&[[f64; 3]]>,
+        alike: Option<&Wing>,
         nearby: Option<&Solution>,
     ) -> Result<Self, CouplingError> {
-        Wing::made(design, mesh, air_table, None, None, nearby)
+        let beside = alike.map(|wing| (wing, None));
+        Wing::made(design, mesh, air_table, None, beside, nearby)
     }
 
     /// The wing of another design on the same mesh: what both share is taken over. `seam`: where they differ, if that is by

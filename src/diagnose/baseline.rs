@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
 use crate::study::calibrate::misfit;
-use crate::study::{Fit, Forward};
+use crate::study::{Fit, Footing, Forward};
 
 use super::data::{Data, Scatter, start};
 use super::error::DiagnoseError;
@@ -54,6 +54,8 @@ pub struct Baseline<'a> {
     pub seen: Vec<DMatrix<f64>>,
     /// How the noise enters.
     pub likelihood: Likelihood,
+    /// What the model left at the first fit, with all derivatives.
+    pub footing: Option<Footing>,
 }
 
 impl<'a> Baseline<'a> {
@@ -78,11 +80,12 @@ impl<'a> Baseline<'a> {
             });
         }
         let stated = Scatter::new(forward, &data, &raw, settings, 1.0, vec![1.0; size])?;
-        let first = stated.fit(forward, &data, &data.model, &start)?;
+        let first = stated.fit(forward, &data, &data.model, &start, None)?;
         progress.check()?;
         progress.say("derivatives with every effect");
-        let slopes = slopes_of_missing(forward, &data, &first.at, settings)?;
-        let mut moment = forward.moment_response(&first.at, settings.stations)?;
+        let (slopes, footing) =
+            slopes_of_missing(forward, &data, &first.at, settings, first.footing.as_ref())?;
+        let mut moment = forward.moment_response_from(footing.as_ref(), &first.at, settings.stations)?;
         let kept = data.kept_bounds(forward, &first.predicted);
         for &row in &kept {
             moment.row_mut(row).fill(0.0);
@@ -103,7 +106,7 @@ impl<'a> Baseline<'a> {
         let widening = glance.outliers();
         let scatter = glance.settle(widening)?;
         progress.say("fitting the model with the scatter that the data show");
-        let fit = scatter.fit(forward, &data, &data.model, &first.at)?;
+        let fit = scatter.fit(forward, &data, &data.model, &first.at, footing.as_ref())?;
         let local = Local::about(&fit, forward, &scatter.noise);
         let whitened = Whitened::new(&local, &scatter.noise)?;
         let directions = Directions::new(&data, &slopes, &whitened);
@@ -124,6 +127,7 @@ impl<'a> Baseline<'a> {
             fields,
             seen,
             likelihood,
+            footing,
         })
     }
 

@@ -6,7 +6,7 @@ use nalgebra::DVector;
 
 use crate::input::measurement::Bound;
 use crate::study::calibrate::misfit;
-use crate::study::{Fit, Forward, Noise, Observable, Task, Unknown, UnknownKind, calibrate};
+use crate::study::{Fit, Footing, Forward, Noise, Observable, Task, Unknown, UnknownKind, calibrate};
 
 use super::error::DiagnoseError;
 use super::settings::Settings;
@@ -166,7 +166,7 @@ impl Scatter {
         })
     }
 
-    /// Fits `free` from `start`.
+    /// Fits `free` from `start`; `footing`: what the model left near there.
     ///
     /// # Errors
     /// If the model has no solution there or the search does not settle.
@@ -176,12 +176,14 @@ impl Scatter {
         data: &Data,
         free: &[usize],
         start: &[f64],
+        footing: Option<&Footing>,
     ) -> Result<Fit, DiagnoseError> {
         let task = Task {
             rows: &data.rows,
             noise: &self.noise,
             free,
             start,
+            footing,
         };
         let fit = calibrate(forward, &task)?;
         if fit.q.is_finite() && fit.slopes.iter().all(|slope| slope.is_finite()) {

@@ -173,6 +173,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         scatter: &baseline.scatter,
         baseline: &baseline.fit,
         slopes: &baseline.slopes,
+        footing: baseline.footing.as_ref(),
         likelihood: baseline.likelihood,
     };
     let count = if is_null {
@@ -247,7 +248,14 @@ fn refit_pairs(
         return Ok(());
     };
     progress.say("derivatives with every effect, the best one in the model");
-    let slopes = slopes_of_missing(baseline.forward, &baseline.data, &fit.at, baseline.settings)?;
+    let footing = fit.footing.as_ref();
+    let (slopes, _) = slopes_of_missing(
+        baseline.forward,
+        &baseline.data,
+        &fit.at,
+        baseline.settings,
+        footing,
+    )?;
     let whitened = Whitened::new(local, &baseline.scatter.noise)?;
     let mut directions = Directions::new(&baseline.data, &slopes, &whitened);
     let family = judgement.singles[best_index].families[0];

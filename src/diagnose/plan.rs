@@ -62,7 +62,7 @@ pub fn plan(forward: &dyn Forward, settings: &Settings, progress: &Progress) -> 
     let is_of_model = |name: &str| data.model.iter().any(|&i| unknowns[i].name == name);
     let linear = forward.linearize(&start, &|unknown| is_of_model(&unknown.name))?;
     progress.check()?;
-    let slopes = slopes_of_missing(forward, &data, &start, settings)?;
+    let (slopes, _) = slopes_of_missing(forward, &data, &start, settings, None)?;
     let size = data.rows.len();
     let scale = settings.noise_scale.unwrap_or(1.0);
     let scatter = Scatter::new(forward, &data, &linear.value, settings, scale, vec![1.0; size])?;

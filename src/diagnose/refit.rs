@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use crate::study::{Fit, Forward};
+use crate::study::{Fit, Footing, Forward};
 
 use super::data::{Data, Scatter};
 use super::error::DiagnoseError;
@@ -44,6 +44,8 @@ pub struct Refits<'a> {
     pub baseline: &'a Fit,
     /// Derivatives of all observables with the missing effects, per prior standard deviation.
     pub slopes: &'a DMatrix<f64>,
+    /// What the model left where these hold.
+    pub footing: Option<&'a Footing>,
     /// How the noise enters.
     pub likelihood: Likelihood,
 }
@@ -63,7 +65,10 @@ impl Refits<'_> {
             self.start(members, estimates),
             self.cautious_start(&effects, estimates),
         ] {
-            let fit = match self.scatter.fit(self.forward, self.data, &free, &start) {
+            let fit = match self
+                .scatter
+                .fit(self.forward, self.data, &free, &start, self.footing)
+            {
                 Ok(fit) => fit,
                 Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),
                 Err(_) => continue,

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, Normal};
 
-use crate::study::{Forward, Unknown, UnknownKind};
+use crate::study::{Footing, Forward, Unknown, UnknownKind};
 
 use super::data::Data;
 use super::error::DiagnoseError;
@@ -68,7 +68,7 @@ pub fn is_one_sided(unknown: &Unknown) -> bool {
 
 /// Derivatives of all observables with the missing effects at `at`, one column each, per prior standard deviation.
 ///
-/// An effect with a kink at zero is seen from a step.
+/// An effect with a kink at zero is seen from a step. Besides, what the model leaves there; `footing`: what it left nearby.
 ///
 /// # Errors
 /// If the model has no solution there, or a derivative is not finite.
@@ -77,10 +77,12 @@ pub fn slopes_of_missing(
     data: &Data,
     at: &[f64],
     settings: &Settings,
-) -> Result<DMatrix<f64>, DiagnoseError> {
+    footing: Option<&Footing>,
+) -> Result<(DMatrix<f64>, Option<Footing>), DiagnoseError> {
     let unknowns = forward.unknowns();
     let names: Vec<&str> = data.missing.iter().map(|&i| unknowns[i].name.as_str()).collect();
-    let linear = forward.linearize(at, &|unknown| names.contains(&unknown.name.as_str()))?;
+    let wanted = |unknown: &Unknown| names.contains(&unknown.name.as_str());
+    let (linear, left) = forward.linearize_from(footing, at, &wanted)?;
     let mut slopes = linear.jacobian.select_columns(data.missing.iter());
     for (k, &i) in data.missing.iter().enumerate() {
         let switch = matches!(unknowns[i].kind, UnknownKind::Effect { has_switch: true, .. });
@@ -103,7 +105,7 @@ pub fn slopes_of_missing(
     for row in data.kept_bounds(forward, &linear.value) {
         slopes.row_mut(row).fill(0.0);
     }
-    Ok(slopes)
+    Ok((slopes, left))
 }
 
 impl Directions {

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::input::measurement::Bound;
 
 use super::error::StudyError;
-use super::forward::{Forward, Linear, Observable};
+use super::forward::{Footing, Forward, Linear, Observable};
 use super::noise::Noise;
 
 /// Steps allowed.
@@ -43,6 +43,8 @@ pub struct Fit {
     pub predicted: DVector<f64>,
     /// Steps taken.
     pub steps: usize,
+    /// What the model left there.
+    pub footing: Option<Footing>,
 }
 
 /// What a fit is to do.
@@ -56,6 +58,8 @@ pub struct Task<'a> {
     pub free: &'a [usize],
     /// Where to start.
     pub start: &'a [f64],
+    /// What the model left where it was asked before, near the start.
+    pub footing: Option<&'a Footing>,
 }
 
 /// Measured minus modelled for one observable: nothing where it is a bound that the model keeps.
@@ -80,7 +84,10 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
     let free: Vec<usize> = task.free.to_vec();
     let wanted = |name: &str| free.iter().any(|&i| unknowns[i].name == name);
     let mut at = task.start.to_vec();
-    let mut linear = forward.linearize(&at, &|unknown| wanted(&unknown.name))?;
+    let ask = |footing: Option<&Footing>, at: &[f64]| {
+        forward.linearize_from(footing, at, &|unknown| wanted(&unknown.name))
+    };
+    let (mut linear, mut footing) = ask(task.footing, &at)?;
     let mut damping = 1e-3;
     let mut fall = f64::INFINITY;
     // why a trial had no solution, until whole steps succeed again: a search held back by such trials has found nothing
@@ -91,23 +98,26 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
         if moved.size < TOLERANCE || fall < TOLERANCE * TOLERANCE * (1.0 + here.q()) {
             return match unsolved {
                 Some(error) => Err(error),
-                None => Ok(here.fit(forward, task, at, linear, step)),
+                None => Ok(Fit {
+                    footing,
+                    ..here.fit(forward, task, at, linear, step)
+                }),
             };
         }
-        match forward.linearize(&moved.at, &|unknown| wanted(&unknown.name)) {
+        match ask(footing.as_ref(), &moved.at) {
             Err(cancelled @ StudyError::Cancelled(_)) => return Err(cancelled),
             Err(error) => {
                 unsolved = Some(error);
                 damping *= 10.0;
             }
-            Ok(trial) => {
+            Ok((trial, left)) => {
                 if damping <= 1.0 {
                     unsolved = None;
                 }
                 let q = Local::new(forward, task, &moved.at, &trial).q();
                 if q <= here.q() {
                     fall = here.q() - q;
-                    (at, linear) = (moved.at, trial);
+                    (at, linear, footing) = (moved.at, trial, left);
                     damping = (damping * 0.1).max(1e-9);
                 } else {
                     damping *= 10.0;
@@ -224,6 +234,7 @@ impl Local {
             predicted: linear.value,
             at,
             steps,
+            footing: None,
         }
     }
 }
@@ -289,6 +300,7 @@ mod tests {
                 noise: &noise,
                 free: &[0, 1],
                 start: &[1.0, 0.1],
+                footing: None,
             };
             calibrate(self, &task).unwrap()
         }
@@ -403,6 +415,7 @@ mod tests {
                 noise: &noise,
                 free: &[0, 1],
                 start: &[1.0, 0.1],
+                footing: None,
             };
             assert_eq!(calibrate(&cliff, &task).unwrap_err(), error());
         }

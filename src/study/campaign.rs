@@ -1,5 +1,7 @@
 //! A study as a forward model: its cases solved, read as they were measured, with the ruler's nuisances.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::{DMatrix, DVector};
@@ -7,7 +9,8 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 
 use super::case::{PreparedCase, Solved};
 use super::error::StudyError;
-use super::forward::{Condition, Forward, Linear, Observable, Unknown, UnknownKind};
+use super::footing::{Ground, Stand};
+use super::forward::{Condition, Footing, Forward, Linear, Observable, Unknown, UnknownKind};
 use super::unknowns::{Target, Targets};
 use super::work::{Tally, Work};
 use crate::input::measurement::Channel;
@@ -70,7 +73,7 @@ impl Campaign {
         let solved: Vec<(Vec<Result<f64, String>>, Solved)> = cases
             .par_iter()
             .map(|case| {
-                let solved = case.solve(&case.design, &progress.unseen())?;
+                let solved = case.solve(&case.design, None, &progress.unseen())?;
                 tally.add(solved.work());
                 Ok((case.read_each(&solved.at)?, solved))
             })
@@ -182,11 +185,12 @@ impl Campaign {
         Ok(design)
     }
 
-    /// What each case gives, read as measured, side by side; before the ruler.
+    /// What each case gives, side by side, solved from `footing` if there is one; before the ruler.
     fn each<T: Send>(
         &self,
+        footing: Option<&Footing>,
         at: &[f64],
-        give: impl Fn(usize, &PreparedCase, &Solved) -> Result<T, StudyError> + Sync,
+        give: impl Fn(usize, Stand) -> Result<T, StudyError> + Sync,
     ) -> Result<Vec<T>, StudyError> {
         let times = 1 + self.asked.fetch_add(1, Ordering::Relaxed);
         self.progress.say(format_args!(
@@ -194,17 +198,55 @@ impl Campaign {
             self.name,
             self.cases.len()
         ));
-        let unseen = self.progress.unseen();
+        let ground = footing.and_then(Footing::get::<Ground>);
         (0..self.cases.len())
             .into_par_iter()
-            .map(|index| {
-                let case = &self.cases[index];
-                let design = self.design_at(index, at)?;
-                let solved = case.solve(&design, &unseen)?;
-                self.tally.add(solved.work());
-                give(index, case, &solved)
-            })
+            .map(|index| give(index, self.stand(index, ground, at)?))
             .collect()
+    }
+
+    /// A case solved: as it was on `ground` if nothing that acts on it has moved, else from there.
+    fn stand(&self, index: usize, ground: Option<&Ground>, at: &[f64]) -> Result<Stand, StudyError> {
+        let touches = |unknown: usize| matches!(&self.targets.targets[unknown], Target::Key { cases, .. } if cases.contains(&index));
+        if let Some(ground) = ground.filter(|ground| ground.is_same(at, touches)) {
+            return Ok(ground.cases[index].clone());
+        }
+        let case = &self.cases[index];
+        let near = ground.map(|ground| ground.near(index, at));
+        let design = self.design_at(index, at)?;
+        let solved = case.solve(&design, near.as_ref(), &self.progress.unseen())?;
+        self.tally.add(solved.work());
+        Ok(Stand {
+            reading: Arc::new(case.read(&solved.at)?),
+            solved: Arc::new(solved),
+            columns: BTreeMap::new(),
+        })
+    }
+
+    /// The same with the derivatives that are wanted.
+    fn with_columns(
+        &self,
+        index: usize,
+        mut stand: Stand,
+        at: &[f64],
+        wanted: &[bool],
+    ) -> Result<Stand, StudyError> {
+        let mut asked: Vec<(usize, String, Option<f64>)> = Vec::new();
+        for (k, target) in self.targets.targets.iter().enumerate() {
+            if let Target::Key { key, cases } = target
+                && wanted[k]
+                && cases.contains(&index)
+                && !stand.columns.contains_key(&k)
+            {
+                asked.push((k, key.clone(), self.switch_step(k, at[k])));
+            }
+        }
+        let progress = self.progress.unseen();
+        let (columns, work) = self.cases[index].rates(&stand.solved, &asked, &progress)?;
+        self.tally.add(work);
+        let columns = columns.into_iter().map(|(k, column)| (k, Arc::new(column)));
+        stand.columns.extend(columns);
+        Ok(stand)
     }
 }
 
@@ -222,7 +264,9 @@ impl Forward for Campaign {
     }
 
     fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
-        let raw = self.each(at, |_, case, solved| case.read(&solved.at))?.concat();
+        let raw = self
+            .each(None, at, |_, stand| Ok(stand.reading.to_vec()))?
+            .concat();
         let seen = raw.into_iter().enumerate().map(|(row, y)| {
             let (scale, offset) = self.ruler(at, row);
             scale * y + offset
@@ -231,30 +275,29 @@ impl Forward for Campaign {
     }
 
     fn linearize(&self, at: &[f64], wanted: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError> {
+        Ok(self.linearize_from(None, at, wanted)?.0)
+    }
+
+    fn linearize_from(
+        &self,
+        footing: Option<&Footing>,
+        at: &[f64],
+        wanted: &dyn Fn(&Unknown) -> bool,
+    ) -> Result<(Linear, Option<Footing>), StudyError> {
         let wanted: Vec<bool> = self.targets.unknowns.iter().map(wanted).collect();
-        let parts = self.each(at, |index, case, solved| {
-            let mut columns: Vec<(usize, String, Option<f64>)> = Vec::new();
-            for (k, target) in self.targets.targets.iter().enumerate() {
-                if let Target::Key { key, cases } = target
-                    && wanted[k]
-                    && cases.contains(&index)
-                {
-                    columns.push((k, key.clone(), self.switch_step(k, at[k])));
-                }
-            }
-            let (rates, work) = case.rates(solved, &columns, &self.progress.unseen())?;
-            self.tally.add(work);
-            Ok((case.read(&solved.at)?, rates))
+        let stands = self.each(footing, at, |index, stand| {
+            self.with_columns(index, stand, at, &wanted)
         })?;
         let size = self.observables.len();
         let mut value = DVector::zeros(size);
         let mut jacobian = DMatrix::zeros(size, wanted.len());
-        for (case, (raw, rates)) in parts.into_iter().enumerate() {
+        for (case, stand) in stands.iter().enumerate() {
+            let raw = &stand.reading;
             for (place, row) in self.rows_of(case).enumerate() {
                 let (scale, offset) = self.ruler(at, row);
                 value[row] = scale * raw[place] + offset;
-                for (k, column) in &rates {
-                    jacobian[(row, *k)] = scale * column[place];
+                for (k, column) in stand.columns.iter().filter(|(k, _)| wanted[**k]) {
+                    jacobian[(row, *k)] = scale * column.rates[place];
                 }
                 for (k, target) in self.targets.targets.iter().enumerate() {
                     if let Target::Ruler { kind, rows } = target
@@ -269,11 +312,26 @@ impl Forward for Campaign {
                 }
             }
         }
-        Ok(Linear { value, jacobian })
+        let ground = Ground {
+            at: at.to_vec(),
+            cases: stands,
+        };
+        Ok((Linear { value, jacobian }, Some(Footing::new(ground))))
     }
 
     fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {
-        let parts = self.each(at, |_, case, solved| case.moment_response(solved, stations))?;
+        self.moment_response_from(None, at, stations)
+    }
+
+    fn moment_response_from(
+        &self,
+        footing: Option<&Footing>,
+        at: &[f64],
+        stations: usize,
+    ) -> Result<DMatrix<f64>, StudyError> {
+        let parts = self.each(footing, at, |index, stand| {
+            self.cases[index].moment_response(&stand.solved, stations)
+        })?;
         let mut response = DMatrix::zeros(self.observables.len(), stations);
         for (case, part) in parts.into_iter().enumerate() {
             for (place, row) in self.rows_of(case).enumerate() {

@@ -7,6 +7,7 @@ use std::fmt::Display;
 use nalgebra::Vector3;
 
 use super::error::StudyError;
+use super::footing::Column;
 use super::forward::{Condition, Observable};
 use super::work::Work;
 use crate::aero::{AirLaw, Flow};
@@ -36,13 +37,22 @@ pub struct PreparedCase {
     pub rows: Vec<Row>,
     is_held_out: bool,
     /// The case as it stands, from which it is solved with other values: fixed by the study, so that results are too.
-    base: Option<Solution>,
+    base: Option<Solved>,
     air_table: Option<Vec<[f64; 3]>>,
     mesh_file: Option<(String, Vec<u8>)>,
 }
 
-/// Values per row for the index of a column.
-pub type Rates = Vec<(usize, Vec<f64>)>;
+/// How a case answers, for the index of a column.
+pub type Columns = Vec<(usize, Column)>;
+
+/// Where a solve starts.
+#[derive(Debug)]
+pub struct Near<'a> {
+    /// A solution of the case with other values.
+    pub solution: &'a Solution,
+    /// Step by freedom from there to where the shape is expected.
+    pub step: Option<Vec<f64>>,
+}
 
 /// A solved case: design, outline and solution, and the wing that was solved.
 #[derive(Debug, Clone)]
@@ -132,7 +142,7 @@ impl PreparedCase {
 
     /// Starts every further solve from this one.
     pub fn start_from(&mut self, solved: Solved) {
-        self.base = Some(solved.at.solution);
+        self.base = Some(solved);
     }
 
     /// A failure of this case.
@@ -154,16 +164,26 @@ impl PreparedCase {
         }
     }
 
-    /// Solves the case with a design of its own.
+    /// Solves the case with a design of its own, from `near` or else from the case as it stands.
     ///
     /// # Errors
     /// If there is no solution.
-    pub fn solve(&self, design: &Design, progress: &Progress) -> Result<Solved, StudyError> {
+    pub fn solve(
+        &self,
+        design: &Design,
+        near: Option<&Near>,
+        progress: &Progress,
+    ) -> Result<Solved, StudyError> {
         progress.check()?;
         let (planform, mesh) = self.mesh(design).map_err(|error| self.failed(error))?;
-        let (table, base) = (self.air_table.as_deref(), self.base.as_ref());
-        let wing = Wing::near(design, &mesh, table, base).map_err(|error| self.unsolved(error))?;
-        let solution = coupling::solve_wing(design, &wing, &mesh, base, progress);
+        let base = self.base.as_ref();
+        let start = near.map(|near| (near.solution, near.step.as_deref()));
+        let start = start.or(base.map(|base| (&base.at.solution, None)));
+        let alike = base.filter(|base| base.at.solution.mesh == mesh);
+        let (alike, nearby) = (alike.map(|base| &base.wing), start.map(|(nearby, _)| nearby));
+        let wing = Wing::near(design, &mesh, self.air_table.as_deref(), alike, nearby)
+            .map_err(|error| self.unsolved(error))?;
+        let solution = coupling::solve_wing(design, &wing, &mesh, start, progress);
         let at = Nearby {
             design: design.clone(),
             planform,
@@ -255,7 +275,7 @@ impl PreparedCase {
         solved: &Solved,
         columns: &[(usize, String, Option<f64>)],
         progress: &Progress,
-    ) -> Result<(Rates, Work), StudyError> {
+    ) -> Result<(Columns, Work), StudyError> {
         let mut work = Work::default();
         if columns.is_empty() {
             return Ok((Vec::new(), work));
@@ -274,14 +294,18 @@ impl PreparedCase {
                 Some(step) => {
                     let mut design = solved.design.clone();
                     design.set(key, *step).map_err(|error| self.failed(error))?;
-                    let there = self.solve(&design, progress)?;
+                    let from = Near {
+                        solution: &solved.solution,
+                        step: None,
+                    };
+                    let there = self.solve(&design, Some(&from), progress)?;
                     work += there.work();
                     let there = self.read(&there.at)?;
-                    there
-                        .iter()
-                        .zip(&here)
-                        .map(|(there, here)| (there - here) / step)
-                        .collect()
+                    let rates = there.iter().zip(&here);
+                    Column {
+                        rates: rates.map(|(there, here)| (there - here) / step).collect(),
+                        shape: None,
+                    }
                 }
                 None => {
                     work.derivatives += 1;
@@ -296,7 +320,10 @@ impl PreparedCase {
                     if let Some(error) = unread.into_inner() {
                         return Err(error);
                     }
-                    column.map_err(|error| self.failed(error))?
+                    Column {
+                        rates: column.map_err(|error| self.failed(error))?,
+                        shape: (!rate.moves_mesh).then_some(rate.state),
+                    }
                 }
             };
             rates.push((*index, column));

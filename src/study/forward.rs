@@ -1,5 +1,9 @@
 //! What a fit needs of a model: its unknowns, its observables, its predictions and how they answer to the unknowns.
 
+use std::any::Any;
+use std::fmt;
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -99,6 +103,28 @@ pub struct Linear {
     pub jacobian: DMatrix<f64>,
 }
 
+/// What an answer of a model leaves for its next ones; only the model that left it can read it.
+#[derive(Clone)]
+pub struct Footing(Arc<dyn Any + Send + Sync>);
+
+impl Footing {
+    /// Of what a model wants to keep.
+    pub fn new<T: Any + Send + Sync>(kept: T) -> Footing {
+        Footing(Arc::new(kept))
+    }
+
+    /// What was kept, if it is of this type.
+    pub fn get<T: Any>(&self) -> Option<&T> {
+        self.0.downcast_ref()
+    }
+}
+
+impl fmt::Debug for Footing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Footing")
+    }
+}
+
 /// A model with unknowns, seen through observables.
 ///
 /// Vectors of unknowns are in the order of [`Forward::unknowns`] and in their units, predictions in the order of
@@ -125,6 +151,33 @@ pub trait Forward: Sync {
     /// # Errors
     /// As [`Forward::predict`].
     fn linearize(&self, at: &[f64], wanted: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError>;
+
+    /// As [`Forward::linearize`], from the footing of an earlier answer, if there is one: the same but for the tolerance of
+    /// the solves, and sooner. It leaves a footing of its own.
+    ///
+    /// # Errors
+    /// As [`Forward::predict`].
+    fn linearize_from(
+        &self,
+        _footing: Option<&Footing>,
+        at: &[f64],
+        wanted: &dyn Fn(&Unknown) -> bool,
+    ) -> Result<(Linear, Option<Footing>), StudyError> {
+        Ok((self.linearize(at, wanted)?, None))
+    }
+
+    /// As [`Forward::moment_response`], from a footing.
+    ///
+    /// # Errors
+    /// As [`Forward::predict`].
+    fn moment_response_from(
+        &self,
+        _footing: Option<&Footing>,
+        at: &[f64],
+        stations: usize,
+    ) -> Result<DMatrix<f64>, StudyError> {
+        self.moment_response(at, stations)
+    }
 
     /// Response of every observable (row) to a moment per length about the span axis (N·m/m, positive: washout) in its
     /// own condition, spread as a hat function around each of `stations` places evenly spaced from base to tip

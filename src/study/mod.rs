@@ -12,6 +12,8 @@ pub mod draws;
 
 pub mod error;
 
+mod footing;
+
 pub mod forward;
 
 pub mod noise;
@@ -36,7 +38,7 @@ pub use band::{OutputBand, SurrogateQuality};
 pub use calibrate::{Fit, Task, calibrate};
 pub use campaign::{Campaign, SkippedRow};
 pub use error::StudyError;
-pub use forward::{Condition, Forward, Linear, Observable, Unknown, UnknownKind};
+pub use forward::{Condition, Footing, Forward, Linear, Observable, Unknown, UnknownKind};
 pub use noise::Noise;
 pub use output::{Output, ProfileOutputs};
 pub use shares::Share;

@@ -1,0 +1,62 @@
+//! What a solved point leaves for others nearby: its cases, their derivatives, and how their shapes answer to the unknowns.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::case::{Near, Solved};
+
+/// A point at which all cases were solved.
+#[derive(Debug)]
+pub(super) struct Ground {
+    /// Value of every unknown.
+    pub at: Vec<f64>,
+    /// Each case there.
+    pub cases: Vec<Stand>,
+}
+
+/// A solved case, and what is known about it.
+#[derive(Debug, Clone)]
+pub(super) struct Stand {
+    /// The case.
+    pub solved: Arc<Solved>,
+    /// What its instrument reads.
+    pub reading: Arc<Vec<f64>>,
+    /// Derivatives, by index of the unknown.
+    pub columns: BTreeMap<usize, Arc<Column>>,
+}
+
+/// How a case answers to an unknown.
+#[derive(Debug)]
+pub struct Column {
+    /// Derivative of every row.
+    pub rates: Vec<f64>,
+    /// Change of the loaded shape by freedom, per unit of the unknown; none if the mesh moves too, or there is a kink.
+    pub shape: Option<Vec<f64>>,
+}
+
+impl Ground {
+    /// Whether a case is the same at another point; `touches`: whether an unknown acts on it.
+    pub fn is_same(&self, at: &[f64], touches: impl Fn(usize) -> bool) -> bool {
+        let mut values = self.at.iter().zip(at).enumerate();
+        values.all(|(unknown, (old, new))| old.to_bits() == new.to_bits() || !touches(unknown))
+    }
+
+    /// Where the solve of a case at another point starts: its shape there to first order, as far as that is known.
+    pub fn near(&self, case: usize, at: &[f64]) -> Near<'_> {
+        let stand = &self.cases[case];
+        let mut step: Option<Vec<f64>> = None;
+        for (unknown, column) in &stand.columns {
+            let change = at[*unknown] - self.at[*unknown];
+            if let (Some(shape), true) = (&column.shape, change != 0.0) {
+                let step = step.get_or_insert_with(|| vec![0.0; shape.len()]);
+                step.iter_mut()
+                    .zip(shape)
+                    .for_each(|(s, rate)| *s += change * rate);
+            }
+        }
+        Near {
+            solution: &stand.solved.at.solution,
+            step,
+        }
+    }
+}
