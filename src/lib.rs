@@ -10,7 +10,8 @@
 //!
 //! diagnose: which effect a model lacks, or none that is known ←─ study
 //!
-//! export: any result into bytes        cli: one file per verb        progress: for every room
+//! export: any result into bytes ←─ plot: pictures from numbers
+//! cli: one file per verb        progress: for every room
 //! ```
 //!
 //! Data flows one way; `tests/floor_plan` keeps it so. The shortest way through: `examples/first_run.rs`.
@@ -44,6 +45,8 @@ pub mod synthesize;
 pub mod compare;
 
 pub mod diagnose;
+
+pub mod plot;
 
 pub mod export;
 

@@ -20,4 +20,4 @@ pub use comparison::{Comparison, compare};
 pub use row::{ComparedRow, NotCompared};
 pub use span::{ComparedStation, ProfileOrigin, SpanComparison};
 pub use stages::{FittedStage, ModelledStages};
-pub use study::{StudyComparison, StudyRow};
+pub use study::{StudyCase, StudyComparison, StudyRow};

@@ -4,10 +4,12 @@ use nalgebra::DVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::input::measurement::{Bound, Channel};
+use crate::input::measurement::{Bound, Channel, Row};
+use crate::input::study::CaseNumber;
 use crate::study::calibrate::misfit;
+use crate::study::case::PreparedCase;
 use crate::study::{
-    Campaign, Fit, Forward, Linear, Noise, StudyError, Task, Unknown, UnknownKind, calibrate,
+    Campaign, Condition, Fit, Forward, Linear, Noise, StudyError, Task, Unknown, UnknownKind, calibrate,
 };
 
 /// Posterior over prior width below which the data are said to know an unknown.
@@ -22,6 +24,8 @@ pub struct StudyComparison {
     pub study: String,
     /// Its title.
     pub title: String,
+    /// The cases.
+    pub cases: Vec<StudyCase>,
     /// Every measured number beside the model before and after calibration.
     pub rows: Vec<StudyRow>,
     /// Misfit by wing and channel, fitted and held-out apart.
@@ -38,6 +42,21 @@ pub struct StudyComparison {
     pub words: Vec<String>,
 }
 
+/// A case of a study.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StudyCase {
+    /// Its name.
+    pub name: String,
+    /// Name of its wing.
+    pub wing: String,
+    /// The form of its family, such as `bending-{mass}`; its name, if it stands alone.
+    pub family: String,
+    /// The numbers in which it differs from others of its family.
+    pub numbers: Vec<CaseNumber>,
+    /// Whether it was kept out of the fit.
+    pub is_held_out: bool,
+}
+
 /// A measured number beside the model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StudyRow {
@@ -45,6 +64,8 @@ pub struct StudyRow {
     pub case: String,
     /// Name of the wing.
     pub wing: String,
+    /// Line of the measurement file.
+    pub line: usize,
     /// Channel.
     pub channel: Channel,
     /// Run; may be empty.
@@ -53,6 +74,8 @@ pub struct StudyRow {
     pub r_mm: Option<f64>,
     /// Outer end of the interval, mm.
     pub r_to_mm: Option<f64>,
+    /// Chord fraction behind the leading edge at which a displacement is read.
+    pub chord_fraction: Option<f64>,
     /// Measured value in the unit of the channel.
     pub measured: f64,
     /// Its standard deviation.
@@ -176,6 +199,7 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
                 )
             })
             .collect(),
+        cases: cases_of(campaign),
         rows: study_rows,
         words: Vec::new(),
     };
@@ -183,8 +207,21 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
     Ok(comparison)
 }
 
+fn cases_of(campaign: &Campaign) -> Vec<StudyCase> {
+    let cases = campaign.cases().iter().zip(campaign.conditions());
+    let case = |(case, condition): (&PreparedCase, &Condition)| StudyCase {
+        name: case.name.clone(),
+        wing: condition.wing.clone(),
+        family: case.family.clone(),
+        numbers: case.numbers.clone(),
+        is_held_out: condition.is_held_out,
+    };
+    cases.map(case).collect()
+}
+
 fn rows_of(campaign: &Campaign, before: &Linear, after: &DVector<f64>) -> Vec<StudyRow> {
     let unknowns = campaign.unknowns();
+    let measured: Vec<&Row> = campaign.cases().iter().flat_map(|case| &case.rows).collect();
     let row = |(index, observable): (usize, &crate::study::Observable)| {
         let condition = &campaign.conditions()[observable.condition];
         let spread = unknowns
@@ -197,10 +234,12 @@ fn rows_of(campaign: &Campaign, before: &Linear, after: &DVector<f64>) -> Vec<St
         StudyRow {
             case: condition.name.clone(),
             wing: condition.wing.clone(),
+            line: observable.line,
             channel: observable.channel,
             run: observable.run.clone(),
             r_mm: observable.r_mm,
             r_to_mm: observable.r_to_mm,
+            chord_fraction: measured.get(index).and_then(|row| row.chord_fraction),
             measured: observable.value,
             sigma: observable.sigma,
             bound: observable.bound,

@@ -3,6 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
+use crate::plot::PlotError;
+
 /// Why a result could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
@@ -44,6 +46,9 @@ pub enum ExportError {
         /// What does not fit.
         reason: String,
     },
+    /// A picture cannot be drawn.
+    #[error(transparent)]
+    Picture(#[from] PlotError),
     /// A part of the wing that another program cannot model.
     #[error("{what} has no counterpart there; {cure}")]
     NoCounterpart {

@@ -32,6 +32,8 @@ pub mod comparison;
 
 pub mod diagnosis;
 
+pub mod pictures;
+
 pub mod difference;
 
 pub mod effects;

@@ -148,6 +148,11 @@ impl Campaign {
         self.tally.so_far()
     }
 
+    /// The cases; their measured rows one after the other are the observables.
+    pub fn cases(&self) -> &[PreparedCase] {
+        &self.cases
+    }
+
     /// Observables of a case, as a range of rows.
     fn rows_of(&self, case: usize) -> std::ops::Range<usize> {
         let before = |case: usize| self.cases[..case].iter().map(|c| c.rows.len()).sum::<usize>();

@@ -20,7 +20,7 @@ use crate::effects::{acting, is_applicable, named};
 use crate::geometry::Planform;
 use crate::input::Design;
 use crate::input::measurement::{Channel, Row};
-use crate::input::study::{LoadedCase, LoadedStudy};
+use crate::input::study::{CaseNumber, LoadedCase, LoadedStudy};
 use crate::lift::LiftReport;
 use crate::mesh::{Mesh, MeshError, MeshFile, for_design};
 use crate::observation::{Observer, read_channel};
@@ -31,6 +31,10 @@ use crate::progress::Progress;
 pub struct PreparedCase {
     /// Name of the case.
     pub name: String,
+    /// The form of its family, such as `bending-{mass}`.
+    pub family: String,
+    /// The numbers in which it differs from others of its family.
+    pub numbers: Vec<CaseNumber>,
     /// Design, with a table for every effect that may act.
     pub design: Design,
     /// Measured rows.
@@ -113,6 +117,8 @@ impl PreparedCase {
             .map_err(|error| failed(error.to_string()))?;
         Ok(PreparedCase {
             name: case.name.clone(),
+            family: case.family.clone(),
+            numbers: case.numbers.clone(),
             design,
             rows: case.rows.clone(),
             is_held_out: case.is_held_out,

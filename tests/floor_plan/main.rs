@@ -82,6 +82,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "compare",
         ],
     ),
+    ("plot", &[]),
     (
         "export",
         &[
@@ -100,6 +101,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "synthesize",
             "compare",
             "diagnose",
+            "plot",
         ],
     ),
     (

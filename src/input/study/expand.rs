@@ -1,5 +1,51 @@
 //! Families of cases: `bending-{mass}` stands for every measured case of that form, and its numbers for settings.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::input::unit::{unit_symbol, without_unit};
+
+/// A number that differs between the cases of a family.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CaseNumber {
+    /// What it is: the last part of the key that it sets, in words; its name in the form, if it sets none.
+    pub name: String,
+    /// Unit of the key that it sets; empty if it has none.
+    pub unit: String,
+    /// Its value in that unit.
+    pub value: f64,
+}
+
+/// The numbers of a case as what they set; each by the first of the settings that takes it.
+pub(super) fn case_numbers(settings: &[String], numbers: &[(&str, f64)]) -> Vec<CaseNumber> {
+    let found = |(name, value): &(&str, f64)| {
+        let set = settings.iter().find_map(|setting| {
+            let (key, text) = setting.split_once('=')?;
+            let inside = text.split('{').skip(1).filter_map(|part| part.split('}').next());
+            let factor = |inside: &str| match inside.split_once('*') {
+                None => (inside == *name).then_some(1.0),
+                Some((of, factor)) => (of.trim() == *name).then(|| factor.trim().parse().ok())?,
+            };
+            let factor: f64 = inside.filter_map(factor).next()?;
+            let last = key.trim().rsplit('.').next()?;
+            Some((last, factor))
+        });
+        let Some((key, factor)) = set else {
+            return CaseNumber {
+                name: name.replace('_', " "),
+                unit: String::new(),
+                value: *value,
+            };
+        };
+        CaseNumber {
+            name: without_unit(key).replace('_', " "),
+            unit: unit_symbol(key).unwrap_or_default().to_string(),
+            value: value * factor,
+        }
+    };
+    numbers.iter().map(found).collect()
+}
+
 /// A form such as `aero-{angle}-{speed}`: literals with named numbers between.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Form<'a> {
@@ -108,6 +154,35 @@ mod tests {
             Some(Vec::new())
         );
         assert!(Form::parse("a-{b").is_err() && Form::parse("a-{}").is_err());
+    }
+
+    #[test]
+    fn the_numbers_of_a_case_are_named_after_what_they_set() {
+        let settings = [
+            "load[0].mass_kg={mass*0.001}".to_string(),
+            "steady.root_angle_deg={angle}".to_string(),
+            "gravity.root_pitch_deg={angle}".to_string(),
+        ];
+        let found = case_numbers(&settings, &[("angle", 2.5), ("mass", 200.0), ("lot_number", 7.0)]);
+        let shown: Vec<(&str, &str, f64)> = found
+            .iter()
+            .map(|n| (n.name.as_str(), n.unit.as_str(), n.value))
+            .collect();
+        assert_eq!(
+            shown,
+            [
+                ("root angle", "deg", 2.5),
+                ("mass", "kg", 0.2),
+                ("lot number", "", 7.0)
+            ]
+        );
+        let in_list = ["load[0].moment_n_m=[{m*0.001}, 0, 0]".to_string()];
+        let found = case_numbers(&in_list, &[("m", 3.0)]);
+        assert_eq!(
+            (found[0].name.as_str(), found[0].unit.as_str()),
+            ("moment", "N·m")
+        );
+        assert!((found[0].value - 0.003).abs() < 1e-15);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
-use super::expand::{Form, put_in};
+use super::expand::{CaseNumber, Form, case_numbers, put_in};
 use super::{Case, Purpose, Study};
 use crate::input::check::{format_is_one, refuse};
 use crate::input::design::Design;
@@ -32,6 +32,10 @@ pub struct LoadedStudy {
 pub struct LoadedCase {
     /// Name: that of the measured case.
     pub name: String,
+    /// The form of its family, such as `bending-{mass}`; its name, if it stands alone.
+    pub family: String,
+    /// The numbers in which it differs from others of its family.
+    pub numbers: Vec<CaseNumber>,
     /// The design with the changes of the case.
     pub loaded: Loaded,
     /// The measurement file, as the user named it.
@@ -222,6 +226,8 @@ fn family(
         };
         cases.push(LoadedCase {
             name: name.to_string(),
+            family: case.measured.clone(),
+            numbers: case_numbers(&case.set, &numbers),
             loaded,
             measurement: measurement.file.clone(),
             made: measurement.made(),

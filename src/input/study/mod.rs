@@ -12,6 +12,7 @@ mod expand;
 
 mod load;
 
+pub use expand::CaseNumber;
 pub use load::{LoadedCase, LoadedStudy};
 
 /// A study. Unknown keys are refused.

@@ -1,0 +1,86 @@
+//! Measured minus modelled in standard deviations, case by station: `residuals-in-sigma.svg`.
+
+use crate::compare::StudyRow;
+use crate::plot::{Figure, HeatMap, HeatTable, Ink, Key, Panel, Sample, Shape};
+
+use super::compared::headline;
+use super::panels::{Compared, distinct, place_words};
+use super::{plain, words};
+
+/// A heat map: a row for each case, a column for each channel and station.
+pub fn figure(compared: &Compared) -> Figure {
+    let map = heat_map(compared);
+    let has = |is_fitted: bool| compared.rows.iter().any(|row| row.is_held_out != is_fitted);
+    let key = |label: &str, is_filled: bool| Key {
+        label: label.to_string(),
+        sample: Sample::Marker(Ink::Black, Shape::Circle, is_filled),
+    };
+    let legend = match (has(true), has(false)) {
+        (true, true) => vec![key("fitted", true), key("held out", false)],
+        _ => Vec::new(),
+    };
+    Figure {
+        title: format!("{} – measured minus modelled, in σ of the measurement", headline(compared)),
+        legend,
+        panels: vec![Panel::HeatMap(map)],
+        columns: None,
+        caption: "Orange: the wing does more than the model says; blue: less. A bound that the model keeps counts as 0."
+            .to_string(),
+    }
+}
+
+/// The numbers of the heat map.
+pub fn heat_map(compared: &Compared) -> HeatMap {
+    let key = |row: &StudyRow| (row.wing.clone(), row.case.clone());
+    let cases = distinct(compared.rows.iter().map(key));
+    let has_wings = cases.iter().any(|(wing, _)| *wing != cases[0].0);
+    let has_runs = distinct(compared.rows.iter().map(|row| row.run.clone())).len() > 1;
+    let column = |row: &StudyRow| {
+        let mut name = format!("{}{}", words(row.channel), place_words(row));
+        if let Some(fraction) = row.chord_fraction.filter(|fraction| *fraction != 0.0) {
+            name.push_str(&format!(", {} chord", plain(fraction)));
+        }
+        if has_runs && !row.run.is_empty() {
+            name.push_str(&format!(", run {}", row.run));
+        }
+        name
+    };
+    let columns = distinct(compared.rows.iter().map(column));
+    let rows = cases.iter().map(|(wing, case)| {
+        let of_case = |row: &&StudyRow| row.wing == *wing && row.case == *case;
+        let is_fitted = compared.rows.iter().filter(of_case).any(|row| !row.is_held_out);
+        let name = if has_wings && !case.contains(wing.as_str()) {
+            format!("{wing} {case}")
+        } else {
+            case.clone()
+        };
+        (name, is_fitted)
+    });
+    let table = |state: usize, title: &str| {
+        let mut cells = vec![vec![None; columns.len()]; cases.len()];
+        for row in &compared.rows {
+            let at = (
+                cases.iter().position(|case| *case == key(row)),
+                columns.iter().position(|name| *name == column(row)),
+            );
+            if let (Some(case), Some(place)) = at {
+                cells[case][place] = Some(row.errors()[state] / row.sigma);
+            }
+        }
+        HeatTable {
+            title: title.to_string(),
+            cells,
+        }
+    };
+    let tables = if compared.is_calibrated {
+        vec![table(0, "as stated"), table(1, "calibrated")]
+    } else {
+        vec![table(0, "as stated")]
+    };
+    HeatMap {
+        title: String::new(),
+        rows: rows.collect(),
+        columns,
+        tables,
+    }
+}

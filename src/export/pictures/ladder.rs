@@ -1,0 +1,96 @@
+//! The error falling from the model as stated to the noise: `ladder.svg`.
+
+use crate::diagnose::ladder::Rung;
+use crate::input::measurement::Channel;
+use crate::plot::{Figure, Ink, Key, Panel, Sample, Step, Waterfall};
+
+use super::{with_unit, words};
+
+/// Root mean square errors of one channel, step by step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fall {
+    /// Name of the wing; empty if it is of all.
+    pub wing: String,
+    /// What was measured.
+    pub channel: Channel,
+    /// Groups of data: fitted, left out, held out.
+    pub groups: Vec<String>,
+    /// Each step with the error of each group; none where a group has none.
+    pub steps: Vec<(String, Vec<Option<f64>>)>,
+}
+
+impl Fall {
+    /// Of the ladder of a diagnosis; groups that no rung has are left out.
+    pub fn of_rungs(rungs: &[Rung]) -> Vec<Fall> {
+        let Some(first) = rungs.first() else {
+            return Vec::new();
+        };
+        let all: [(&str, fn(&Rung) -> Option<f64>); 3] = [
+            ("fitted", |rung| Some(rung.in_sample)),
+            ("each case predicted from the others", |rung| rung.left_out),
+            ("held out", |rung| rung.held_out),
+        ];
+        let kept: Vec<_> = all
+            .into_iter()
+            .filter(|(_, of)| rungs.iter().any(|rung| of(rung).is_some()))
+            .collect();
+        vec![Fall {
+            wing: String::new(),
+            channel: first.channel,
+            groups: kept.iter().map(|(name, _)| name.to_string()).collect(),
+            steps: rungs
+                .iter()
+                .map(|rung| {
+                    (
+                        step_words(&rung.name),
+                        kept.iter().map(|(_, of)| of(rung)).collect(),
+                    )
+                })
+                .collect(),
+        }]
+    }
+}
+
+fn step_words(name: &str) -> String {
+    match name {
+        "raw" => "as stated".to_string(),
+        name => name.to_string(),
+    }
+}
+
+/// One waterfall for each.
+pub fn figure(title: &str, falls: &[Fall]) -> Figure {
+    let groups = falls.first().map_or(&[][..], |fall| &fall.groups);
+    let key = |(index, group): (usize, &String)| Key {
+        label: group.clone(),
+        sample: Sample::Swatch(Ink::Curve(index)),
+    };
+    Figure {
+        title: title.to_string(),
+        legend: groups.iter().enumerate().map(key).collect(),
+        panels: falls.iter().map(panel).collect(),
+        columns: None,
+        caption: "Full bars: what there is; pale bars: what a step takes away, down to the line. Noise: the standard \
+                  deviation of the measurement, below which no model should get."
+            .to_string(),
+    }
+}
+
+fn panel(fall: &Fall) -> Panel {
+    let last = fall.steps.len().saturating_sub(1);
+    let title = match fall.wing.as_str() {
+        "" => words(fall.channel),
+        wing => format!("{wing}: {}", words(fall.channel)),
+    };
+    let step = |(index, (label, levels)): (usize, &(String, Vec<Option<f64>>))| Step {
+        label: label.clone(),
+        levels: levels.clone(),
+        is_total: index == 0 || index == last,
+    };
+    Panel::Waterfall(Waterfall {
+        title,
+        y_label: with_unit("root mean square error", fall.channel.unit()),
+        groups: fall.groups.clone(),
+        steps: fall.steps.iter().enumerate().map(step).collect(),
+    })
+}

@@ -1,0 +1,130 @@
+//! A single wing against its measurement: twist in degrees along the span before the channels as measured.
+
+use crate::compare::{Comparison, ProfileOrigin, SpanComparison};
+use crate::input::measurement::{Bound, Channel};
+use crate::observation::TwistProfile;
+use crate::plot::{Chart, Figure, Ink, Key, Limit, Mark, Panel, Point, Sample, Shape, Weight};
+
+use super::compared;
+use super::panels::Compared;
+
+/// Model against measurement; `profile` is the whole modelled profile.
+pub fn figure(comparison: &Comparison, profile: &TwistProfile) -> Figure {
+    let mut rest = Compared::of_wing(comparison);
+    let has_twists = comparison
+        .span
+        .iter()
+        .any(|span| span.origin == ProfileOrigin::Twists);
+    if has_twists {
+        rest.rows.retain(|row| row.channel != Channel::Twist);
+    }
+    let mut figure = compared::figure(&rest);
+    let spans = comparison
+        .span
+        .iter()
+        .map(|span| chart(comparison, span, profile));
+    figure.panels = spans.chain(figure.panels).collect();
+    let has_rates = comparison
+        .span
+        .iter()
+        .any(|span| span.origin == ProfileOrigin::IntegratedRates);
+    if has_rates {
+        figure.legend.insert(
+            1,
+            Key {
+                label: "measured rates integrated from the base, ±1σ".to_string(),
+                sample: Sample::Band(Ink::Black, Weight::Thin),
+            },
+        );
+    }
+    if comparison.rows.len() > rest.rows.iter().filter(|row| row.r_mm.is_none()).count() {
+        figure.caption =
+            "Error bars: one standard deviation of the measurement. Positive twist is washout.".to_string();
+        if comparison.rows.iter().any(|row| row.bound != Bound::None) {
+            figure.caption.push_str(" An arrow: only a bound.");
+        }
+        if rest.rows.iter().any(|row| row.r_mm.is_none()) {
+            figure
+                .caption
+                .push_str(" Numbers of the whole wing stand in the table of residuals only.");
+        }
+    }
+    figure
+}
+
+fn chart(comparison: &Comparison, span: &SpanComparison, profile: &TwistProfile) -> Panel {
+    let is_same_instrument =
+        profile.instrument == comparison.instrument && profile.camera_axis == comparison.camera_axis;
+    let modelled: Vec<[f64; 2]> = if is_same_instrument {
+        let values = profile
+            .readings
+            .iter()
+            .filter(|reading| reading.bound == Bound::None);
+        values
+            .map(|reading| [reading.r_m * 1e3, reading.twist_rad.to_degrees()])
+            .collect()
+    } else {
+        span.stations
+            .iter()
+            .map(|station| [station.r_mm, station.modelled_deg])
+            .collect()
+    };
+    let mut marks = Vec::new();
+    let stations = span.stations.iter();
+    match span.origin {
+        ProfileOrigin::IntegratedRates => {
+            let values = stations.map(|s| [s.r_mm, s.measured_deg, s.sigma_deg]);
+            let points: Vec<[f64; 3]> = std::iter::once([0.0; 3]).chain(values).collect();
+            marks.push(Mark::Band {
+                points: points
+                    .iter()
+                    .map(|[x, y, sigma]| [*x, y - sigma, y + sigma])
+                    .collect(),
+                ink: Ink::Black,
+            });
+            marks.push(Mark::Line {
+                points: points.iter().map(|[x, y, _]| [*x, *y]).collect(),
+                ink: Ink::Black,
+                weight: Weight::Thin,
+            });
+        }
+        ProfileOrigin::Twists => marks.push(Mark::Points {
+            points: stations
+                .map(|s| Point {
+                    x: s.r_mm,
+                    x_to: None,
+                    y: s.measured_deg,
+                    sigma: s.sigma_deg,
+                    limit: match s.bound {
+                        Bound::None => Limit::None,
+                        Bound::Upper => Limit::Upper,
+                        Bound::Lower => Limit::Lower,
+                    },
+                })
+                .collect(),
+            ink: Ink::Curve(0),
+            shape: Shape::Circle,
+            is_filled: true,
+        }),
+    }
+    marks.insert(
+        0,
+        Mark::Line {
+            points: modelled,
+            ink: Ink::Curve(0),
+            weight: Weight::Thick,
+        },
+    );
+    let run = if span.run.is_empty() {
+        String::new()
+    } else {
+        format!(", run {}", span.run)
+    };
+    Panel::Chart(Chart {
+        title: format!("twist along the span{run}"),
+        x_label: "distance from the wing base (mm)".to_string(),
+        y_label: "twist, washout positive (deg)".to_string(),
+        marks,
+        has_zero_line: true,
+    })
+}
