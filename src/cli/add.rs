@@ -12,11 +12,18 @@ use crate::compare::StudyComparison;
 use crate::compare::study::compare_study;
 use crate::effects::named;
 use crate::export::file::write_whole;
+use crate::export::pictures::ladder::Fall;
+use crate::export::pictures::write::add_falls;
+use crate::export::run::RunFolder;
 use crate::export::text::{Table, significant};
 use crate::input::study::LoadedStudy;
 use crate::study::Campaign;
 
+use super::study::{listed, target as target_of};
 use super::{Console, Failure};
+
+/// The document that lists the files of a ladder.
+const LADDER: &str = "ladder.json";
 
 /// Arguments of `washout add`.
 #[derive(Debug, Args)]
@@ -26,7 +33,8 @@ use super::{Console, Failure};
   washout add glue-seam --own examples/effect_of_ones_own.toml --to my-study.toml
 
 The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of
-the strength stays as wide as what is plausible. Comments of the study are kept.")]
+the strength stays as wide as what is plausible. Comments of the study are kept.
+Writes output/NAME-ladder/ besides: the error step by step as a picture (SVG), with its numbers (CSV); ladder.json.")]
 pub struct Add {
     /// The effect: its name, or with --own that of a table [effects.NAME]
     pub effect: String,
@@ -42,9 +50,12 @@ pub struct Add {
     /// Write the study here instead of over the old one; paths in it stay relative to it, so keep the folder
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    /// Folder for the picture of the error [default: output/NAME-ladder]
+    #[arg(long, value_name = "DIR")]
+    pub ladder: Option<PathBuf>,
 }
 
-/// What `washout add` prints.
+/// What `washout add` prints; `ladder.json` of its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct AddReport {
     /// The study as written.
@@ -55,6 +66,8 @@ pub struct AddReport {
     pub strength: Option<[f64; 2]>,
     /// Root mean square errors: as stated, calibrated without the effect, with it.
     pub ladder: Vec<AddRung>,
+    /// Files of the folder, this one among them.
+    pub files: Vec<String>,
 }
 
 /// Errors of a channel of a wing.
@@ -83,7 +96,10 @@ impl Add {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let (scale, table) = self.effect()?;
         let target = self.output.clone().unwrap_or_else(|| self.to.clone());
-        let before = self.compared(&LoadedStudy::load(&self.to, &[])?, console)?;
+        let study = LoadedStudy::load(&self.to, &[])?;
+        let name = study.study.name.clone();
+        let mut folder = RunFolder::listed_by(&target_of(self.ladder.as_ref(), &name, "ladder"), LADDER)?;
+        let before = self.compared(&study, console)?;
         let text = std::fs::read_to_string(&self.to).map_err(|error| Failure::Option {
             option: "--to",
             reason: format!("{}: {error}", self.to.display()),
@@ -97,14 +113,22 @@ impl Add {
             Some([value, _]) => self.changed(&text, value, 1.5 * scale, &table)?,
             None => changed,
         };
-        write_whole(&target, text.as_bytes())?;
+        let sign = if self.remove { "−" } else { "+" };
+        let falls = Fall::of_groups(&before.groups, &after.groups, &format!("{sign} {}", self.effect));
+        add_falls(&mut folder, &name, &falls)?;
         let report = AddReport {
             written: target,
             effect: self.effect.clone(),
             strength,
             ladder: ladder(&before, &after),
+            files: folder.listed(),
         };
-        console.result(&page(&report), &report)
+        folder.add_summary(&report)?;
+        console.progress().check()?;
+        write_whole(&report.written, text.as_bytes())?;
+        let pictures = folder.commit()?;
+        let page = format!("{}\n{}", page(&report), listed(&pictures, &report.files));
+        console.result(&page, &report)
     }
 
     /// Plausible size of the effect, and its table if it is the user's own.

@@ -9,6 +9,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::compare::Comparison;
 use crate::export::comparison;
+use crate::export::pictures::write::add_wing;
+use crate::export::run::RunFolder;
 use crate::export::text::{Table, number};
 use crate::input::Loaded;
 use crate::input::measurement::Channel;
@@ -18,6 +20,7 @@ use crate::lift::{Ratios, StrokeMeans};
 use super::case::{Case, DesignArguments, beside};
 use super::reading::{Reading, means_on_ramp};
 use super::solve::solve;
+use super::study::{COMPARISON, listed, target};
 use super::{Console, Failure};
 
 /// Arguments of `washout compare`.
@@ -28,7 +31,9 @@ use super::{Console, Failure};
   washout compare designs/twist-v2.toml --reference designs/rigid.toml      ratios of lift and efficiency too
   washout compare studies/paper-wings.toml                                  all cases of a study, before and after calibration
 
-Columns of a measurement file: see the files in measurements/. Writes no files.")]
+Columns of a measurement file: see the files in measurements/.
+Writes output/NAME-compare/: model against measurement, and residuals in units and in sigma, as pictures (SVG) with the
+numbers behind each (CSV); comparison.json. An earlier comparison there is replaced only when all of that is complete.")]
 pub struct Compare {
     /// The design
     #[command(flatten)]
@@ -42,6 +47,9 @@ pub struct Compare {
     /// Design of the wing that measured ratios refer to
     #[arg(long, value_name = "DESIGN")]
     pub reference: Option<PathBuf>,
+    /// Folder to write into [default: output/NAME-compare]
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
 }
 
 /// What `washout compare` prints.
@@ -51,6 +59,8 @@ pub struct CompareReport {
     pub comparison: Comparison,
     /// The wing against the reference wing, as modelled; absent unless asked for.
     pub ratios: Option<ModelledRatios>,
+    /// Files of the folder, this one among them.
+    pub files: Vec<String>,
 }
 
 /// Modelled ratios of a wing to a reference wing.
@@ -80,12 +90,19 @@ impl Compare {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
         if LoadedStudy::is_study(&self.design.design)? {
-            return super::study::compare(&self.design.design, &self.study_sets()?, console);
+            return super::study::compare(
+                &self.design.design,
+                &self.study_sets()?,
+                self.output.as_ref(),
+                console,
+            );
         }
         let loaded = self.load()?;
         if loaded.measurement.is_none() {
             return Err(Failure::NoMeasurement { design: loaded.path });
         }
+        let target = target(self.output.as_ref(), &loaded.design.name, "compare");
+        let mut folder = RunFolder::listed_by(&target, COMPARISON)?;
         progress.say(format_args!("solving {}", loaded.design.name));
         let case = Case::new(loaded)?;
         let solution = solve(&case, progress)?;
@@ -108,10 +125,16 @@ impl Compare {
         };
         let mut page = comparison::page(&comparison);
         page.extend(modelled.as_ref().map(|ratios| format!("\n{}", table(ratios))));
+        add_wing(&mut folder, &comparison, &reading.profile)?;
         let report = CompareReport {
             comparison,
             ratios: modelled,
+            files: folder.listed(),
         };
+        folder.add_summary(&report)?;
+        progress.check()?;
+        let written = folder.commit()?;
+        page += &format!("\n{}", listed(&written, &report.files));
         console.result(&page, &report)
     }
 

@@ -4,14 +4,20 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::diagnose::{DiagnoseError, Settings, diagnose_with};
+use crate::diagnose::{DiagnoseError, Diagnosis, Settings, diagnose_with};
 use crate::effects::ALL;
-use crate::export::diagnosis::page;
+use crate::export::diagnosis::{DiagnosisReport, page};
+use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
+use crate::export::run::RunFolder;
 use crate::input::study::LoadedStudy;
 use crate::study::{Campaign, Forward};
 
+use super::study::{listed, target};
 use super::{Console, Failure};
+
+/// The document that lists the files of a diagnosis.
+const DIAGNOSIS: &str = "diagnosis.json";
 
 /// Arguments of `washout diagnose`.
 #[derive(Debug, Args)]
@@ -22,7 +28,9 @@ use super::{Console, Failure};
   washout diagnose my-study.toml --json | jq .verdict
 
 The verdict comes first, in one sentence; then what it rests on. With tables [[experiment]] in the study (as [[case]], the
-values of their measurement files empty) it says which of them to make next. Writes no files.")]
+values of their measurement files empty) it says which of them to make next.
+Writes output/NAME-diagnosis/: effects against the residual, residuals in sigma, the error step by step and what is
+missing as pictures (SVG), with the numbers behind each (CSV); diagnosis.json. With --plan it writes no files.")]
 pub struct Diagnose {
     /// The study
     pub study: PathBuf,
@@ -44,6 +52,9 @@ pub struct Diagnose {
     /// Seed of the draws of noise
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
+    /// Folder to write into [default: output/NAME-diagnosis]
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
 }
 
 impl Diagnose {
@@ -55,6 +66,11 @@ impl Diagnose {
             false => LoadedStudy::load(&self.study, &self.set)?,
         };
         self.refuse_own_word(&study)?;
+        let target = target(self.output.as_ref(), &study.study.name, "diagnosis");
+        // A plan is words only.
+        let folder = (!self.plan)
+            .then(|| RunFolder::listed_by(&target, DIAGNOSIS))
+            .transpose()?;
         let fault = |source: DiagnoseError| Failure::Diagnosis {
             study: self.study.clone(),
             source,
@@ -77,7 +93,30 @@ impl Diagnose {
         let experiments = experiments.map_err(|error| fault(error.into()))?;
         let candidates = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
         let diagnosis = diagnose_with(&campaign, candidates, &settings, progress).map_err(fault)?;
-        console.result(&page(&campaign.name, &diagnosis), &diagnosis)
+        self.written(&campaign.name, diagnosis, folder, console)
+    }
+
+    fn written(
+        &self,
+        study: &str,
+        diagnosis: Diagnosis,
+        folder: Option<RunFolder>,
+        console: &Console,
+    ) -> Result<(), Failure> {
+        let mut report = DiagnosisReport {
+            diagnosis,
+            files: Vec::new(),
+        };
+        let mut text = page(study, &report.diagnosis);
+        if let Some(mut folder) = folder {
+            add_diagnosis(&mut folder, study, &report.diagnosis)?;
+            report.files = folder.listed();
+            folder.add_summary(&report)?;
+            console.progress().check()?;
+            let written = folder.commit()?;
+            text.push_str(&format!("\n{}", listed(&written, &report.files)));
+        }
+        console.result(&text, &report)
     }
 
     fn refuse_own_word(&self, study: &LoadedStudy) -> Result<(), Failure> {

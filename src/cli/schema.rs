@@ -2,10 +2,11 @@
 
 use clap::{Args, ValueEnum};
 
-use crate::compare::StudyComparison;
-use crate::diagnose::{Diagnosis, Plan};
+use crate::diagnose::Plan;
+use crate::export::diagnosis::DiagnosisReport;
 use crate::export::difference::Difference;
 use crate::export::modes::ModesSummary;
+use crate::export::study::StudyReport;
 use crate::export::summary::RunSummary;
 use crate::export::verification::VerifyReport;
 use crate::synthesize::Answer;
@@ -83,8 +84,8 @@ impl Schema {
             Some(Output::Modes) => schemars::schema_for!(ModesSummary),
             Some(Output::Mesh) => schemars::schema_for!(super::mesh::MeshReport),
             Some(Output::Measure) => schemars::schema_for!(crate::export::video::MeasureReport),
-            Some(Output::Study) => schemars::schema_for!(StudyComparison),
-            Some(Output::Diagnose) => schemars::schema_for!(Diagnosis),
+            Some(Output::Study) => schemars::schema_for!(StudyReport),
+            Some(Output::Diagnose) => schemars::schema_for!(DiagnosisReport),
             Some(Output::Add) => schemars::schema_for!(super::add::AddReport),
             Some(Output::Plan) => schemars::schema_for!(Plan),
             Some(Output::Synthesize) => schemars::schema_for!(super::synthesize::SynthesizeReport),

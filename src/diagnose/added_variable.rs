@@ -4,6 +4,8 @@ use nalgebra::{Cholesky, DMatrix};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::input::measurement::Channel;
+
 use super::baseline::Baseline;
 
 /// Points of an added-variable plot: their slope through zero is the strength by one step.
@@ -24,8 +26,14 @@ pub struct AddedPoint {
     pub condition: String,
     /// Name of its wing.
     pub wing: String,
-    /// Station, mm.
+    /// What was measured.
+    pub channel: Channel,
+    /// Run of the measurement; may be empty.
+    pub run: String,
+    /// Station, or inner end of the interval, mm.
     pub r_mm: Option<f64>,
+    /// Outer end of the interval, mm.
+    pub r_to_mm: Option<f64>,
     /// Signature per unit of strength, in standard deviations, what the model absorbs left out.
     pub signature: f64,
     /// Residual, in standard deviations.
@@ -50,7 +58,10 @@ pub fn added_variable(baseline: &Baseline, k: usize, effect: &str) -> AddedVaria
         AddedPoint {
             condition: condition.name.clone(),
             wing: condition.wing.clone(),
+            channel: observable.channel,
+            run: observable.run.clone(),
             r_mm: observable.r_mm,
+            r_to_mm: observable.r_to_mm,
             signature: signature[position],
             residual: baseline.fit.residual[position],
         }

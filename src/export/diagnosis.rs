@@ -1,5 +1,8 @@
 //! A diagnosis, as text: the sentence first, then what it rests on.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use crate::diagnose::ladder::Rung;
 use crate::diagnose::novel::Reconstruction;
 use crate::diagnose::screening::Sight;
@@ -7,6 +10,16 @@ use crate::diagnose::verdict::{EffectRow, Hypothesis};
 use crate::diagnose::{Diagnosis, Verdict};
 
 use super::text::{Table, number, significant, wrapped};
+
+/// What `washout diagnose` gives; `diagnosis.json` of its folder.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DiagnosisReport {
+    /// The diagnosis.
+    #[serde(flatten)]
+    pub diagnosis: Diagnosis,
+    /// Files of the folder, this one among them.
+    pub files: Vec<String>,
+}
 
 /// Effects whose rows are shown when there are more.
 const SHOWN: usize = 24;

@@ -1,9 +1,22 @@
 //! A study compared with its measurements, as text.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use crate::compare::{StudyComparison, StudyRow};
 use crate::input::measurement::Bound;
 
 use super::text::{Table, number, significant, wrapped};
+
+/// What `washout compare STUDY` gives; `comparison.json` of its folder.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StudyReport {
+    /// The comparison.
+    #[serde(flatten)]
+    pub comparison: StudyComparison,
+    /// Files of the folder, this one among them.
+    pub files: Vec<String>,
+}
 
 /// The page of `washout compare STUDY`.
 pub fn page(comparison: &StudyComparison) -> String {

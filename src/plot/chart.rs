@@ -4,7 +4,7 @@ use plotters::chart::ChartBuilder;
 
 use super::error::PlotError;
 use super::palette::{Ink, Shape};
-use super::pen::{Align, Area, Letters, Pen, Spot, UNITS, cut, refused, width_px};
+use super::pen::{Align, Area, BOLD, Letters, Pen, Spot, UNITS, cut, refused, width_px};
 use super::scale::Scale;
 
 /// Marks over two axes.
@@ -18,6 +18,8 @@ pub struct Chart {
     pub y_label: String,
     /// The marks, later ones over earlier ones.
     pub marks: Vec<Mark>,
+    /// A place that must lie within the axis, whether anything stands there or not.
+    pub x_includes: Option<f64>,
     /// Whether the line y = 0 is shown.
     pub has_zero_line: bool,
 }
@@ -174,9 +176,10 @@ impl Chart {
         );
         let title_px = if self.title.is_empty() { 6.0 } else { 20.0 };
         let room = size[0] - left;
-        let title = cut(&self.title, room, TITLE_PX);
+        let title = cut(&self.title, size[0] / BOLD, TITLE_PX);
+        let overhang = (BOLD * width_px(&title, TITLE_PX) - room).max(0.0);
         let letters = Letters::new(TITLE_PX, Align::Left).bold();
-        pen.text(&title, [corner[0] + left, corner[1] + 9.0], letters)?;
+        pen.text(&title, [corner[0] + left - overhang, corner[1] + 9.0], letters)?;
 
         let split = |px: f64| (px * UNITS).round() as i32;
         let panel = area.clone().shrink(

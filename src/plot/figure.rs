@@ -4,7 +4,7 @@ use super::chart::{Chart, Weight};
 use super::error::PlotError;
 use super::heat_map::{CLASSES_PX, HeatMap};
 use super::palette::{Ink, Shape};
-use super::pen::{Align, Area, Letters, Pen, Spot, lines, on_paper, width_px};
+use super::pen::{Align, Area, BOLD, Letters, Pen, Spot, lines, on_paper, width_px};
 use super::waterfall::Waterfall;
 
 /// A figure.
@@ -40,6 +40,8 @@ pub enum Sample {
     Band(Ink, Weight),
     /// A marker with its error bar; filled or not.
     Marker(Ink, Shape, bool),
+    /// A marker without error bar; filled or not.
+    Dot(Ink, Shape, bool),
     /// A colour.
     Swatch(Ink),
 }
@@ -109,7 +111,7 @@ impl Sheet {
             _ => [350.0, 270.0],
         };
         let inner = columns as f64 * cell[0];
-        let title = lines(&figure.title, inner, TITLE_PX);
+        let title = lines(&figure.title, inner / BOLD, TITLE_PX);
         let mut y = MARGIN_PX + 20.0 * title.len() as f64;
         let (legend, legend_px) = legend_places(&figure.legend, [MARGIN_PX, y], inner);
         y += legend_px + 6.0;
@@ -218,6 +220,7 @@ fn draw_key(pen: &Pen, key: &Key, at: Spot) -> Result<(), PlotError> {
             pen.line(&[[middle, y - 7.0], [middle, y + 7.0]], ink.colour(), 1.1)?;
             pen.marker([middle, y], shape, ink.colour(), is_filled)?;
         }
+        Sample::Dot(ink, shape, is_filled) => pen.marker([middle, y], shape, ink.colour(), is_filled)?,
         Sample::Swatch(ink) => pen.rectangle([x + 6.0, y - 5.0], [end - 4.0, y + 5.0], ink.colour())?,
     }
     pen.text(&key.label, [end + 6.0, y], Letters::new(KEY_PX, Align::Left))

@@ -2,7 +2,7 @@
 
 use super::error::PlotError;
 use super::palette::{CLASSES, Ink, Shape, class_of, diverging};
-use super::pen::{Align, Area, Letters, Pen, Spot, cut, width_px};
+use super::pen::{Align, Area, BOLD, Letters, Pen, Spot, cut, width_px};
 use super::scale::typeset;
 
 /// Tables with the same rows and columns, side by side.
@@ -105,7 +105,7 @@ impl HeatMap {
         let table_px = plan.cell[0] * self.columns.len() as f64;
         for (place, table) in self.tables.iter().enumerate() {
             let x0 = left + plan.names + place as f64 * (table_px + GAP_PX);
-            let title = cut(&table.title, table_px.max(90.0), TITLE_PX);
+            let title = cut(&table.title, (table_px.max(90.0)) / BOLD, TITLE_PX);
             pen.text(
                 &title,
                 [x0, top + 9.0],

@@ -16,6 +16,8 @@ use super::palette::{Ink, Shape};
 pub(super) const UNITS: f64 = 10.0;
 /// The library divides sizes of letters by this.
 const LETTER: f64 = 1.24;
+/// Width of bold letters over that of others.
+pub(super) const BOLD: f64 = 1.12;
 /// Half the size of a marker, px.
 const MARKER_PX: f64 = 3.4;
 

@@ -4,6 +4,9 @@ use std::ops::Range;
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
+/// Ticks that an axis has at least, where a finer step gives them.
+const FEWEST: f64 = 3.0;
+
 /// Range of an axis with its ticks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale {
@@ -34,7 +37,13 @@ impl Scale {
         } else {
             [-1.0, 1.0]
         };
-        let step = round_step((range[1] - range[0]) / count.max(1) as f64);
+        let asked = (range[1] - range[0]) / count.max(1) as f64;
+        let ticks_of = |step: f64| (range[1] / step).floor() - (range[0] / step).ceil() + 1.0;
+        let steps = [1.0, 0.5, 0.25].map(|share| round_step(share * asked));
+        let step = steps
+            .into_iter()
+            .find(|step| ticks_of(*step) >= FEWEST)
+            .unwrap_or(steps[2]);
         let first = (range[0] / step).ceil() as i64;
         let last = (range[1] / step).floor() as i64;
         // Division by the reciprocal of a small step gives 0.3 where 3 × 0.1 would not.

@@ -2,7 +2,7 @@
 
 use super::error::PlotError;
 use super::palette::Ink;
-use super::pen::{Align, Area, Letters, Pen, Spot, cut, lines, width_px};
+use super::pen::{Align, Area, BOLD, Letters, Pen, Spot, cut, lines, width_px};
 use super::scale::{Scale, short};
 
 /// A number that falls step by step.
@@ -75,7 +75,7 @@ impl Waterfall {
         let (top, bottom) = (corner[1] + 22.0, corner[1] + size[1] - FOOT_PX);
         let base = scale.range[0].max(0.0).min(scale.range[1]);
         let height = |level: f64| bottom - (bottom - top) * (level - base) / (scale.range[1] - base);
-        let title = cut(&self.title, size[0] - left, TITLE_PX);
+        let title = cut(&self.title, (size[0] - left) / BOLD, TITLE_PX);
         pen.text(
             &title,
             [x0, corner[1] + 9.0],

@@ -1,6 +1,8 @@
 //! `washout compare`.
 
-use crate::{below, conforms, design, entries, folder, schema, washout};
+use std::fs;
+
+use crate::{below, conforms, contents, design, entries, folder, schema, washout};
 
 #[test]
 fn the_document_conforms_and_the_page_ends_in_words() {
@@ -13,7 +15,7 @@ fn the_document_conforms_and_the_page_ends_in_words() {
     for words in ["twist_rate", "in_sigma", "root mean square", "In words"] {
         assert!(said.out.contains(words), "{words:?} is not in\n{}", said.out);
     }
-    assert!(entries(here.path()).is_empty());
+    assert_eq!(entries(here.path()), ["output"]);
 }
 
 #[test]
@@ -58,4 +60,72 @@ fn a_design_without_measurement_ends_with_2_and_says_what_to_give() {
         said.err,
         "washout: mine.toml names no measurement; give one --with CSV, or add [measured] to the design\n"
     );
+}
+
+#[test]
+fn pictures_and_their_numbers_are_written_whole_and_replaced_but_nothing_of_the_user_is() {
+    let here = folder();
+    let run = |arguments: &[&str]| washout(here.path(), arguments);
+    let wing = design("twist-v2.toml");
+    let said = run(&["compare", &wing, "--json"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let target = here.path().join("output/twist-v2-compare");
+    let mut files: Vec<String> = serde_json::from_value(said.document()["files"].clone()).expect("names");
+    files.sort();
+    assert_eq!(entries(&target), files);
+    for name in [
+        "compared.svg",
+        "residuals.svg",
+        "residuals-in-sigma.svg",
+        "span.csv",
+        "compared.csv",
+    ] {
+        assert!(
+            files.iter().any(|file| file == name),
+            "{name} is not among {files:?}"
+        );
+    }
+    let document = fs::read_to_string(target.join("comparison.json")).expect("a document");
+    assert_eq!(
+        serde_json::from_str::<serde_json::Value>(&document).expect("JSON"),
+        said.document()
+    );
+
+    let svg = fs::read_to_string(target.join("compared.svg")).expect("a picture");
+    assert!(
+        svg.starts_with("<svg ") && svg.contains("twist along the span") && !svg.contains("NaN"),
+        "{svg}"
+    );
+    let table = fs::read_to_string(target.join("compared.csv")).expect("a table");
+    let rows = said.document()["comparison"]["rows"]
+        .as_array()
+        .expect("rows")
+        .len();
+    assert_eq!(table.lines().count(), rows + 1, "{table}");
+
+    let before = contents(&target);
+    let said = run(&["compare", &wing]);
+    assert!(
+        said.out
+            .contains("Files in output/twist-v2-compare: compared.svg"),
+        "{}",
+        said.out
+    );
+    assert_eq!(
+        contents(&target),
+        before,
+        "the same input must give the same bytes"
+    );
+
+    fs::write(target.join("notes.txt"), "mine").expect("written");
+    let said = run(&["compare", &wing]);
+    assert_eq!((said.code, said.out.as_str()), (Some(1), ""));
+    assert!(
+        said.err.contains("'notes.txt'") && said.err.contains("--output"),
+        "{}",
+        said.err
+    );
+    let said = run(&["compare", &wing, "--output", "elsewhere", "--quiet"]);
+    assert_eq!((said.code, said.out.as_str()), (Some(0), ""), "{}", said.err);
+    assert_eq!(entries(&here.path().join("elsewhere")), files);
 }

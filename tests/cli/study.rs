@@ -89,6 +89,53 @@ fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_
     let left = report["chi_square_per_row"][1].as_f64().unwrap();
     assert!(left < 2.0, "{left}");
 
+    let listed = |target: &str| crate::entries(&folder.path().join("output").join(target));
+    assert_eq!(
+        listed("bench-compare"),
+        [
+            "compared.csv",
+            "compared.svg",
+            "comparison.json",
+            "residuals-in-sigma.svg",
+            "residuals.csv",
+            "residuals.svg"
+        ]
+    );
+    assert_eq!(
+        listed("bench-diagnosis"),
+        [
+            "added-variables.csv",
+            "added-variables.svg",
+            "diagnosis.json",
+            "ladder.csv",
+            "ladder.svg",
+            "misfit-by-station.csv",
+            "misfit-by-station.svg",
+            "residuals-in-sigma.svg"
+        ]
+    );
+    assert_eq!(
+        listed("bench-ladder"),
+        ["ladder.csv", "ladder.json", "ladder.svg"]
+    );
+    let ladder = fs::read_to_string(folder.path().join("output/bench-ladder/ladder.csv")).unwrap();
+    assert!(
+        ladder.contains("rod,twist,deg,+ rod-shear-modulus,held out,0.0"),
+        "{ladder}"
+    );
+    assert!(
+        added
+            .out
+            .contains("Files in output/bench-ladder: ladder.svg ladder.csv ladder.json"),
+        "{}",
+        added.out
+    );
+    let kept = fs::read_to_string(folder.path().join("output/bench-diagnosis/diagnosis.json")).unwrap();
+    assert_eq!(
+        serde_json::from_str::<serde_json::Value>(&kept).unwrap(),
+        diagnosis
+    );
+
     let removed = run(&["add", "rod-shear-modulus", "--to", "study.toml", "--remove"]);
     assert_eq!(removed.code, Some(0), "{}", removed.err);
     let text = fs::read_to_string(folder.path().join("study.toml")).unwrap();

@@ -5,7 +5,6 @@ use std::path::Path;
 use nalgebra::{Rotation2, Vector2};
 use washout::coupling;
 use washout::coupling::solution::Solution;
-use washout::study::draws::Draws;
 use washout::geometry::Planform;
 use washout::input::design::{CameraAxis, Design, Instrument};
 use washout::input::study::RulerKind;
@@ -17,6 +16,7 @@ use washout::observation::camera::Camera;
 use washout::observation::edges::{Edges, edges_at};
 use washout::observation::{Observer, ruler_hints, twist_from_video};
 use washout::progress::Progress;
+use washout::study::draws::Draws;
 
 const PX_PER_MM: f64 = 9.0;
 const SIGMA_PX: f64 = 0.7;

@@ -4,7 +4,9 @@ use crate::compare::StudyRow;
 use crate::input::measurement::Bound;
 use crate::plot::{Chart, Figure, Ink, Key, Limit, Mark, Panel, Point, Sample, Shape, Weight};
 
-use super::panels::{Compared, Curve, Placed, Profiles, StudyPanel, distinct, panels};
+use super::panels::{
+    Compared, Curve, Placed, Profiles, StudyPanel, distinct, only_place, panels, place_words,
+};
 use super::{with_unit, words};
 
 /// Model against measurement, panel by panel.
@@ -68,7 +70,7 @@ impl Looks {
         }
         let key = |(index, label): (usize, &String)| Key {
             label: if label.is_empty() {
-                "alone in its panel"
+                "the only curve of its panel"
             } else {
                 label
             }
@@ -135,8 +137,11 @@ fn legend(compared: &Compared, curves: &Looks) -> Vec<Key> {
 }
 
 fn caption(compared: &Compared) -> String {
-    let mut text =
-        "Error bars: one standard deviation of the measurement. Lines join what was solved.".to_string();
+    let mut text = match only_place(compared) {
+        Some(row) => format!("Read{}. ", place_words(row.r_mm, row.r_to_mm)),
+        None => String::new(),
+    };
+    text.push_str("Error bars: one standard deviation of the measurement. Lines join what was solved.");
     if compared.rows.iter().any(|row| row.bound != Bound::None) {
         text.push_str(" An arrow: the measured number is only a bound.");
     }
@@ -190,6 +195,7 @@ fn chart(compared: &Compared, panel: &StudyPanel, curves: &Looks) -> Panel {
     Panel::Chart(Chart {
         title: panel.title.clone(),
         x_label: panel.x_label.clone(),
+        x_includes: panel.x_includes,
         y_label: with_unit(&words(panel.channel), panel.channel.unit()),
         marks,
         has_zero_line: false,

@@ -18,9 +18,13 @@ pub fn added_variables(study: &str, plots: &[AddedVariable]) -> Figure {
     );
     let key = |(index, wing): (usize, &String)| Key {
         label: wing.clone(),
-        sample: Sample::Marker(Ink::Curve(index), Shape::of_curve(index), true),
+        sample: Sample::Dot(Ink::Curve(index), Shape::of_curve(index), true),
     };
     let mut legend: Vec<Key> = wings.iter().enumerate().map(key).collect();
+    legend.push(Key {
+        label: "noise, ±1σ".to_string(),
+        sample: Sample::Band(Ink::Grey, Weight::Thin),
+    });
     legend.push(Key {
         label: "the strength that fits best by one step".to_string(),
         sample: Sample::Line(Ink::Black, Weight::Thick),
@@ -41,6 +45,10 @@ fn added_variable(plot: &AddedVariable, wings: &[String]) -> Panel {
     let mut marks = Vec::new();
     let reach = plot.points.iter().map(|point| point.signature);
     let ends = reach.fold([0.0_f64; 2], |[low, high], x| [low.min(x), high.max(x)]);
+    marks.push(Mark::Band {
+        points: ends.map(|x| [x, -1.0, 1.0]).to_vec(),
+        ink: Ink::Grey,
+    });
     marks.push(Mark::Line {
         points: ends.map(|x| [x, plot.slope * x]).to_vec(),
         ink: Ink::Black,
@@ -49,7 +57,7 @@ fn added_variable(plot: &AddedVariable, wings: &[String]) -> Panel {
     for (index, wing) in wings.iter().enumerate() {
         let of_wing = plot.points.iter().filter(|point| point.wing == *wing);
         let points: Vec<Point> = of_wing
-            .map(|point| value(point.signature, point.residual, 1.0))
+            .map(|point| value(point.signature, point.residual))
             .collect();
         if !points.is_empty() {
             marks.push(Mark::Points {
@@ -63,6 +71,7 @@ fn added_variable(plot: &AddedVariable, wings: &[String]) -> Panel {
     Panel::Chart(Chart {
         title: format!("{}, strength {}", plot.effect, plain(plot.slope)),
         x_label: "signature per unit of strength (σ)".to_string(),
+        x_includes: Some(0.0),
         y_label: "residual (σ)".to_string(),
         marks,
         has_zero_line: true,
@@ -74,13 +83,13 @@ pub fn by_station(study: &str, stations: &[MisfitStation]) -> Figure {
     let channels = distinct(stations.iter().map(|station| station.channel));
     let key = |(index, channel)| Key {
         label: words(channel),
-        sample: Sample::Marker(Ink::Curve(index), Shape::of_curve(index), true),
+        sample: Sample::Dot(Ink::Curve(index), Shape::of_curve(index), true),
     };
     let mark = |(index, channel): (usize, _)| {
         let of_channel = stations.iter().filter(|station| station.channel == channel);
         Mark::Points {
             points: of_channel
-                .map(|station| value(station.r_over_length, station.mean_sigma, 0.0))
+                .map(|station| value(station.r_over_length, station.mean_sigma))
                 .collect(),
             ink: Ink::Curve(index),
             shape: Shape::of_curve(index),
@@ -93,6 +102,7 @@ pub fn by_station(study: &str, stations: &[MisfitStation]) -> Figure {
         panels: vec![Panel::Chart(Chart {
             title: String::new(),
             x_label: "place over the length of the wing".to_string(),
+            x_includes: Some(0.0),
             y_label: "mean of measured minus modelled (σ)".to_string(),
             marks: channels.iter().copied().enumerate().map(mark).collect(),
             has_zero_line: true,
@@ -140,6 +150,7 @@ fn profile_panel(profile: &FieldProfile, unit: &str) -> Panel {
     Panel::Chart(Chart {
         title: profile.condition.clone().unwrap_or_default(),
         x_label: "place over the length of the wing".to_string(),
+        x_includes: Some(0.0),
         y_label: format!("missing ({unit})"),
         marks: vec![
             Mark::Band {
@@ -160,6 +171,10 @@ fn law_words(found: &Reconstruction) -> String {
     use crate::diagnose::fields::Law;
     match found.law {
         Law::Load {
+            frequency_power: 0.0,
+            amplitude_power: 0.0,
+        } => "a moment per length, the same in all cases".to_string(),
+        Law::Load {
             frequency_power,
             amplitude_power,
         } => format!(
@@ -174,12 +189,12 @@ fn law_words(found: &Reconstruction) -> String {
     }
 }
 
-fn value(x: f64, y: f64, sigma: f64) -> Point {
+fn value(x: f64, y: f64) -> Point {
     Point {
         x,
         x_to: None,
         y,
-        sigma,
+        sigma: 0.0,
         limit: Limit::None,
     }
 }

@@ -1,6 +1,8 @@
 //! Measured minus modelled in standard deviations, case by station: `residuals-in-sigma.svg`.
 
 use crate::compare::StudyRow;
+use crate::diagnose::added_variable::AddedPoint;
+use crate::input::measurement::Channel;
 use crate::plot::{Figure, HeatMap, HeatTable, Ink, Key, Panel, Sample, Shape};
 
 use super::compared::headline;
@@ -13,7 +15,7 @@ pub fn figure(compared: &Compared) -> Figure {
     let has = |is_fitted: bool| compared.rows.iter().any(|row| row.is_held_out != is_fitted);
     let key = |label: &str, is_filled: bool| Key {
         label: label.to_string(),
-        sample: Sample::Marker(Ink::Black, Shape::Circle, is_filled),
+        sample: Sample::Dot(Ink::Black, Shape::Circle, is_filled),
     };
     let legend = match (has(true), has(false)) {
         (true, true) => vec![key("fitted", true), key("held out", false)],
@@ -29,15 +31,65 @@ pub fn figure(compared: &Compared) -> Figure {
     }
 }
 
+/// `residuals-in-sigma.svg` of a diagnosis: what the calibrated model misses, fitted numbers only.
+pub fn of_diagnosis(study: &str, points: &[AddedPoint]) -> Figure {
+    let cases = distinct(points.iter().map(|point| point.condition.clone()));
+    let has_runs = distinct(points.iter().map(|point| point.run.clone())).len() > 1;
+    let column = |point: &AddedPoint| {
+        let run = if has_runs && !point.run.is_empty() {
+            format!(", run {}", point.run)
+        } else {
+            String::new()
+        };
+        format!(
+            "{}{}{run}",
+            words(point.channel),
+            place_words(point.r_mm, point.r_to_mm)
+        )
+    };
+    let columns = distinct(points.iter().map(column));
+    let mut cells = vec![vec![None; columns.len()]; cases.len()];
+    for point in points {
+        let at = (
+            cases.iter().position(|case| *case == point.condition),
+            columns.iter().position(|name| *name == column(point)),
+        );
+        if let (Some(case), Some(place)) = at {
+            cells[case][place] = Some(point.residual);
+        }
+    }
+    Figure {
+        title: format!("{study} – what the calibrated model misses, in σ of the noise"),
+        legend: Vec::new(),
+        panels: vec![Panel::HeatMap(HeatMap {
+            title: String::new(),
+            rows: cases.into_iter().map(|case| (case, true)).collect(),
+            columns,
+            tables: vec![HeatTable {
+                title: "calibrated".to_string(),
+                cells,
+            }],
+        })],
+        columns: None,
+        caption: "Orange: the wing does more than the model says; blue: less. Fitted numbers only; σ is that of the \
+                  noise that the data show."
+            .to_string(),
+    }
+}
+
 /// The numbers of the heat map.
 pub fn heat_map(compared: &Compared) -> HeatMap {
     let key = |row: &StudyRow| (row.wing.clone(), row.case.clone());
     let cases = distinct(compared.rows.iter().map(key));
     let has_wings = cases.iter().any(|(wing, _)| *wing != cases[0].0);
     let has_runs = distinct(compared.rows.iter().map(|row| row.run.clone())).len() > 1;
+    let chords = |channel: Channel| {
+        let of_channel = compared.rows.iter().filter(|row| row.channel == channel);
+        distinct(of_channel.map(|row| row.chord_fraction)).len()
+    };
     let column = |row: &StudyRow| {
-        let mut name = format!("{}{}", words(row.channel), place_words(row));
-        if let Some(fraction) = row.chord_fraction.filter(|fraction| *fraction != 0.0) {
+        let mut name = format!("{}{}", words(row.channel), place_words(row.r_mm, row.r_to_mm));
+        if let Some(fraction) = row.chord_fraction.filter(|_| chords(row.channel) > 1) {
             name.push_str(&format!(", {} chord", plain(fraction)));
         }
         if has_runs && !row.run.is_empty() {

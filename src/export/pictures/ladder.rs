@@ -1,9 +1,11 @@
 //! The error falling from the model as stated to the noise: `ladder.svg`.
 
+use crate::compare::study::GroupMisfit;
 use crate::diagnose::ladder::Rung;
 use crate::input::measurement::Channel;
 use crate::plot::{Figure, Ink, Key, Panel, Sample, Step, Waterfall};
 
+use super::panels::distinct;
 use super::{with_unit, words};
 
 /// Root mean square errors of one channel, step by step.
@@ -49,6 +51,49 @@ impl Fall {
                 .collect(),
         }]
     }
+
+    /// Of an effect that joined or left a study, wing by wing and channel by channel: `before` and `after` are the misfits
+    /// without and with the `change`.
+    pub fn of_groups(before: &[GroupMisfit], after: &[GroupMisfit], change: &str) -> Vec<Fall> {
+        let key = |group: &GroupMisfit| (group.wing.clone(), group.channel);
+        let falls = distinct(before.iter().map(key))
+            .into_iter()
+            .map(|(wing, channel)| {
+                let pick = |groups: &[GroupMisfit], is_held_out: bool| {
+                    let is_it = |group: &&GroupMisfit| {
+                        group.wing == wing && group.channel == channel && group.is_held_out == is_held_out
+                    };
+                    groups.iter().find(is_it).cloned()
+                };
+                let kept: Vec<bool> = [false, true]
+                    .into_iter()
+                    .filter(|held| pick(before, *held).is_some())
+                    .collect();
+                let levels = |groups: &[GroupMisfit], of: fn(&GroupMisfit) -> f64| {
+                    kept.iter()
+                        .map(|held| pick(groups, *held).map(|group| of(&group)))
+                        .collect()
+                };
+                let names = kept
+                    .iter()
+                    .map(|held| if *held { "held out" } else { "fitted" }.to_string());
+                Fall {
+                    groups: names.collect(),
+                    steps: vec![
+                        ("as stated".to_string(), levels(before, |group| group.rmse[0])),
+                        ("calibrated".to_string(), levels(before, |group| group.rmse[1])),
+                        (change.to_string(), levels(after, |group| group.rmse[1])),
+                        (
+                            "noise".to_string(),
+                            levels(before, |group| group.sigma_of_measurement),
+                        ),
+                    ],
+                    wing,
+                    channel,
+                }
+            });
+        falls.collect()
+    }
 }
 
 fn step_words(name: &str) -> String {
@@ -70,8 +115,8 @@ pub fn figure(title: &str, falls: &[Fall]) -> Figure {
         legend: groups.iter().enumerate().map(key).collect(),
         panels: falls.iter().map(panel).collect(),
         columns: None,
-        caption: "Full bars: what there is; pale bars: what a step takes away, down to the line. Noise: the standard \
-                  deviation of the measurement, below which no model should get."
+        caption: "Full bars: what there is; pale bars: what a step changes, from the level before to its line. Noise: the \
+                  standard deviation of the measurement, below which no model should get."
             .to_string(),
     }
 }

@@ -16,30 +16,9 @@ pub mod tables;
 
 pub mod wing;
 
+pub mod write;
+
 use crate::input::measurement::Channel;
-use crate::plot::Figure;
-
-use super::ExportError;
-use super::run::RunFolder;
-
-/// Charts of one picture; more go into another.
-const PANELS: usize = 12;
-
-/// Adds a picture to a folder: `NAME.svg`, and `NAME-2.svg` and so on where it has too many panels for one.
-pub fn add_picture(folder: &mut RunFolder, name: &str, figure: &Figure) -> Result<(), ExportError> {
-    for (index, panels) in figure.panels.chunks(PANELS).enumerate() {
-        let page = Figure {
-            panels: panels.to_vec(),
-            ..figure.clone()
-        };
-        let name = match index {
-            0 => format!("{name}.svg"),
-            _ => format!("{name}-{}.svg", index + 1),
-        };
-        folder.add(&name, page.to_svg()?.as_bytes())?;
-    }
-    Ok(())
-}
 
 /// A channel in words.
 fn words(channel: Channel) -> String {

@@ -82,6 +82,8 @@ pub struct StudyPanel {
     pub title: String,
     /// What its numbers are drawn against, with unit.
     pub x_label: String,
+    /// A place that its axis must show: the base of the wing.
+    pub x_includes: Option<f64>,
     /// What was measured.
     pub channel: Channel,
     /// Its curves.
@@ -145,13 +147,16 @@ pub fn panels(compared: &Compared, profiles: Profiles) -> Vec<StudyPanel> {
 }
 
 /// What titles must name, because it differs within the picture.
-struct Context {
+struct Context<'a> {
     has_wings: bool,
     families: Vec<(String, String)>,
+    cases: &'a [StudyCase],
+    /// Whether all was read at one place, which the caption then names.
+    has_one_place: bool,
 }
 
-impl Context {
-    fn of(compared: &Compared) -> Context {
+impl<'a> Context<'a> {
+    fn of(compared: &'a Compared) -> Context<'a> {
         let mut families: Vec<(String, String)> = Vec::new();
         for case in &compared.cases {
             let key = (case.wing.clone(), case.family.clone());
@@ -160,7 +165,12 @@ impl Context {
             }
         }
         let has_wings = families.iter().any(|(wing, _)| *wing != families[0].0);
-        Context { has_wings, families }
+        Context {
+            has_wings,
+            families,
+            cases: &compared.cases,
+            has_one_place: only_place(compared).is_some(),
+        }
     }
 
     fn has_families(&self, wing: &str) -> bool {
@@ -177,7 +187,7 @@ struct Group<'a> {
 }
 
 impl Group<'_> {
-    fn panels(&self, context: &Context, profiles: Profiles) -> Vec<StudyPanel> {
+    fn panels(&self, context: &Context<'_>, profiles: Profiles) -> Vec<StudyPanel> {
         let cases = distinct(self.members.iter().map(|(_, _, case)| case.name.clone()));
         let stations = |name: &String| {
             let of_case = self.members.iter().filter(|(_, _, case)| case.name == *name);
@@ -207,7 +217,7 @@ impl Group<'_> {
         (values(&best) > 1).then_some(best)
     }
 
-    fn profile(&self, context: &Context, cases: &[String], names_case: bool) -> StudyPanel {
+    fn profile(&self, context: &Context<'_>, cases: &[String], names_case: bool) -> StudyPanel {
         let of_cases = self
             .members
             .iter()
@@ -216,6 +226,7 @@ impl Group<'_> {
         let mut panel = StudyPanel {
             title: self.title(context, names_case.then(|| cases[0].as_str()), ""),
             x_label: "distance from the wing base (mm)".to_string(),
+            x_includes: Some(0.0),
             channel: self.key.2,
             curves: Vec::new(),
         };
@@ -231,10 +242,12 @@ impl Group<'_> {
         panel.sorted()
     }
 
-    fn sweep(&self, context: &Context, number: usize) -> StudyPanel {
+    fn sweep(&self, context: &Context<'_>, number: usize) -> StudyPanel {
         let apart = Apart::of(&self.members, false);
         let at = match self.members.first() {
-            Some((_, row, _)) if !apart.station => place_words(row),
+            Some((_, row, _)) if !apart.station && !context.has_one_place => {
+                place_words(row.r_mm, row.r_to_mm)
+            }
             _ => String::new(),
         };
         let first = self
@@ -243,13 +256,22 @@ impl Group<'_> {
             .and_then(|(_, _, case)| case.numbers.get(number));
         let mut panel = StudyPanel {
             title: self.title(context, None, &at),
+            x_includes: None,
             x_label: first.map_or_else(String::new, |number| with_unit(&number.name, &number.unit)),
             channel: self.key.2,
             curves: Vec::new(),
         };
         let others: Vec<usize> = (0..self.members.first().map_or(0, |(_, _, case)| case.numbers.len()))
             .filter(|other| *other != number)
-            .filter(|other| distinct(self.members.iter().map(|(_, _, case)| bits(case, *other))).len() > 1)
+            .filter(|other| {
+                // In the whole family, so that a curve has its name in every panel.
+                let (family, wing, _) = self.key;
+                let kin = context
+                    .cases
+                    .iter()
+                    .filter(|case| case.family == family && case.wing == wing);
+                distinct(kin.map(|case| bits(case, *other))).len() > 1
+            })
             .collect();
         for (index, row, case) in &self.members {
             let Some(x) = case.numbers.get(number) else {
@@ -269,7 +291,7 @@ impl Group<'_> {
         panel.sorted()
     }
 
-    fn title(&self, context: &Context, case: Option<&str>, at: &str) -> String {
+    fn title(&self, context: &Context<'_>, case: Option<&str>, at: &str) -> String {
         let (family, wing, channel) = self.key;
         let mut parts = Vec::new();
         if context.has_wings {
@@ -310,7 +332,7 @@ impl Apart {
     fn parts(&self, row: &StudyRow) -> Vec<String> {
         let mut parts = Vec::new();
         if self.station {
-            parts.push(place_words(row).trim().to_string());
+            parts.push(place_words(row.r_mm, row.r_to_mm).trim().to_string());
         }
         if let (true, Some(fraction)) = (self.chord, row.chord_fraction) {
             parts.push(format!("at {} of the chord", plain(fraction)));
@@ -358,9 +380,16 @@ fn family_words(family: &str) -> String {
     parts.join("-")
 }
 
+/// The place at which all numbers with a place were read, if it is one.
+pub(super) fn only_place(compared: &Compared) -> Option<&StudyRow> {
+    let mut rows = compared.rows.iter().filter(|row| row.r_mm.is_some());
+    let first = rows.next()?;
+    rows.all(|row| station(row) == station(first)).then_some(first)
+}
+
 /// Where a number was read: " at 549.8 mm", " from 0 to 48 mm"; empty for the whole wing.
-pub(super) fn place_words(row: &StudyRow) -> String {
-    match (row.r_mm, row.r_to_mm) {
+pub(super) fn place_words(r_mm: Option<f64>, r_to_mm: Option<f64>) -> String {
+    match (r_mm, r_to_mm) {
         (Some(from), Some(to)) => format!(" from {} to {} mm", plain(from), plain(to)),
         (Some(at), None) => format!(" at {} mm", plain(at)),
         _ => String::new(),

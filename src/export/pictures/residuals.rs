@@ -67,6 +67,7 @@ fn chart(compared: &Compared, panel: &StudyPanel, curves: &Looks, state: usize, 
     Panel::Chart(Chart {
         title: format!("{}{state}", panel.title),
         x_label: panel.x_label.clone(),
+        x_includes: panel.x_includes,
         y_label: with_unit(
             &format!("error of {}", words(panel.channel)),
             panel.channel.unit(),

@@ -158,13 +158,24 @@ pub fn added_variables(plots: &[AddedVariable]) -> Result<Vec<u8>, ExportError> 
         "slope",
         "case",
         "wing",
+        "channel",
+        "run",
         "r_mm",
+        "r_to_mm",
         "signature_sigma",
         "residual_sigma",
     ];
     let lines = plots.iter().flat_map(|plot| {
         plot.points.iter().map(move |point| {
-            let place = (&point.condition, &point.wing, point.r_mm);
+            let channel = point.channel.name();
+            let place = (
+                &point.condition,
+                &point.wing,
+                channel,
+                &point.run,
+                point.r_mm,
+                point.r_to_mm,
+            );
             (&plot.effect, plot.slope, place, point.signature, point.residual)
         })
     });

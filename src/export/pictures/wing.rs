@@ -123,6 +123,7 @@ fn chart(comparison: &Comparison, span: &SpanComparison, profile: &TwistProfile)
     Panel::Chart(Chart {
         title: format!("twist along the span{run}"),
         x_label: "distance from the wing base (mm)".to_string(),
+        x_includes: Some(0.0),
         y_label: "twist, washout positive (deg)".to_string(),
         marks,
         has_zero_line: true,
