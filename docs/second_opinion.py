@@ -3,8 +3,9 @@
 washout export --to calculix output/twist-v2
 python3 docs/second_opinion.py output/twist-v2               one run
 python3 docs/second_opinion.py output/a output/b --json      several, one JSON document
-python3 docs/second_opinion.py --plates washout-plates.json  the plates of docs/second-opinion.md; without a file:
-                                                             CalculiX alone
+python3 docs/second_opinion.py DECK.inp                      a deck alone: displacements of its printed nodes
+python3 docs/second_opinion.py --plates                      the plates `bend` and `twist` of examples/plates.rs with
+                                                             eight-node shells (S8R) on meshes of CalculiX's own
 
 Needs Python 3 and `ccx` (Debian: apt-get install calculix-ccx). Standard library only; works in a folder of its own, leaves
 none of CalculiX's files behind. Ends with 1 where CalculiX does not reach the full load.
@@ -100,6 +101,11 @@ def compare(folder):
         return {"run": folder.name, "outcome": "CalculiX does not reach the full load", "said": said}
     rest = steps[0] if len(steps) > 1 else {}
     moved = lambda node: [a - b for a, b in zip(steps[-1][node], rest.get(node, [0.0] * 3))]
+    return compared(folder.name, leading, trailing, moved)
+
+
+def compared(name, leading, trailing, moved):
+    """Both along the span; `moved` gives the displacement (mm) of a node by the other program."""
     chords = [b[1] - a[1] for (_, a, _), (_, b, _) in zip(leading, trailing)]
     smallest = 0.2 * sum(chords) / len(chords)
     ours = profile([p[1:] for p in leading], [p[1:] for p in trailing], smallest)
@@ -118,7 +124,7 @@ def compare(folder):
                 "trailing_edge_mm": [v[2], other_v[2]],
             }
         )
-    result = {"run": folder.name, "outcome": "solved", "rows": rows}
+    result = {"run": name, "outcome": "solved", "rows": rows}
     for key in ["twist_deg", "leading_edge_mm", "trailing_edge_mm"]:
         largest = max(abs(row[key][0]) for row in rows)
         off = max(abs(row[key][0] - row[key][1]) for row in rows)
@@ -126,15 +132,18 @@ def compare(folder):
     return result
 
 
-def page(result):
+def page(result, other="CalculiX"):
     if result["outcome"] != "solved":
         return f"{result['run']}: {result['outcome']}\n{result['said']}\n"
-    lines = [result["run"], "   r_mm  twist_deg washout CalculiX   le_mm washout CalculiX   te_mm washout CalculiX"]
+    columns = "".join(f"{what:>10} washout{other:>9}" for what in ["twist_deg", "le_mm", "te_mm"])
+    lines = [result["run"], f"   r_mm{columns}"]
     every = max(1, len(result["rows"]) // 12)
     for row in result["rows"][::every] + [result["rows"][-1]]:
         pairs = [row[key] for key in ["twist_deg", "leading_edge_mm", "trailing_edge_mm"]]
         lines.append(f"{row['r_mm']:7.2f}" + "".join(f"{a:18.4f}{b:9.4f}" for a, b in pairs))
-    for key in ["twist_deg", "leading_edge_mm", "trailing_edge_mm"]:
+    for key in ["twist_deg", "leading_edge_mm", "trailing_edge_mm", "any_node_mm"]:
+        if key not in result:
+            continue
         lines.append(
             f"  {key}: largest difference {result[key]['largest_difference']:.4f}, "
             f"{100 * result[key]['share']:.2f} % of the largest value"
@@ -184,32 +193,40 @@ def plate(case, nx, ny):
     return "\n".join(text), corners
 
 
-def plates(file):
-    """Corner displacements of both plates on two meshes, beside those of washout."""
-    ours = json.loads(Path(file).read_text()) if file else {}
+def plates():
+    """Corner displacements of both plates on two meshes."""
     for case in PLATES:
-        for nx, ny in [(16, 6), (32, 10)]:
+        for nx, ny in [(16, 6), (58, 18)]:
             deck, (loaded, other) = plate(case, nx, ny)
             steps, said = solve(deck)
             if steps is None:
                 sys.exit(f"second_opinion: {case}: {said}")
             at = lambda node: " ".join(f"{x:10.5f}" for x in steps[-1][node])
-            print(f"{case:6} CalculiX S8R {nx:3} x {ny:3}: {at(loaded)}   other corner {at(other)}")
-        for row in ours.get(case, []):
-            numbers = ["".join(f"{x:11.5f}" for x in row[key]) for key in ["loaded_mm", "other_mm"]]
-            print(f"{case:6} washout {row['mesh']}: {numbers[0]}   other corner {numbers[1]}")
+            print(f"{case:6} S8R {nx:3} x {ny:3}: loaded corner {at(loaded)}   other corner {at(other)}")
+
+
+def alone(path):
+    """Displacements (mm) of the printed nodes of a deck, from the end of its first step if it has two."""
+    steps, said = solve(path.read_text())
+    if steps is None:
+        return {"run": path.stem, "outcome": "CalculiX does not reach the full load", "said": said}
+    rest = steps[0] if len(steps) > 1 else {}
+    moved = {node: [a - b for a, b in zip(u, rest.get(node, [0.0] * 3))] for node, u in steps[-1].items()}
+    return {"part": path.stem, "outcome": "solved", "moved_mm": moved}
 
 
 def main(arguments):
     as_json = "--json" in arguments
     arguments = [argument for argument in arguments if argument != "--json"]
     if arguments and arguments[0] == "--plates":
-        plates(arguments[1] if len(arguments) > 1 else None)
+        plates()
         return 0
     if not arguments:
         sys.exit(__doc__)
-    results = [compare(Path(argument)) for argument in arguments]
-    print(json.dumps(results, indent=1) if as_json else "\n".join(map(page, results)), end="")
+    runs = map(Path, arguments)
+    results = [alone(run) if run.suffix == ".inp" else compare(run) for run in runs]
+    text = lambda result: json.dumps(result) + "\n" if "part" in result else page(result)
+    print(json.dumps(results, indent=1) if as_json else "\n".join(map(text, results)), end="")
     return int(any(result["outcome"] != "solved" for result in results))
 
 

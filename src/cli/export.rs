@@ -10,7 +10,7 @@ use crate::coupling::vibration::Standing;
 use crate::export::run::{RunFolder, read_summary};
 use crate::export::text::wrapped;
 use crate::export::wing::displacement_mm;
-use crate::export::{ExportError, calculix, csv};
+use crate::export::{ExportError, calculix, csv, kratos};
 use crate::input::design::Kinematics;
 
 use super::case::Case;
@@ -25,9 +25,11 @@ const SAME_MM: f64 = 1e-5;
   washout solve designs/twist-v2.toml --set film.compression=carries
   washout export --to calculix output/twist-v2              output/twist-v2/calculix/wing.inp
   python3 docs/second_opinion.py output/twist-v2            solves it with ccx and compares
+  washout export --to kratos output/twist-v2                output/twist-v2/kratos/wing.mdpa
+  python3 docs/kratos_opinion.py output/twist-v2            solves it with Kratos and compares
 
-The deck holds the structure and the loads of the converged shape, kept still in space. edges.csv holds where washout
-puts the leading and the trailing edge.")]
+Both hold the structure and the loads of the converged shape, kept still in space. edges.csv holds where washout puts
+the leading and the trailing edge, shape.csv (Kratos) every node.")]
 pub struct Export {
     /// Folder of the run
     pub run: PathBuf,
@@ -44,6 +46,8 @@ pub struct Export {
 pub enum Program {
     /// CalculiX (`ccx`), an open finite-element program
     Calculix,
+    /// Kratos Multiphysics, an open finite-element library
+    Kratos,
 }
 
 /// What was exported; `summary.json` of its folder.
@@ -53,7 +57,7 @@ pub struct ExportReport {
     pub name: String,
     /// What has no counterpart there and is left out.
     pub left_out: Vec<String>,
-    /// Whether the deck has a first step that cools the film to its pre-tension; displacements count from its end.
+    /// Whether the film is pre-tensioned: a deck then has a first step that cools it, and displacements count from its end.
     pub cured: bool,
     /// Files of the folder.
     pub files: Vec<String>,
@@ -62,18 +66,21 @@ pub struct ExportReport {
 impl Export {
     /// Solves the inputs of the run again, which gives its shape and its loads, and writes the deck.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let Program::Calculix = self.to;
         let summary = read_summary(&self.run)?;
-        let target = self.output.clone().unwrap_or_else(|| self.run.join("calculix"));
+        let place = match self.to {
+            Program::Calculix => "calculix",
+            Program::Kratos => "kratos",
+        };
+        let target = self.output.clone().unwrap_or_else(|| self.run.join(place));
         let mut folder = RunFolder::create(&target)?;
         let name = summary.name.clone();
         let case = Case::new(summary.design.resolved(summary.design_file.as_ref())?)?;
         let design = &case.loaded.design;
         if design.structure.kinematics == Kinematics::Linear {
             return Err(Failure::Option {
-                option: "--to calculix",
+                option: "--to",
                 reason:
-                    "the deck is solved with large rotations; solve the design with structure.kinematics = \
+                    "what is exported is solved with large rotations; solve the design with structure.kinematics = \
                          \"large-rotation\""
                         .to_string(),
             });
@@ -100,12 +107,23 @@ impl Export {
                 .iter()
                 .filter(|node| !mesh.leading_edge.contains(node)),
         );
-        let deck = calculix::deck(&name, &standing, &edges)?;
-        folder.add("wing.inp", deck.text.as_bytes())?;
+        let left_out = match self.to {
+            Program::Calculix => {
+                let deck = calculix::deck(&name, &standing, &edges)?;
+                folder.add("wing.inp", deck.text.as_bytes())?;
+                deck.left_out
+            }
+            Program::Kratos => {
+                let part = kratos::model_part(&name, &standing)?;
+                folder.add("wing.mdpa", part.text.as_bytes())?;
+                folder.add("shape.csv", kratos::shape(&standing).as_bytes())?;
+                part.left_out
+            }
+        };
         folder.add("edges.csv", &csv::edges(mesh, &moved)?)?;
         let report = ExportReport {
             name,
-            left_out: deck.left_out,
+            left_out,
             cured: standing
                 .model
                 .sheets

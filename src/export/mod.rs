@@ -20,6 +20,10 @@ pub mod csv;
 
 pub mod calculix;
 
+pub mod kratos;
+
+pub mod nodal_loads;
+
 pub mod summary;
 
 pub mod builder;

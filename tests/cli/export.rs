@@ -105,3 +105,43 @@ fn what_has_no_counterpart_and_runs_of_other_inputs_are_refused() {
     assert_eq!(said.code, Some(2));
     assert!(said.err.contains("another tip displacement"), "{}", said.err);
 }
+
+#[test]
+fn the_model_part_for_kratos_holds_the_same_loads_and_the_shape_node_by_node() {
+    let here = folder();
+    let solved = solve(here.path(), &["film.compression=carries"]).document();
+    let said = washout(
+        here.path(),
+        &["export", "--to", "kratos", "run", "--json", "--quiet"],
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    conforms(&said.document(), &schema(&["--output", "export"]));
+    let target = here.path().join("run/kratos");
+    assert_eq!(
+        entries(&target),
+        ["edges.csv", "shape.csv", "summary.json", "wing.mdpa"]
+    );
+    let part = fs::read_to_string(target.join("wing.mdpa")).expect("a model part");
+    let rows = |head: &str| -> Vec<Vec<&str>> {
+        let inside = part.lines().skip_while(|line| *line != format!("Begin {head}"));
+        let rows = inside.skip(1).take_while(|line| !line.starts_with("End"));
+        rows.map(|line| line.split_whitespace().collect()).collect()
+    };
+    let reaction = solved["solve"]["reaction_force_mn"].as_array().expect("a force");
+    for (axis, reaction) in ["X", "Y", "Z"].into_iter().zip(reaction) {
+        let loads = rows(&format!("NodalData POINT_LOAD_{axis}"));
+        let sum: f64 = loads
+            .iter()
+            .map(|row| row[2].parse::<f64>().expect("a number"))
+            .sum();
+        let reaction = reaction.as_f64().expect("a number");
+        assert!((1e3 * sum + reaction).abs() < 1e-4, "{axis} {sum} {reaction}");
+    }
+    let nodes = rows("Nodes").len();
+    let triangles = solved["mesh"]["triangles"].as_u64().expect("a count") as usize;
+    assert_eq!(rows("Elements ShellThinElementCorotational3D3N").len(), triangles);
+    // the rod's base, clamped
+    assert_eq!(rows("NodalData ROTATION_X").len(), 1);
+    let shape = fs::read_to_string(target.join("shape.csv")).expect("a shape");
+    assert_eq!(shape.lines().count(), nodes + 1);
+}

@@ -19,6 +19,8 @@ pub struct QuadraticMesh {
     pub beams: Vec<[usize; 3]>,
     /// Node of the beams that each node of the film is tied to.
     pub ties: BTreeMap<usize, usize>,
+    /// Sides of one triangle alone: their ends as nodes of the model, and the number of the node in their middle.
+    pub rim: Vec<([usize; 2], usize)>,
 }
 
 impl QuadraticMesh {
@@ -46,6 +48,15 @@ impl QuadraticMesh {
         let triangles: Vec<[usize; 6]> = triangles.collect();
         let beams = model.beams.iter().map(|beam| beam.nodes);
         let mut beams: Vec<[usize; 3]> = beams.map(|[a, b]| [a + 1, middle(a, b), b + 1]).collect();
+        let mut sides: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+        for [a, b, c] in model.shells.iter().map(|shell| shell.nodes) {
+            for [a, b] in [[a, b], [b, c], [c, a]] {
+                *sides.entry([a.min(b), a.max(b)]).or_default() += 1;
+            }
+        }
+        sides.retain(|_, triangles| *triangles == 1);
+        let rim = sides.into_keys().map(|[a, b]| ([a, b], middle(a, b)));
+        let rim = rim.collect();
         let film: BTreeSet<usize> = triangles.iter().flatten().copied().collect();
         let mut ties = BTreeMap::new();
         for node in beams.iter_mut().flatten().filter(|node| film.contains(node)) {
@@ -59,6 +70,7 @@ impl QuadraticMesh {
             triangles,
             beams,
             ties,
+            rim,
         }
     }
 }
@@ -92,6 +104,8 @@ mod tests {
         let mesh = QuadraticMesh::of(&model);
         assert_eq!(mesh.triangles, [[1, 2, 3, 5, 6, 7], [1, 3, 4, 7, 8, 9]]);
         assert_eq!(mesh.beams, [[10, 11, 12]]);
+        let rim = [([0, 1], 5), ([0, 3], 9), ([1, 2], 6), ([2, 3], 8)];
+        assert_eq!(mesh.rim, rim);
         assert_eq!(mesh.ties, BTreeMap::from([(3, 10), (7, 11), (1, 12)]));
         assert_eq!((mesh.carrier(0), mesh.carrier(1)), (12, 2));
         assert_eq!(mesh.nodes_mm.len(), 12);

@@ -14,6 +14,7 @@ use std::fmt::Write;
 use nalgebra::Vector3;
 
 use super::ExportError;
+use super::nodal_loads::nodal_loads;
 use crate::coupling::vibration::Standing;
 use crate::structure::{Compression, Model, Sheet};
 
@@ -37,9 +38,7 @@ pub struct Deck {
 /// # Errors
 /// If the wing stands on a spring.
 pub fn deck(name: &str, standing: &Standing, printed: &[usize]) -> Result<Deck, ExportError> {
-    let Standing {
-        model, state, loads, ..
-    } = standing;
+    let model = &standing.model;
     if !model.springs.is_empty() {
         return Err(ExportError::NoCounterpart {
             what: "the pitch stiffness of the root",
@@ -66,12 +65,7 @@ pub fn deck(name: &str, standing: &Standing, printed: &[usize]) -> Result<Deck, 
     }
     begin_step(&mut text);
     text.push_str("*CLOAD\n");
-    let mut moment_n_m = loads.moment_n_m.clone();
-    let mut force_n = loads.force_n.clone();
-    for arm in &loads.arms {
-        force_n[arm.node] += arm.force_n;
-        moment_n_m[arm.node] += (state.rotation[arm.node] * arm.arm_m).cross(&arm.force_n);
-    }
+    let (force_n, moment_n_m) = nodal_loads(standing);
     for (node, (force, moment)) in force_n.iter().zip(&moment_n_m).enumerate() {
         for (first, values) in [(1, *force), (4, 1e3 * moment)] {
             for (component, value) in values.iter().enumerate().filter(|(_, value)| **value != 0.0) {
@@ -166,10 +160,21 @@ fn supports(text: &mut String, model: &Model, mesh: &QuadraticMesh) {
         }
     }
     text.push_str("*BOUNDARY\n");
+    let mut hold = |number: usize, held: [bool; 6]| {
+        for freedom in (1..=6).filter(|freedom| held[freedom - 1]) {
+            line(text, format_args!("{number},{freedom},{freedom}"));
+        }
+    };
     for (node, held) in model.held.iter().enumerate() {
-        for (freedom, _) in held.iter().enumerate().filter(|(_, held)| **held) {
-            let carrier = mesh.carrier(node);
-            line(text, format_args!("{carrier},{},{}", freedom + 1, freedom + 1));
+        hold(mesh.carrier(node), *held);
+    }
+    // a held rim is held between its nodes too; a node that is tied to a beam goes with it
+    for &([a, b], middle) in &mesh.rim {
+        if !mesh.ties.contains_key(&middle) {
+            hold(
+                middle,
+                std::array::from_fn(|k| model.held[a][k] && model.held[b][k]),
+            );
         }
     }
 }
