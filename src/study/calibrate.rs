@@ -18,6 +18,12 @@ const PATIENCE: usize = 30;
 /// (over 1 + Q) does too.
 const TOLERANCE: f64 = 1e-2;
 
+/// Fall of Q that the linear model promises, at most, for a last step that the model itself is not asked about any more: it is
+/// less than a tenth of a standard deviation long, over which the model is linear.
+const LITTLE: f64 = 1e-2;
+/// Damping above which a step is held back, so that a small one tells nothing.
+const HELD_BACK: f64 = 1e-3;
+
 /// The best fit.
 #[derive(Debug, Clone)]
 pub struct Fit {
@@ -74,7 +80,7 @@ pub fn misfit(observable: &Observable, modelled: f64) -> f64 {
 
 /// Fits the free unknowns.
 ///
-/// The search also ends where no step downhill, however short, lowers Q: the bottom of a kink.
+/// The last step is taken by the linear model where that promises next to no fall of Q. The search also ends where no step downhill, however short, lowers Q: the bottom of a kink.
 ///
 /// # Errors
 /// If the model has no solution at the start or where the search leads, the search does not settle, or the user asked
@@ -88,7 +94,7 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
         forward.linearize_from(footing, at, &|unknown| wanted(&unknown.name))
     };
     let (mut linear, mut footing) = ask(task.footing, &at)?;
-    let mut damping = 1e-3;
+    let mut damping = HELD_BACK;
     let mut fall = f64::INFINITY;
     // why a trial had no solution, until whole steps succeed again: a search held back by such trials has found nothing
     let mut unsolved: Option<StudyError> = None;
@@ -103,6 +109,15 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
                     ..here.fit(forward, task, at, linear, step)
                 }),
             };
+        }
+        let last = linear.moved(&moved.at, &at);
+        let there = Local::new(forward, task, &moved.at, &last);
+        let promised = here.q() - there.q();
+        if unsolved.is_none() && damping <= HELD_BACK && (0.0..LITTLE).contains(&promised) {
+            return Ok(Fit {
+                footing,
+                ..there.fit(forward, task, moved.at, last, step + 1)
+            });
         }
         match ask(footing.as_ref(), &moved.at) {
             Err(cancelled @ StudyError::Cancelled(_)) => return Err(cancelled),

@@ -11,7 +11,7 @@ use super::footing::Column;
 use super::forward::{Condition, Observable};
 use super::work::Work;
 use crate::aero::{AirLaw, Flow};
-use crate::coupling::sensitivity::Nearby;
+use crate::coupling::sensitivity::{Nearby, Rate};
 use crate::coupling::solution::Solution;
 use crate::coupling::strips::Strips;
 use crate::coupling::wing::Wing;
@@ -300,9 +300,12 @@ impl PreparedCase {
                 Some(step) => {
                     let mut design = solved.design.clone();
                     design.set(key, *step).map_err(|error| self.failed(error))?;
+                    // its derivative to the side of the step leads part of the way
+                    let rate = sensitivity.rate(key).ok();
+                    let way = |rate: Rate| rate.state.iter().map(|change| change * step).collect();
                     let from = Near {
                         solution: &solved.solution,
-                        step: None,
+                        step: rate.filter(|rate| !rate.moves_mesh).map(way),
                     };
                     let there = self.solve(&design, Some(&from), progress)?;
                     work += there.work();

@@ -103,6 +103,18 @@ pub struct Linear {
     pub jacobian: DMatrix<f64>,
 }
 
+impl Linear {
+    /// What the derivatives predict at `to`, where the unknowns stood at `from`.
+    #[must_use]
+    pub fn moved(&self, to: &[f64], from: &[f64]) -> Linear {
+        let step = DVector::from_iterator(to.len(), to.iter().zip(from).map(|(to, from)| to - from));
+        Linear {
+            value: &self.value + &self.jacobian * step,
+            jacobian: self.jacobian.clone(),
+        }
+    }
+}
+
 /// What an answer of a model leaves for its next ones; only the model that left it can read it.
 #[derive(Clone)]
 pub struct Footing(Arc<dyn Any + Send + Sync>);
