@@ -15,6 +15,11 @@ use crate::structure::Equilibrium;
 /// Largest number of Krylov vectors.
 const KRYLOV: usize = 80;
 
+/// Eigenvalue below which the air does not count as driving the wing toward divergence.
+const NEGLIGIBLE: f64 = 1e-2;
+/// Steps in a row that must say so.
+const CALM: usize = 4;
+
 /// The feedback at a shape whose tangent `equilibrium` has factorized; `air` with derivatives.
 #[derive(Debug)]
 pub struct Feedback<'a, 'm> {
@@ -91,6 +96,7 @@ impl<'a, 'm> Feedback<'a, 'm> {
         let most = KRYLOV.min(size);
         let mut hessenberg = DMatrix::<f64>::zeros(most + 1, most);
         let mut last = f64::NAN;
+        let mut calm = 0;
         for k in 0..most {
             let next = self.orthogonal_step(&mut basis, &mut hessenberg, k);
             // nothing is decided before the eighth
@@ -99,13 +105,21 @@ impl<'a, 'm> Feedback<'a, 'm> {
             }
             let largest = largest_real(&hessenberg.view((0, 0), (k + 1, k + 1)).into_owned());
             let settled = (largest - last).abs() <= 1e-7 * largest.abs().max(1e-3);
-            if !next || (k >= 8 && settled) {
+            // where there is none the largest wanders about zero: enough that it stays far below what counts, and that what the
+            // space leaves out is small too
+            let leaves = hessenberg[(k + 1, k)];
+            calm = if largest < 0.2 * NEGLIGIBLE && leaves < 0.5 * NEGLIGIBLE {
+                calm + 1
+            } else {
+                0
+            };
+            if !next || (k >= 8 && (settled || calm == CALM)) {
                 last = largest;
                 break;
             }
             last = largest;
         }
-        (last > 1e-2).then(|| 1.0 / last)
+        (last > NEGLIGIBLE).then(|| 1.0 / last)
     }
 
     /// One step of Arnoldi's method; `false` when the space is exhausted.

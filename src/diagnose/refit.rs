@@ -2,6 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+use crate::study::boxed::least_in_box;
 use crate::study::{Fit, Footing, Forward};
 
 use super::data::{Data, Scatter};
@@ -109,28 +110,47 @@ impl Refits<'_> {
         }
     }
 
-    /// Strengths of the linear model, and the other unknowns where they then are best.
+    /// Where the linear model is best within the ranges of all unknowns; of two effects at the strengths of the estimates.
     fn start(&self, members: &[usize], estimates: &[f64]) -> Vec<f64> {
         let unknowns = self.forward.unknowns();
         let mut at = self.baseline.at.clone();
-        let mut pushed = DVector::zeros(self.data.rows.len());
-        for (&member, &estimate) in members.iter().zip(estimates) {
-            let effect = self.data.missing[member];
-            let [low, high] = unknowns[effect].range;
-            let step = estimate.clamp(-LONGEST_START, LONGEST_START) * unknowns[effect].sigma;
-            at[effect] = step.clamp(low, high);
-            let column = self.slopes.column(member).select_rows(self.data.rows.iter());
-            pushed += self.scatter.noise.whiten(&column) * (at[effect] / unknowns[effect].sigma);
-        }
-        let slopes = &self.baseline.slopes;
-        let size = slopes.ncols();
-        let curvature = DMatrix::identity(size, size) + slopes.transpose() * slopes;
-        if let Some(factor) = Cholesky::new(curvature) {
-            let back = factor.solve(&(slopes.transpose() * pushed));
-            for (&i, back) in self.baseline.free.iter().zip(back.iter()) {
-                let [low, high] = unknowns[i].range;
-                at[i] = (at[i] - back * unknowns[i].sigma).clamp(low, high);
-            }
+        let effects: Vec<usize> = members.iter().map(|&k| self.data.missing[k]).collect();
+        let seen = self.slopes.select_columns(members).select_rows(&self.data.rows);
+        let seen = self.scatter.noise.whiten_columns(&seen);
+        let Fit {
+            free,
+            slopes,
+            residual,
+            ..
+        } = self.baseline;
+        let moving: Vec<usize> = free.iter().chain(&effects).copied().collect();
+        let (rows, first, size) = (slopes.nrows(), free.len(), moving.len());
+        let slopes = DMatrix::from_fn(rows, size, |i, j| match j.checked_sub(first) {
+            None => slopes[(i, j)],
+            Some(member) => seen[(i, member)],
+        });
+        let in_sigmas = |i: usize, value: f64| (value - at[i]) / unknowns[i].sigma;
+        let room = |end: usize| {
+            let room = moving.iter().enumerate().map(|(place, &i)| {
+                let room = in_sigmas(i, unknowns[i].range[end]);
+                match place.checked_sub(first) {
+                    None => room,
+                    Some(member) if members.len() > 1 => estimates[member].clamp(
+                        in_sigmas(i, unknowns[i].range[0]).max(-LONGEST_START),
+                        in_sigmas(i, unknowns[i].range[1]).min(LONGEST_START),
+                    ),
+                    Some(_) => room.clamp(-LONGEST_START, LONGEST_START),
+                }
+            });
+            DVector::from_iterator(size, room)
+        };
+        let prior = moving.iter().map(|&i| -in_sigmas(i, unknowns[i].mean));
+        let push = slopes.transpose() * residual - DVector::from_iterator(size, prior);
+        let curvature = DMatrix::identity(size, size) + slopes.transpose() * &slopes;
+        let step = least_in_box(&curvature, &push, &room(0), &room(1));
+        for (&i, step) in moving.iter().zip(step.iter()) {
+            let [low, high] = unknowns[i].range;
+            at[i] = (at[i] + step * unknowns[i].sigma).clamp(low, high);
         }
         at
     }

@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::input::measurement::Bound;
 
+use super::boxed::least_in_box;
 use super::error::StudyError;
 use super::forward::{Footing, Forward, Linear, Observable};
 use super::noise::Noise;
@@ -195,24 +196,17 @@ impl Local {
 
     fn step(&self, forward: &dyn Forward, free: &[usize], at: &[f64], damping: f64) -> Moved {
         let unknowns = forward.unknowns();
-        let downhill = self.slopes.transpose() * &self.residual - &self.prior;
+        let push = self.slopes.transpose() * &self.residual - &self.prior;
         let mut curvature = self.curvature();
         let diagonal = curvature.diagonal();
-        let mut push = downhill.clone();
-        for (k, &i) in free.iter().enumerate() {
-            curvature[(k, k)] += damping * diagonal[k];
-            let [low, high] = unknowns[i].range;
-            let leaves = (at[i] <= low && push[k] < 0.0) || (at[i] >= high && push[k] > 0.0);
-            if leaves {
-                push[k] = 0.0;
-                curvature.row_mut(k).fill(0.0);
-                curvature.column_mut(k).fill(0.0);
-                curvature[(k, k)] = 1.0;
-            }
-        }
-        let step = curvature
-            .cholesky()
-            .map_or_else(|| push.clone(), |factor| factor.solve(&push));
+        curvature.set_diagonal(&(&diagonal * (1.0 + damping)));
+        let room = |end: usize| {
+            let room = free
+                .iter()
+                .map(|&i| (unknowns[i].range[end] - at[i]) / unknowns[i].sigma);
+            DVector::from_iterator(free.len(), room)
+        };
+        let step = least_in_box(&curvature, &push, &room(0), &room(1));
         let mut moved = at.to_vec();
         let mut size: f64 = 0.0;
         for (k, &i) in free.iter().enumerate() {

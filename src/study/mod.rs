@@ -2,6 +2,8 @@
 
 pub mod band;
 
+pub mod boxed;
+
 pub mod calibrate;
 
 pub mod campaign;
