@@ -157,11 +157,15 @@ impl<const N: usize, const D: usize> Frame<N, D> {
         let both = rigid.transpose() * k_rigid + turning_force.transpose() * rigid;
         let both = 0.5 * (both + both.transpose());
         let c = k_rigid + 0.5 * (turning_all + turning_force) - 0.5 * self.spin.transpose() * both;
+        let spin = self.spin.transpose();
         for column in 0..D {
-            for row in 0..D {
+            let by_spin: [f64; 3] = std::array::from_fn(|a| spin[(column, a)]);
+            let by_c: [f64; 3] = std::array::from_fn(|a| c[(column, a)]);
+            // only the lower triangle of blocks is read on
+            for row in column - column % 3..D {
                 let mut sum = 0.0;
                 for a in 0..3 {
-                    sum += c[(row, a)] * self.spin[(a, column)] + self.spin[(a, row)] * c[(column, a)];
+                    sum += c[(row, a)] * by_spin[a] + spin[(row, a)] * by_c[a];
                 }
                 k[(row, column)] -= sum;
             }
