@@ -46,6 +46,8 @@ pub mod compare;
 
 pub mod diagnose;
 
+pub mod blind;
+
 pub mod plot;
 
 pub mod export;

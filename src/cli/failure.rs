@@ -4,6 +4,7 @@ use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::blind::BlindError;
 use crate::coupling::CouplingError;
 use crate::diagnose::DiagnoseError;
 use crate::export::ExportError;
@@ -110,6 +111,14 @@ pub enum Failure {
         /// Why.
         source: SynthesizeError,
     },
+    /// A case of a blind run that cannot be tried.
+    #[error("{}: {source}", study.display())]
+    Blind {
+        /// The study file.
+        study: PathBuf,
+        /// Why.
+        source: BlindError,
+    },
     /// Measurements that a diagnosis would only read back.
     #[error(
         "{}: case {case} was made by washout synthesize with {what} as this diagnosis has: finding the answer there would \
@@ -212,7 +221,7 @@ impl Failure {
                 SynthesizeError::Study(source) => source.exit_code(),
                 _ => 2,
             },
-            Failure::OwnWord { .. } => 2,
+            Failure::OwnWord { .. } | Failure::Blind { .. } => 2,
             Failure::Study(source) | Failure::OfStudy { source, .. } => source.exit_code(),
             Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } | Failure::NoMeasurement { .. } => 2,

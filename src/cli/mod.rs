@@ -39,6 +39,8 @@ pub mod add;
 
 pub mod synthesize;
 
+pub mod blind;
+
 pub mod diff;
 
 pub mod export;
@@ -108,6 +110,8 @@ pub enum Verb {
     Add(add::Add),
     /// Make measurements with a hidden effect, to try a campaign before trusting it
     Synthesize(synthesize::Synthesize),
+    /// Diagnose many cases whose answer is known, and print the scoreboard
+    Blind(blind::TryBlind),
     /// List the physics that can be added to a design, or print the card of one
     Effects(effects::ListEffects),
     /// Compare two runs: inputs, results, twist
@@ -138,6 +142,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Diagnose(verb) => verb.run(&console),
         Verb::Add(verb) => verb.run(&console),
         Verb::Synthesize(verb) => verb.run(&console),
+        Verb::Blind(verb) => verb.run(&console),
         Verb::Effects(verb) => verb.run(&console),
         Verb::Diff(verb) => verb.run(&console),
         Verb::Export(verb) => verb.run(&console),

@@ -2,6 +2,7 @@
 
 use clap::{Args, ValueEnum};
 
+use crate::blind::Scoreboard;
 use crate::diagnose::Plan;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::difference::Difference;
@@ -64,6 +65,8 @@ pub enum Output {
     Synthesize,
     /// answer.json of `washout synthesize`
     Answer,
+    /// `washout blind --json`
+    Blind,
     /// `washout export --json`
     Export,
     /// `washout verify --json`, and `verify.json`
@@ -90,6 +93,7 @@ impl Schema {
             Some(Output::Plan) => schemars::schema_for!(Plan),
             Some(Output::Synthesize) => schemars::schema_for!(super::synthesize::SynthesizeReport),
             Some(Output::Answer) => schemars::schema_for!(Answer),
+            Some(Output::Blind) => schemars::schema_for!(Scoreboard),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
             Some(Output::Export) => schemars::schema_for!(super::export::ExportReport),
             Some(Output::Verify) => schemars::schema_for!(VerifyReport),

@@ -67,7 +67,10 @@ impl<'a, 'm> Feedback<'a, 'm> {
             return Some(x);
         }
         let seen = self.shapes_of(right);
-        let y = self.gmres(&seen, tolerance)?;
+        let y = match self.gmres(&seen, tolerance) {
+            Some(y) => y,
+            None => self.direct(&seen)?,
+        };
         let air = self.wing.air_force_change(&self.air, &y);
         let mut x: Vec<f64> = right
             .iter()
@@ -176,6 +179,22 @@ impl<'a, 'm> Feedback<'a, 'm> {
             }
         }
         None
+    }
+
+    /// (I − J)⁻¹ b by the matrix itself: a solve for each of its columns, where GMRES stagnates.
+    fn direct(&mut self, right: &[f64]) -> Option<Vec<f64>> {
+        let size = right.len();
+        let mut matrix = DMatrix::<f64>::identity(size, size);
+        for k in 0..size {
+            let unit: Vec<f64> = (0..size).map(|i| f64::from(u8::from(i == k))).collect();
+            for (i, answer) in self.apply(&unit).into_iter().enumerate() {
+                matrix[(i, k)] -= answer;
+            }
+        }
+        let right = DVector::from_column_slice(right);
+        let solution = matrix.clone().lu().solve(&right)?;
+        let residual = (&matrix * &solution - &right).norm();
+        (residual <= 1e-6 * right.norm()).then(|| solution.data.into())
     }
 
     /// S K⁻¹ f.

@@ -12,6 +12,7 @@ use super::evidence::Likelihood;
 use super::fields::{Field, Law, fields};
 use super::novel::seen;
 use super::null::{NullTest, Scale, Significance};
+use super::refit::Explanation;
 use super::robust::outlier_widening;
 use super::rough::{FEWEST, Smooth};
 use super::screening::{Directions, is_one_sided, slopes_of_missing};
@@ -21,6 +22,8 @@ use crate::study::draws::Draws;
 
 /// Size of the fields that count as smooth when the noise is judged, over that of the prediction.
 const SMOOTH_AMPLITUDE: f64 = 0.3;
+/// An explanation counts as calmer if the data scatter less about it than this share.
+const CALMER: f64 = 0.8;
 /// Rounds in which the scale of the noise settles.
 const ROUNDS: usize = 3;
 
@@ -129,6 +132,55 @@ impl<'a> Baseline<'a> {
             likelihood,
             footing,
         })
+    }
+
+    /// The same with the scatter that the data show about an explanation, if that is clearly less than about the model as it
+    /// is: what is missing may be too large and too crooked to count as smooth there.
+    ///
+    /// # Errors
+    /// As [`Baseline::new`].
+    pub fn calmed(
+        &self,
+        explanation: &Explanation,
+        progress: &Progress,
+    ) -> Result<Option<Baseline<'a>>, DiagnoseError> {
+        let (Some(local), Some(found)) = (&explanation.local, &explanation.fit) else {
+            return Ok(None);
+        };
+        let glance = Glance {
+            forward: self.forward,
+            settings: self.settings,
+            data: &self.data,
+            local,
+            slopes: &self.slopes,
+            fields: &self.fields,
+            value: &found.predicted,
+        };
+        let widening = glance.outliers();
+        let scatter = glance.settle(widening)?;
+        if scatter.scale > CALMER * self.scatter.scale {
+            return Ok(None);
+        }
+        progress.say("fitting the model with the scatter that the data show about the best explanation");
+        let fit = scatter.fit(self.forward, &self.data, &self.data.model, &self.fit.at)?;
+        let local = Local::about(&fit, self.forward, &scatter.noise);
+        let whitened = Whitened::new(&local, &scatter.noise)?;
+        Ok(Some(Baseline {
+            forward: self.forward,
+            settings: self.settings,
+            data: self.data.clone(),
+            raw: self.raw.clone(),
+            value: found.predicted.clone(),
+            directions: Directions::new(&self.data, &self.slopes, &whitened),
+            seen: seen(&self.fields, &whitened),
+            fields: self.fields.clone(),
+            slopes: self.slopes.clone(),
+            likelihood: self.likelihood,
+            scatter,
+            fit,
+            local,
+            whitened,
+        }))
     }
 
     /// Whether the scale of the noise is taken on trust, for want of numbers.

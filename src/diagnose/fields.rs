@@ -153,6 +153,16 @@ fn free_field(
             .copy_from(&(root * (factor * own)));
         profiles.push((Some(*condition), profile));
     }
+    // no moment moves a lift: what the other channels are off by is as free
+    let others = place.levels_and_tilts(forward, data);
+    for (_, profile) in &mut profiles {
+        *profile = profile
+            .clone()
+            .resize_horizontally(columns.ncols() + others.ncols(), 0.0);
+    }
+    let first = columns.ncols();
+    columns = columns.resize_horizontally(first + others.ncols(), 0.0);
+    columns.columns_mut(first, others.ncols()).copy_from(&others);
     Field {
         law: Law::Free,
         columns,
@@ -250,6 +260,47 @@ impl Places {
             responded += weight * response.row(position).norm_squared();
         }
         (responded > 0.0 && predicted > 0.0).then(|| (predicted / responded).sqrt())
+    }
+
+    /// For each channel but twist in each condition, its prediction, and where there are three numbers or more, its prediction
+    /// times the place along the span from -1 to 1.
+    fn levels_and_tilts(&self, forward: &dyn Forward, data: &Data) -> DMatrix<f64> {
+        let observables = forward.observables();
+        let of = |position: usize| &observables[data.rows[position]];
+        let mut columns: Vec<DVector<f64>> = Vec::new();
+        for (condition, positions) in data.conditions(forward) {
+            let length_mm = 1e3 * forward.conditions()[condition].length_m;
+            let mut channels: Vec<Channel> = Vec::new();
+            for &position in &positions {
+                let channel = of(position).channel;
+                if !channel.is_twist() && !channels.contains(&channel) {
+                    channels.push(channel);
+                }
+            }
+            for channel in channels {
+                let own: Vec<usize> = positions
+                    .iter()
+                    .copied()
+                    .filter(|&p| of(p).channel == channel)
+                    .collect();
+                let tilt = |position: usize| 2.0 * of(position).r_mm.unwrap_or(0.0) / length_mm - 1.0;
+                let column = |weight: &dyn Fn(usize) -> f64| {
+                    let mut column = DVector::zeros(self.value.len());
+                    for &position in &own {
+                        column[position] = self.value[position] * weight(position);
+                    }
+                    column
+                };
+                columns.push(column(&|_| 1.0));
+                if own.len() >= 3 {
+                    columns.push(column(&tilt));
+                }
+            }
+        }
+        match columns.is_empty() {
+            true => DMatrix::zeros(self.value.len(), 0),
+            false => DMatrix::from_columns(&columns),
+        }
     }
 
     fn scaled(&self, law: Law, response: &DMatrix<f64>, root: &DMatrix<f64>) -> Option<Field> {

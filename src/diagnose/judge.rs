@@ -12,6 +12,7 @@ use super::null::Significance;
 use super::posterior::Belief;
 use super::refit::{Explanation, Refits};
 use super::screening::{Directions, is_one_sided, slopes_of_missing};
+use super::second_look::second_look;
 use super::whitened::Whitened;
 
 /// Explanations this much below the best in ln(prior × evidence) of the linear model are not fitted anew.
@@ -60,6 +61,16 @@ impl Judgement {
         self.singles
             .get(index)
             .unwrap_or_else(|| &self.pairs[index - self.singles.len()])
+    }
+
+    /// The heaviest of all that were fitted anew.
+    pub fn best_explanation(&self) -> Option<&Explanation> {
+        let weight = |index: usize| self.trial(index).ln_prior + self.ln_evidence[index];
+        let best = self
+            .refits
+            .iter()
+            .max_by(|a, b| weight(a.0).total_cmp(&weight(b.0)));
+        best.map(|(_, explanation)| explanation)
     }
 
     /// The heaviest trial of `families` and, if it was fitted anew, its explanation.
@@ -183,6 +194,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
     };
     refit_singles(&mut judgement, &refits, count, progress)?;
     if !is_null {
+        second_look(&mut judgement, baseline, &refits, progress)?;
         refit_pairs(&mut judgement, baseline, &refits, progress)?;
     }
     conclude(&mut judgement, baseline, ln_nothing);

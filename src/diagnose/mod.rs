@@ -48,6 +48,8 @@ pub mod rows;
 
 pub mod screening;
 
+pub mod second_look;
+
 pub mod settings;
 
 pub mod verdict;
@@ -65,6 +67,7 @@ use crate::progress::Progress;
 use crate::study::Forward;
 
 use baseline::Baseline;
+use judge::Judgement;
 
 /// Finds what the model lacks.
 ///
@@ -89,7 +92,26 @@ pub fn diagnose_with(
     settings: &Settings,
     progress: &Progress,
 ) -> Result<Diagnosis, DiagnoseError> {
-    let baseline = Baseline::new(forward, settings, progress)?;
-    let judgement = judge::judge(&baseline, progress)?;
+    let (baseline, judgement) = judged(forward, settings, progress)?;
     report::report(&baseline, &judgement, candidates, progress)
+}
+
+/// The model as it is, and everything that was weighed against it: what a report is made of.
+///
+/// # Errors
+/// As [`diagnose`].
+pub fn judged<'a>(
+    forward: &'a dyn Forward,
+    settings: &'a Settings,
+    progress: &Progress,
+) -> Result<(Baseline<'a>, Judgement), DiagnoseError> {
+    let mut baseline = Baseline::new(forward, settings, progress)?;
+    let mut judgement = judge::judge(&baseline, progress)?;
+    if let Some(best) = judgement.best_explanation()
+        && let Some(calmed) = baseline.calmed(best, progress)?
+    {
+        baseline = calmed;
+        judgement = judge::judge(&baseline, progress)?;
+    }
+    Ok((baseline, judgement))
 }

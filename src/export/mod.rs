@@ -18,6 +18,8 @@ pub mod pvd;
 
 pub mod csv;
 
+pub mod blind;
+
 pub mod calculix;
 
 pub mod kratos;

@@ -318,7 +318,8 @@ impl PreparedCase {
                 }
                 None => {
                     work.derivatives += 1;
-                    let rate = sensitivity.rate(key).map_err(|error| self.failed(error))?;
+                    let fault = |error| self.failed(format!("{key}: {error}"));
+                    let rate = sensitivity.rate(key).map_err(fault)?;
                     let unread = OnceCell::new();
                     let column = sensitivity.read(&rate, |near| {
                         self.read(near).unwrap_or_else(|error| {

@@ -84,6 +84,10 @@ const ROOMS: &[(&str, &[&str])] = &[
     ),
     ("plot", &[]),
     (
+        "blind",
+        &["progress", "input", "effects", "study", "synthesize", "diagnose"],
+    ),
+    (
         "export",
         &[
             "progress",
@@ -102,6 +106,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "compare",
             "diagnose",
             "plot",
+            "blind",
         ],
     ),
     (
@@ -122,6 +127,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "synthesize",
             "compare",
             "diagnose",
+            "blind",
             "export",
         ],
     ),

@@ -1,0 +1,104 @@
+//! What is hidden in a case.
+
+use super::novel::novel;
+use super::{Blind, BlindError, Kind};
+use crate::diagnose::plan::PlannedEffect;
+use crate::effects::named;
+use crate::progress::Progress;
+use crate::study::draws::Draws;
+use crate::synthesize::{Hidden, Recipe};
+
+/// Detectability of hidden effects, sigma: drawn evenly from this range.
+const DETECTABLE: [f64; 2] = [5.0, 15.0];
+/// Cosine from which on two effects of different families are twins.
+const TWINS: f64 = 0.98;
+/// Refinements of the wing that is measured over that of the model.
+const MESHES: [f64; 3] = [1.2, 1.3, 0.85];
+
+/// The recipe of a case; each kind and seed has its own.
+///
+/// # Errors
+/// If the campaign allows no such case.
+pub fn recipe(blind: &Blind, kind: Kind, seed: u64, progress: &Progress) -> Result<Recipe, BlindError> {
+    let draws = Draws::new(seed.wrapping_mul(1000).wrapping_add(kind as u64));
+    // the diagnosis draws its noise with seed 1: another seed, whatever the case
+    let mut recipe = Recipe::new(1_000_000 + 1000 * seed + kind as u64);
+    recipe.made.mesh = MESHES[(draws.uniform(1, 0) * MESHES.len() as f64) as usize];
+    recipe.made.background = 0.005 + 0.01 * draws.uniform(1, 1);
+    let none = |reason| BlindError::NoCase {
+        kind: kind.word(),
+        reason,
+    };
+    match kind {
+        Kind::Null => {}
+        Kind::NullQuiet => recipe.noise = 1.3,
+        Kind::NullOutlier => recipe.outlier = Some(8.0),
+        Kind::Single => {
+            let first = pick(&blind.plan.effects, draws, 0, &is_visible)
+                .ok_or(none("no effect of plausible size would be seen"))?;
+            recipe.hidden = vec![hidden(first, draws, 0)];
+        }
+        Kind::Twin => {
+            let first = pick(&blind.plan.effects, draws, 0, &|effect| {
+                is_visible(effect) && has_twin(effect)
+            })
+            .ok_or(none("no two effects look alike"))?;
+            recipe.hidden = vec![hidden(first, draws, 0)];
+        }
+        Kind::Pair => {
+            let reason = "fewer than two families would be seen";
+            let first = pick(&blind.plan.effects, draws, 0, &is_visible).ok_or(none(reason))?;
+            let other = |effect: &PlannedEffect| is_visible(effect) && effect.family != first.family;
+            let second = pick(&blind.plan.effects, draws, 1, &other).ok_or(none(reason))?;
+            recipe.hidden = vec![hidden(first, draws, 0), hidden(second, draws, 1)];
+        }
+        Kind::Novel => recipe.hidden = vec![novel(blind, draws, progress)?],
+    }
+    Ok(recipe)
+}
+
+fn pick<'a>(
+    effects: &'a [PlannedEffect],
+    draws: Draws,
+    which: u64,
+    may: &dyn Fn(&PlannedEffect) -> bool,
+) -> Option<&'a PlannedEffect> {
+    let mut may: Vec<&PlannedEffect> = effects.iter().filter(|effect| may(effect)).collect();
+    // the order of the plan is that of its figures; names do not depend on rounding
+    may.sort_by(|a, b| a.effect.cmp(&b.effect));
+    let place = (draws.uniform(2, which) * may.len() as f64) as usize;
+    may.get(place).copied()
+}
+
+/// Whether its plausible size reaches the range from which strengths are drawn.
+fn is_visible(effect: &PlannedEffect) -> bool {
+    effect.detectability >= DETECTABLE[0]
+}
+
+fn has_twin(effect: &PlannedEffect) -> bool {
+    effect
+        .confused_with
+        .iter()
+        .any(|other| other.cosine.abs() > TWINS)
+}
+
+/// With a strength that is seen at a distance drawn from the range, as far as it is plausible.
+fn hidden(effect: &PlannedEffect, draws: Draws, which: u64) -> Hidden {
+    let [low, high] = DETECTABLE;
+    let most = high.min(effect.detectability);
+    let distance = low + (most - low) * draws.uniform(3, which);
+    let one_sided = named(&effect.effect).is_some_and(|known| known.card().parameters[0].is_one_sided());
+    let sign = if one_sided || draws.uniform(4, which) < 0.5 {
+        1.0
+    } else {
+        -1.0
+    };
+    let size = effect.scale * distance / effect.detectability;
+    let range = named(&effect.effect).map_or([-size, size], |known| known.card().parameters[0].plausible);
+    let strength = if sign < 0.0 && -size < range[0] {
+        size
+    } else {
+        sign * size
+    };
+    Hidden::known(&effect.effect, strength)
+}

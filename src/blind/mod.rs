@@ -1,0 +1,175 @@
+//! Diagnoses of cases whose hidden cause is known, many of them: the figures by which a diagnosis is measured.
+//!
+//! A development benchmark: its cases are made by the program itself ([`crate::synthesize`]), with other meshes, formulas and
+//! background errors than the diagnosis has, but by the same hands. Each case is a function of study, kind and seed alone,
+//! so a run can stop and go on, and parts of it can be done elsewhere.
+
+pub mod baselines;
+
+pub mod draw;
+
+pub mod error;
+
+pub mod novel;
+
+pub mod outcome;
+
+pub mod scoreboard;
+
+pub use error::BlindError;
+pub use outcome::Outcome;
+pub use scoreboard::{Scoreboard, scoreboard};
+
+use std::time::Instant;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::diagnose::{self, Plan, Settings, judged};
+use crate::input::study::LoadedStudy;
+use crate::progress::Progress;
+use crate::study::Campaign;
+use crate::synthesize::synthesize;
+
+/// Kinds of cases.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// Nothing is missing.
+    Null,
+    /// Nothing is missing, and sigma is stated 30 % too small.
+    NullQuiet,
+    /// Nothing is missing, and one number is 8 sigma off.
+    NullOutlier,
+    /// One effect.
+    Single,
+    /// Two effects of different families.
+    Pair,
+    /// Something that no effect is.
+    Novel,
+    /// One effect that this campaign cannot tell from another.
+    Twin,
+}
+
+/// Kinds in the order in which they come around: 29 cases hold 15 without anything missing, 6 single ones, 3 pairs, 3 novel
+/// ones and 2 twins.
+const ROUND: [Kind; 29] = {
+    use Kind::{Novel, Null, NullOutlier, NullQuiet, Pair, Single, Twin};
+    [
+        Single,
+        Null,
+        Novel,
+        NullQuiet,
+        Pair,
+        Null,
+        Single,
+        NullOutlier,
+        Twin,
+        Null,
+        Single,
+        Null,
+        NullQuiet,
+        Pair,
+        Null,
+        NullOutlier,
+        Single,
+        Novel,
+        Null,
+        NullQuiet,
+        Single,
+        NullOutlier,
+        Null,
+        Pair,
+        NullQuiet,
+        Twin,
+        Single,
+        NullOutlier,
+        Novel,
+    ]
+};
+
+impl Kind {
+    /// Its word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Kind::Null => "null",
+            Kind::NullQuiet => "null-quiet",
+            Kind::NullOutlier => "null-outlier",
+            Kind::Single => "single",
+            Kind::Pair => "pair",
+            Kind::Novel => "novel",
+            Kind::Twin => "twin",
+        }
+    }
+
+    /// Whether nothing is missing.
+    pub fn is_null(self) -> bool {
+        matches!(self, Kind::Null | Kind::NullQuiet | Kind::NullOutlier)
+    }
+
+    /// The kind of the case at a place of the run.
+    pub fn at(index: usize) -> Kind {
+        ROUND[index % ROUND.len()]
+    }
+}
+
+/// What all cases share.
+#[derive(Debug)]
+pub struct Blind<'a> {
+    /// The study whose campaign is tried.
+    pub study: &'a LoadedStudy,
+    /// Effects that the diagnosis may try.
+    pub candidates: Vec<&'a str>,
+    /// What the campaign could see.
+    pub plan: Plan,
+    /// Settings of every diagnosis.
+    pub settings: Settings,
+}
+
+impl<'a> Blind<'a> {
+    /// Judges the campaign, so that strengths can be drawn by how well they can be seen.
+    ///
+    /// # Errors
+    /// If the study has no solution.
+    pub fn new(
+        study: &'a LoadedStudy,
+        candidates: Vec<&'a str>,
+        progress: &Progress,
+    ) -> Result<Blind<'a>, BlindError> {
+        let campaign = Campaign::new(study, &candidates, progress)?;
+        let settings = Settings {
+            slop: campaign.slop,
+            start: Some(campaign.start()),
+            ..Settings::default()
+        };
+        let plan = diagnose::plan(&campaign, &settings, progress)?;
+        Ok(Blind {
+            study,
+            candidates,
+            plan,
+            settings,
+        })
+    }
+
+    /// Makes, diagnoses and judges one case.
+    ///
+    /// # Errors
+    /// If no case of the kind can be drawn, or the user asked to stop.
+    pub fn case(&self, kind: Kind, seed: u64, progress: &Progress) -> Result<Outcome, BlindError> {
+        let recipe = draw::recipe(self, kind, seed, progress)?;
+        let made = synthesize(self.study, &recipe, progress)?;
+        let started = Instant::now();
+        let campaign = Campaign::new(&made.study, &self.candidates, progress)?;
+        let (baseline, judgement) = judged(&campaign, &self.settings, progress)?;
+        let said = diagnose::report::report(&baseline, &judgement, None, progress)?;
+        let rivals = baselines::answers(&baseline, &judgement);
+        Ok(outcome::judge(
+            self,
+            (kind, seed),
+            &made.answer,
+            &said,
+            rivals,
+            started.elapsed().as_secs_f64(),
+        ))
+    }
+}

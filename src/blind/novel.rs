@@ -1,0 +1,53 @@
+//! Causes that no effect of the library is: moments, springs and soft places that somebody overlooked.
+
+use super::{Blind, BlindError};
+use crate::input::measurement::Formulas;
+use crate::progress::Progress;
+use crate::study::draws::Draws;
+use crate::study::{Campaign, Forward};
+use crate::synthesize::{Hidden, hidden::hide};
+
+/// Misfit that it makes before anything is fitted, sigma: drawn evenly from this range.
+const MISFIT: [f64; 2] = [30.0, 70.0];
+/// Powers of frequency and amplitude by which a moment grows.
+const LAWS: [[i32; 2]; 6] = [[0, 0], [1, 0], [0, 1], [2, 0], [1, 2], [2, 1]];
+
+/// One such cause.
+///
+/// # Errors
+/// If the wing with it has no solution.
+pub fn novel(blind: &Blind, draws: Draws, progress: &Progress) -> Result<Hidden, BlindError> {
+    let place = 0.25 + 0.5 * draws.uniform(5, 0);
+    let sign = if draws.uniform(5, 1) < 0.5 { 1.0 } else { -1.0 };
+    let bump = |width: f64| format!("exp(-((x - {place:.3}) / {width})^2)");
+    let (acts_on, formula) = match (draws.uniform(5, 2) * 5.0) as usize {
+        0 | 1 => {
+            let [a, b] = LAWS[(draws.uniform(5, 3) * LAWS.len() as f64) as usize];
+            (
+                "moment",
+                format!("(f / 25)^{a} * (Phi / 0.6)^{b} * {}", bump(0.12)),
+            )
+        }
+        2 => ("moment", format!("max(f - 20, 0) / 5 * {}", bump(0.12))),
+        3 => ("moment", format!("-twist * {}", bump(0.15))),
+        _ => ("torsion", format!("1 / (1 + 4 * {})", bump(0.05))),
+    };
+    // a first size, and the size that makes the misfit that is wanted
+    let target = MISFIT[0] + (MISFIT[1] - MISFIT[0]) * draws.uniform(5, 4);
+    if acts_on == "torsion" {
+        return Ok(Hidden::own("overlooked", acts_on, &formula));
+    }
+    let first = 1e-4;
+    let with = |size: f64| Hidden::own("overlooked", acts_on, &format!("{size:?} * {formula}"));
+    let mut wing = blind.study.clone();
+    wing.experiments.clear();
+    let quiet = progress.unseen();
+    let before = Campaign::new(&wing, &[], &quiet)?;
+    hide(&mut wing, &[with(first)], Formulas::Same)?;
+    let after = Campaign::new(&wing, &[], &quiet)?;
+    let (a, b) = (before.predict(&before.start())?, after.predict(&after.start())?);
+    let rows = before.observables().iter().zip(a.iter().zip(b.iter()));
+    let squares = rows.map(|(observable, (a, b))| ((b - a) / observable.sigma).powi(2));
+    let distance = squares.sum::<f64>().sqrt().max(1e-9);
+    Ok(with(sign * first * target / distance))
+}

@@ -1,0 +1,178 @@
+//! One case, and whether what was said of it is true.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::baselines::Simpler;
+use super::{Blind, Kind};
+use crate::diagnose::verdict::Hypothesis;
+use crate::diagnose::{Diagnosis, Verdict};
+use crate::synthesize::{Acted, Answer};
+
+/// One case with what was said of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Outcome {
+    /// Its kind.
+    pub kind: Kind,
+    /// Its seed.
+    pub seed: u64,
+    /// What was hidden.
+    pub truth: Vec<Acted>,
+    /// Detectability of each hidden effect by the plan, sigma.
+    pub detectability: Vec<f64>,
+    /// Whether the nearest effect of another family is at least 3 sigma away at that strength.
+    pub is_separable: bool,
+    /// Background error of the wing that was measured.
+    pub background: f64,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The sentence.
+    pub sentence: String,
+    /// Families of the most probable hypothesis.
+    pub named: Vec<String>,
+    /// Its probability.
+    pub probability: f64,
+    /// Whether the truth is in the 95 % set.
+    pub in_set: bool,
+    /// Names in the set.
+    pub set_size: usize,
+    /// Misfit over the numbers: Q less the numbers, in sigma.
+    pub misfit_sigma: f64,
+    /// Relative error of the strength, and its distance in standard errors, where the formula was the same.
+    pub strength_error: Option<[f64; 2]>,
+    /// Error on held-out cases: calibrated, with the best explanation, of the noise.
+    pub held_out: Option<[f64; 3]>,
+    /// What simpler methods name.
+    pub simpler: Simpler,
+    /// Time of the diagnosis, s.
+    pub seconds: f64,
+}
+
+impl Outcome {
+    /// Whether something was said to be missing.
+    pub fn is_alarm(&self) -> bool {
+        !matches!(self.verdict, Verdict::Nothing | Verdict::Undecidable)
+    }
+
+    /// Families of the truth; none for a cause that no effect is.
+    pub fn families(&self) -> Vec<&str> {
+        match self.kind {
+            Kind::Novel => Vec::new(),
+            _ => self.truth.iter().map(|acted| acted.family.as_str()).collect(),
+        }
+    }
+
+    /// Whether the most probable hypothesis is the truth.
+    pub fn is_right(&self) -> bool {
+        match self.kind {
+            Kind::Novel => self.verdict == Verdict::Novel,
+            _ if self.kind.is_null() => !self.is_alarm(),
+            _ => self.verdict != Verdict::Novel && same(&self.named, &self.families()),
+        }
+    }
+
+    /// Whether one of two hidden effects is in the most probable hypothesis.
+    pub fn has_one_right(&self) -> bool {
+        self.verdict != Verdict::Novel
+            && self
+                .named
+                .iter()
+                .any(|name| self.families().contains(&name.as_str()))
+    }
+}
+
+/// Whether two lists hold the same names.
+pub fn same(said: &[String], truth: &[&str]) -> bool {
+    let mut said: Vec<&str> = said.iter().map(String::as_str).collect();
+    let mut truth = truth.to_vec();
+    said.sort_unstable();
+    truth.sort_unstable();
+    said == truth
+}
+
+/// Compares what was said with the answer.
+pub fn judge(
+    blind: &Blind,
+    (kind, seed): (Kind, u64),
+    answer: &Answer,
+    said: &Diagnosis,
+    simpler: Simpler,
+    seconds: f64,
+) -> Outcome {
+    let planned = |name: &str| blind.plan.effects.iter().find(|effect| effect.effect == name);
+    let detectability: Vec<f64> = answer
+        .acted
+        .iter()
+        .filter_map(|acted| {
+            let effect = planned(&acted.asked)?;
+            Some((acted.strength / effect.scale * effect.detectability).abs())
+        })
+        .collect();
+    let is_separable = answer.acted.iter().zip(&detectability).all(|(acted, distance)| {
+        let near = planned(&acted.asked).map(|effect| &effect.confused_with);
+        let nearest = near
+            .into_iter()
+            .flatten()
+            .map(|other| other.cosine.abs())
+            .fold(0.0, f64::max);
+        distance * (1.0 - nearest * nearest).max(0.0).sqrt() >= 3.0
+    });
+    let families: Vec<&str> = match kind {
+        Kind::Novel => Vec::new(),
+        _ => answer.acted.iter().map(|acted| acted.family.as_str()).collect(),
+    };
+    let is_novel = |hypothesis: &Hypothesis| hypothesis.effects == ["novel"];
+    let is_truth = |hypothesis: &Hypothesis| match kind {
+        Kind::Novel => is_novel(hypothesis),
+        _ => !is_novel(hypothesis) && same(&hypothesis.families, &families),
+    };
+    let set: Vec<&Hypothesis> = said
+        .hypotheses
+        .iter()
+        .filter(|hypothesis| hypothesis.in_set)
+        .collect();
+    let first = said.hypotheses.first();
+    let rungs = |name: &str| {
+        said.ladder
+            .iter()
+            .find(|rung| rung.name == name)
+            .and_then(|rung| rung.held_out)
+    };
+    let explained = said.ladder.iter().rev().find(|rung| rung.name.starts_with('+'));
+    let held_out = rungs("calibrated")
+        .zip(explained.and_then(|rung| rung.held_out))
+        .zip(rungs("noise"))
+        .map(|((before, after), noise)| [before, after, noise]);
+    let numbers = said.noise.numbers as f64;
+    Outcome {
+        kind,
+        seed,
+        truth: answer.acted.clone(),
+        detectability,
+        is_separable,
+        background: answer.recipe.made.background,
+        verdict: said.verdict,
+        sentence: said.sentence.clone(),
+        named: first.map_or(Vec::new(), |first| first.families.clone()),
+        probability: first.map_or(0.0, |first| first.probability),
+        in_set: (kind == Kind::Novel && said.verdict == Verdict::Novel) || set.iter().any(|h| is_truth(h)),
+        set_size: set.len(),
+        misfit_sigma: (said.misfit.q - numbers).max(0.0).sqrt(),
+        strength_error: strength_error(answer, first),
+        held_out,
+        simpler,
+        seconds,
+    }
+}
+
+fn strength_error(answer: &Answer, first: Option<&Hypothesis>) -> Option<[f64; 2]> {
+    let [acted] = &answer.acted[..] else { return None };
+    let found = first?
+        .strengths
+        .iter()
+        .find(|strength| strength.effect == acted.asked)?;
+    // a rival formula has a strength of its own
+    let is_comparable = acted.formula == acted.asked || acted.formula.contains('(');
+    let off = (found.value - acted.strength).abs();
+    is_comparable.then(|| [off / acted.strength.abs(), off / found.standard_error])
+}

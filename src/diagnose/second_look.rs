@@ -1,0 +1,109 @@
+//! A second look at effects whose derivative at zero says little of them: seen from a step of a plausible size.
+//!
+//! Screening ranks effects by their derivatives; one that saturates, or grows faster than its strength, may rank too low to
+//! be fitted. Where no effect that was fitted explains the data, the others are tried with a step.
+
+use nalgebra::DMatrix;
+
+use crate::progress::Progress;
+
+use super::baseline::Baseline;
+use super::error::DiagnoseError;
+use super::evidence::of_one;
+use super::judge::Judgement;
+use super::refit::Refits;
+use super::screening::{Directions, effect_of, is_one_sided};
+
+/// The step, as a share of the plausible size.
+const STEP: f64 = 0.5;
+/// An effect that was fitted explains the data if its misfit is within this many standard deviations of the expected one.
+const CONTENT: f64 = 4.0;
+/// Effects that are fitted after it.
+const REFITS: usize = 4;
+
+/// Fits those that deserve it by a step of a plausible size, if none that was fitted explains the data.
+///
+/// # Errors
+/// If the user asked to stop.
+pub fn second_look(
+    judgement: &mut Judgement,
+    baseline: &Baseline,
+    refits: &Refits,
+    progress: &Progress,
+) -> Result<(), DiagnoseError> {
+    let numbers = baseline.likelihood.numbers as f64;
+    let best = judgement
+        .refits
+        .iter()
+        .map(|(_, found)| found.q)
+        .fold(f64::INFINITY, f64::min);
+    // by the stated scatter: an effect that is missed raises the scatter that the data seem to have
+    if best * baseline.scatter.scale.max(1.0).powi(2) < numbers + CONTENT * (2.0 * numbers).sqrt() {
+        return Ok(());
+    }
+    let (forward, data) = (baseline.forward, &baseline.data);
+    let unknowns = forward.unknowns();
+    let is_fitted = |judgement: &Judgement, member: usize| {
+        let trials = judgement.refits.iter();
+        trials
+            .map(|(index, _)| judgement.trial(*index))
+            .any(|trial| trial.members == [member])
+    };
+    let mut slopes = DMatrix::zeros(baseline.fit.predicted.len(), data.missing.len());
+    let mut tried: Vec<usize> = Vec::new();
+    for (index, trial) in judgement.singles.iter().enumerate() {
+        let [member] = trial.members[..] else { continue };
+        let unknown = data.missing[member];
+        let Some((name, _, scale, one_sided)) = effect_of(&unknowns[unknown]) else {
+            continue;
+        };
+        if is_fitted(judgement, member) {
+            continue;
+        }
+        progress.check()?;
+        progress.say(format_args!("a second look at {name}"));
+        let sign = if one_sided {
+            1.0
+        } else {
+            baseline.directions.scores[member].signum()
+        };
+        let [low, high] = unknowns[unknown].range;
+        let step = (sign * STEP * scale).clamp(low, high);
+        let mut at = baseline.fit.at.clone();
+        at[unknown] = step;
+        let Ok(moved) = forward.predict(&at) else { continue };
+        let share = unknowns[unknown].sigma / step;
+        slopes.set_column(member, &((moved - &baseline.fit.predicted) * share));
+        tried.push(index);
+    }
+    for row in data.kept_bounds(forward, &baseline.fit.predicted) {
+        slopes.row_mut(row).fill(0.0);
+    }
+    let directions = Directions::new(data, &slopes, &baseline.whitened);
+    let mut ranked: Vec<(f64, usize, f64)> = tried
+        .into_iter()
+        .map(|index| {
+            let trial = &judgement.singles[index];
+            let k = trial.members[0];
+            let dot = directions.scores[k] * directions.lengths[k];
+            let one_sided = is_one_sided(&unknowns[data.missing[k]]);
+            let q0 = baseline.whitened.q();
+            let found = of_one(baseline.likelihood, q0, directions.gram[(k, k)], dot, one_sided);
+            (trial.ln_prior + found.ln_gain, index, found.estimate[0])
+        })
+        .collect();
+    ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    for &(ln_weight, index, estimate) in ranked.iter().take(REFITS) {
+        progress.check()?;
+        if ln_weight <= judgement.singles[index].ln_prior {
+            break;
+        }
+        progress.say("refit after a second look");
+        let members = judgement.singles[index].members.clone();
+        if let Some(found) = refits.refit(&members, &[estimate])? {
+            judgement.ln_evidence[index] = found.ln_evidence;
+            judgement.refits.push((index, found));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,78 @@
+//! The scoreboard of a blind run as text (Markdown): figures, reliability, simpler methods, every case.
+
+use crate::blind::scoreboard::{Row, Scoreboard};
+use crate::blind::{Kind, Outcome};
+
+/// The page.
+pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
+    let mut page = format!(
+        "# Blind cases on {study}\n\n{} cases, made by washout itself: a development benchmark. Median time of a diagnosis {:.0} s.\n\n",
+        board.cases, board.median_seconds
+    );
+    page += "| figure | hits | share or value | 95 % interval | asked |\n|---|---|---|---|---|\n";
+    for row in &board.rows {
+        page += &line(row);
+    }
+    page += "\nStated probabilities of alarms against how often they were right ";
+    page += &format!(
+        "(mean distance {:.3}, asked <= 0.08):\n\n",
+        board.calibration_error
+    );
+    page += "| stated | right |\n|---|---|\n";
+    for bin in &board.reliability {
+        page += &format!("| {:.2} | {}/{} |\n", bin.stated, bin.hits, bin.count);
+    }
+    page += "\nSimpler methods on the same cases:\n\n| method | hits | share | 95 % interval | |\n|---|---|---|---|---|\n";
+    for row in &board.simpler {
+        page += &line(row);
+    }
+    page += "\nEvery case:\n\n| kind | seed | hidden (sigma by the plan) | said | right | time s |\n|---|---|---|---|---|---|\n";
+    for outcome in outcomes {
+        let hidden: Vec<String> = outcome
+            .truth
+            .iter()
+            .enumerate()
+            .map(|(k, acted)| match outcome.detectability.get(k) {
+                Some(distance) => format!("{} {:.3} ({distance:.0})", acted.asked, acted.strength),
+                None => acted.formula.replace('|', "\\|"),
+            })
+            .collect();
+        let right = match (outcome.is_right(), outcome.in_set, outcome.kind) {
+            (true, _, _) => "yes",
+            (false, true, Kind::Twin) => "in the set",
+            (false, true, _) => "no; in the set",
+            (false, false, _) if !outcome.is_alarm() => "not seen",
+            _ => "no",
+        };
+        page += &format!(
+            "| {} | {} | {} | {} | {right} | {:.0} |\n",
+            outcome.kind.word(),
+            outcome.seed,
+            hidden.join(" + "),
+            outcome.sentence,
+            outcome.seconds
+        );
+    }
+    page
+}
+
+fn line(row: &Row) -> String {
+    let percent = |share: f64| format!("{:.1}", 100.0 * share);
+    let (hits, value, interval) = match (row.hits, row.interval) {
+        _ if row.count == 0 => ("0/0".to_string(), "–".to_string(), "–".to_string()),
+        (Some(hits), Some([low, high])) => (
+            format!("{hits}/{}", row.count),
+            format!("{} %", percent(row.value)),
+            format!("{} to {} %", percent(low), percent(high)),
+        ),
+        _ => (
+            format!("of {}", row.count),
+            format!("{:.3}", row.value),
+            "–".to_string(),
+        ),
+    };
+    format!(
+        "| {} | {hits} | {value} | {interval} | {} |\n",
+        row.what, row.asked
+    )
+}
