@@ -162,7 +162,8 @@ impl<'a> Baseline<'a> {
             return Ok(None);
         }
         progress.say("fitting the model with the scatter that the data show about the best explanation");
-        let fit = scatter.fit(self.forward, &self.data, &self.data.model, &self.fit.at)?;
+        let footing = self.footing.as_ref();
+        let fit = scatter.fit(self.forward, &self.data, &self.data.model, &self.fit.at, footing)?;
         let local = Local::about(&fit, self.forward, &scatter.noise);
         let whitened = Whitened::new(&local, &scatter.noise)?;
         Ok(Some(Baseline {
@@ -176,6 +177,7 @@ impl<'a> Baseline<'a> {
             fields: self.fields.clone(),
             slopes: self.slopes.clone(),
             likelihood: self.likelihood,
+            footing: self.footing.clone(),
             scatter,
             fit,
             local,
