@@ -78,7 +78,7 @@ impl HeatMap {
         let height = if self.rows.len() > 60 { 11.0 } else { 17.0 };
         Plan {
             names,
-            heads: longest(&mut self.columns.iter().map(String::as_str)).min(150.0) + 10.0,
+            heads: longest(&mut self.columns.iter().map(String::as_str)).min(190.0) + 10.0,
             cell: [(free / count).clamp(4.0, 54.0), height],
             title: 24.0,
         }

@@ -1,5 +1,7 @@
 //! Pictures: what is drawn against what, with which numbers, and the SVG that comes of it.
 
+mod docs;
+
 mod drawing;
 
 mod panels;

@@ -197,7 +197,13 @@ fn the_heat_map_has_errors_in_sigma_nothing_where_nothing_was_measured_and_zero_
     tunnel.rows[2].bound = Bound::Upper;
     tunnel.rows[2].before = tunnel.rows[2].measured - 1.0;
     let map = in_sigma::heat_map(&tunnel);
-    assert_eq!(map.columns, ["twist at 450 mm", "deflection at 450 mm"]);
+    assert_eq!(map.columns, ["twist", "deflection"]);
+    tunnel.rows[3].r_mm = Some(200.0);
+    let apart = in_sigma::heat_map(&tunnel).columns;
+    assert_eq!(
+        apart,
+        ["twist at 450 mm", "deflection at 450 mm", "twist at 200 mm"]
+    );
     assert_eq!(map.rows[0], ("aero-1-20".to_string(), true));
     assert_eq!(map.rows[7], ("aero-2.5-30".to_string(), false));
     let [stated, calibrated] = map.tables.as_slice() else {

@@ -4,9 +4,7 @@ use crate::compare::StudyRow;
 use crate::input::measurement::Bound;
 use crate::plot::{Chart, Figure, Ink, Key, Limit, Mark, Panel, Point, Sample, Shape, Weight};
 
-use super::panels::{
-    Compared, Curve, Placed, Profiles, StudyPanel, distinct, only_place, panels, place_words,
-};
+use super::panels::{Compared, Curve, Placed, Profiles, StudyPanel, distinct, panels, read_words};
 use super::{with_unit, words};
 
 /// Model against measurement, panel by panel.
@@ -137,10 +135,7 @@ fn legend(compared: &Compared, curves: &Looks) -> Vec<Key> {
 }
 
 fn caption(compared: &Compared) -> String {
-    let mut text = match only_place(compared) {
-        Some(row) => format!("Read{}. ", place_words(row.r_mm, row.r_to_mm)),
-        None => String::new(),
-    };
+    let mut text = read_words(compared);
     text.push_str("Error bars: one standard deviation of the measurement. Lines join what was solved.");
     if compared.rows.iter().any(|row| row.bound != Bound::None) {
         text.push_str(" An arrow: the measured number is only a bound.");

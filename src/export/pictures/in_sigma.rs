@@ -6,7 +6,7 @@ use crate::input::measurement::Channel;
 use crate::plot::{Figure, HeatMap, HeatTable, Ink, Key, Panel, Sample, Shape};
 
 use super::compared::headline;
-use super::panels::{Compared, distinct, place_words};
+use super::panels::{Compared, distinct, only_place, place_words, read_words};
 use super::{plain, words};
 
 /// A heat map: a row for each case, a column for each channel and station.
@@ -22,12 +22,17 @@ pub fn figure(compared: &Compared) -> Figure {
         _ => Vec::new(),
     };
     Figure {
-        title: format!("{} – measured minus modelled, in σ of the measurement", headline(compared)),
+        title: format!(
+            "{} – measured minus modelled, in σ of the measurement",
+            headline(compared)
+        ),
         legend,
         panels: vec![Panel::HeatMap(map)],
         columns: None,
-        caption: "Orange: the wing does more than the model says; blue: less. A bound that the model keeps counts as 0."
-            .to_string(),
+        caption: format!(
+            "{}Orange: measured above modelled; blue: below. A bound that the model keeps counts as 0.",
+            read_words(compared)
+        ),
     }
 }
 
@@ -71,7 +76,7 @@ pub fn of_diagnosis(study: &str, points: &[AddedPoint]) -> Figure {
             }],
         })],
         columns: None,
-        caption: "Orange: the wing does more than the model says; blue: less. Fitted numbers only; σ is that of the \
+        caption: "Orange: measured above modelled; blue: below. Fitted numbers only; σ is that of the \
                   noise that the data show."
             .to_string(),
     }
@@ -87,8 +92,12 @@ pub fn heat_map(compared: &Compared) -> HeatMap {
         let of_channel = compared.rows.iter().filter(|row| row.channel == channel);
         distinct(of_channel.map(|row| row.chord_fraction)).len()
     };
+    let has_places = only_place(compared).is_none();
     let column = |row: &StudyRow| {
-        let mut name = format!("{}{}", words(row.channel), place_words(row.r_mm, row.r_to_mm));
+        let mut name = words(row.channel);
+        if has_places {
+            name.push_str(&place_words(row.r_mm, row.r_to_mm));
+        }
         if let Some(fraction) = row.chord_fraction.filter(|_| chords(row.channel) > 1) {
             name.push_str(&format!(", {} chord", plain(fraction)));
         }

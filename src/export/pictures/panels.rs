@@ -387,6 +387,13 @@ pub(super) fn only_place(compared: &Compared) -> Option<&StudyRow> {
     rows.all(|row| station(row) == station(first)).then_some(first)
 }
 
+/// "Read at 549.8 mm. " where that holds for all, for a caption.
+pub(super) fn read_words(compared: &Compared) -> String {
+    only_place(compared).map_or_else(String::new, |row| {
+        format!("Read{}. ", place_words(row.r_mm, row.r_to_mm))
+    })
+}
+
 /// Where a number was read: " at 549.8 mm", " from 0 to 48 mm"; empty for the whole wing.
 pub(super) fn place_words(r_mm: Option<f64>, r_to_mm: Option<f64>) -> String {
     match (r_mm, r_to_mm) {

@@ -4,7 +4,7 @@ use crate::compare::StudyRow;
 use crate::plot::{Chart, Figure, Key, Limit, Mark, Panel, Point, Sample};
 
 use super::compared::{Looks, headline, point, use_keys};
-use super::panels::{Compared, Profiles, StudyPanel, panels};
+use super::panels::{Compared, Profiles, StudyPanel, panels, read_words};
 use super::{with_unit, words};
 
 /// Residuals over station or operating point: as stated on the left, calibrated on the right.
@@ -29,8 +29,10 @@ pub fn figure(compared: &Compared) -> Figure {
         legend,
         panels: charts.collect(),
         columns: compared.is_calibrated.then_some(2),
-        caption: "Error bars: one standard deviation of the measurement. A bound that the model keeps has no residual."
-            .to_string(),
+        caption: format!(
+            "{}Error bars: one standard deviation of the measurement. A bound that the model keeps has no residual.",
+            read_words(compared)
+        ),
     }
 }
 
