@@ -169,11 +169,8 @@ impl Chart {
                 .iter()
                 .map(|t| width_px(&y.label(*t), TICK_PX))
                 .fold(0.0, f64::max);
-        let x = Scale::around(
-            reach.iter().map(|p| p[0]),
-            0.04,
-            ((size[0] - left) / 70.0) as usize,
-        );
+        let places = reach.iter().map(|p| p[0]).chain(self.x_includes);
+        let x = Scale::around(places, 0.04, ((size[0] - left) / 62.0) as usize);
         let title_px = if self.title.is_empty() { 6.0 } else { 20.0 };
         let room = size[0] - left;
         let title = cut(&self.title, size[0] / BOLD, TITLE_PX);

@@ -104,6 +104,35 @@ fn runs_stations_and_places_on_the_chord_are_curves_of_their_own() {
 }
 
 #[test]
+fn runs_share_one_model_as_stated_which_knows_nothing_of_them() {
+    let mut tunnel = tunnel();
+    tunnel.cases.retain(|case| !case.is_held_out);
+    tunnel.rows.retain(|row| !row.is_held_out);
+    let mut second = tunnel.rows[..2].to_vec();
+    for row in &mut second {
+        row.run = "second".to_string();
+        row.after += 1.0;
+    }
+    tunnel.rows.extend(second);
+    let figure = picture::figure(&tunnel);
+    let marks = &charts(&figure)[0].marks;
+    let count = |is_it: fn(&Mark) -> bool| marks.iter().filter(|mark| is_it(mark)).count();
+    assert_eq!(count(|mark| matches!(mark, Mark::Band { .. })), 1);
+    assert_eq!(count(|mark| matches!(mark, Mark::Line { ink: Ink::Grey, .. })), 1);
+    assert_eq!(
+        count(|mark| matches!(
+            mark,
+            Mark::Line {
+                weight: Weight::Thick,
+                ..
+            }
+        )),
+        2
+    );
+    assert_eq!(count(|mark| matches!(mark, Mark::Points { .. })), 2);
+}
+
+#[test]
 fn what_has_neither_station_nor_number_is_left_to_the_table() {
     let alone = case("v1", "v1", &[], false);
     let compared = compared(

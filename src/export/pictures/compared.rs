@@ -153,27 +153,11 @@ fn caption(compared: &Compared) -> String {
 
 fn chart(compared: &Compared, panel: &StudyPanel, curves: &Looks) -> Panel {
     let mut marks = Vec::new();
-    for curve in panel.curves.iter().filter(|_| compared.is_calibrated) {
-        let band = curve
-            .places
-            .iter()
-            .filter(|place| place.x_to.is_none())
-            .map(|place| {
-                let row = &compared.rows[place.row];
-                [
-                    place.x,
-                    row.before - row.sigma_of_inputs,
-                    row.before + row.sigma_of_inputs,
-                ]
-            });
-        let points: Vec<[f64; 3]> = band.collect();
-        if is_line(curve) && points.iter().any(|[_, low, high]| high > low) {
-            marks.push(Mark::Band {
-                points,
-                ink: Ink::Grey,
-            });
+    if compared.is_calibrated {
+        for curve in stated(panel) {
+            marks.extend(spread(compared, &curve));
+            marks.extend(model(compared, &curve, |row| row.before, Ink::Grey, Weight::Thin));
         }
-        marks.extend(model(compared, curve, |row| row.before, Ink::Grey, Weight::Thin));
     }
     for curve in &panel.curves {
         marks.extend(model(
@@ -195,6 +179,60 @@ fn chart(compared: &Compared, panel: &StudyPanel, curves: &Looks) -> Panel {
         marks,
         has_zero_line: false,
     })
+}
+
+/// The curves of the model as stated: one for all runs, for it does not know of them.
+fn stated(panel: &StudyPanel) -> Vec<Curve> {
+    let kins = distinct(panel.curves.iter().map(|curve| curve.kin.clone()));
+    let merged = kins.into_iter().map(|kin| {
+        let of_kin = panel.curves.iter().filter(|curve| curve.kin == kin);
+        let mut places: Vec<Placed> = of_kin.flat_map(|curve| curve.places.clone()).collect();
+        places.sort_by(|a, b| a.x.total_cmp(&b.x));
+        places.dedup_by(|a, b| a.x == b.x && a.x_to == b.x_to);
+        Curve {
+            label: kin.clone(),
+            kin,
+            places,
+        }
+    });
+    merged.collect()
+}
+
+/// What the priors of the inputs allow the model as stated: a band, or a stroke where there is nothing to join.
+fn spread(compared: &Compared, curve: &Curve) -> Vec<Mark> {
+    let ends = |place: &Placed| {
+        let row = &compared.rows[place.row];
+        [row.before - row.sigma_of_inputs, row.before + row.sigma_of_inputs]
+    };
+    if curve
+        .places
+        .iter()
+        .all(|place| compared.rows[place.row].sigma_of_inputs == 0.0)
+    {
+        return Vec::new();
+    }
+    let ink = Ink::Grey;
+    let edge = |x: f64, [low, high]: [f64; 2]| [x, low, high];
+    if is_line(curve) {
+        let points = curve
+            .places
+            .iter()
+            .map(|place| edge(place.x, ends(place)))
+            .collect();
+        return vec![Mark::Band { points, ink }];
+    }
+    let mark = |place: &Placed| match place.x_to {
+        Some(to) => Mark::Band {
+            points: vec![edge(place.x, ends(place)), edge(to, ends(place))],
+            ink,
+        },
+        None => Mark::Line {
+            points: ends(place).map(|y| [place.x, y]).to_vec(),
+            ink,
+            weight: Weight::Thin,
+        },
+    };
+    curve.places.iter().map(mark).collect()
 }
 
 /// Whether a curve has two places to draw a line between.

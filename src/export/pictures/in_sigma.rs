@@ -1,5 +1,7 @@
 //! Measured minus modelled in standard deviations, case by station: `residuals-in-sigma.svg`.
 
+use std::cmp::Ordering;
+
 use crate::compare::StudyRow;
 use crate::diagnose::added_variable::AddedPoint;
 use crate::input::measurement::Channel;
@@ -38,19 +40,19 @@ pub fn figure(compared: &Compared) -> Figure {
 
 /// `residuals-in-sigma.svg` of a diagnosis: what the calibrated model misses, fitted numbers only.
 pub fn of_diagnosis(study: &str, points: &[AddedPoint]) -> Figure {
-    let cases = distinct(points.iter().map(|point| point.condition.clone()));
+    let mut cases = distinct(points.iter().map(|point| point.condition.clone()));
+    cases.sort_by(|a, b| natural(a).partial_cmp(&natural(b)).unwrap_or(Ordering::Equal));
     let has_runs = distinct(points.iter().map(|point| point.run.clone())).len() > 1;
+    let has_places = distinct(points.iter().map(|point| (point.r_mm, point.r_to_mm))).len() > 1;
     let column = |point: &AddedPoint| {
-        let run = if has_runs && !point.run.is_empty() {
-            format!(", run {}", point.run)
-        } else {
-            String::new()
-        };
-        format!(
-            "{}{}{run}",
-            words(point.channel),
-            place_words(point.r_mm, point.r_to_mm)
-        )
+        let mut name = words(point.channel);
+        if has_places {
+            name.push_str(&place_words(point.r_mm, point.r_to_mm));
+        }
+        if has_runs && !point.run.is_empty() {
+            name.push_str(&format!(", run {}", point.run));
+        }
+        name
     };
     let columns = distinct(points.iter().map(column));
     let mut cells = vec![vec![None; columns.len()]; cases.len()];
@@ -80,6 +82,20 @@ pub fn of_diagnosis(study: &str, points: &[AddedPoint]) -> Figure {
                   noise that the data show."
             .to_string(),
     }
+}
+
+/// Words and numbers of a name in turn, so that `aero-9.5` stands before `aero-10`.
+fn natural(name: &str) -> Vec<(String, f64)> {
+    let is_of_number = |c: char| c.is_ascii_digit() || c == '.';
+    let mut parts = Vec::new();
+    let mut rest = name;
+    while !rest.is_empty() {
+        let (word, after) = rest.split_at(rest.find(is_of_number).unwrap_or(rest.len()));
+        let (number, next) = after.split_at(after.find(|c| !is_of_number(c)).unwrap_or(after.len()));
+        parts.push((word.to_string(), number.parse().unwrap_or(0.0)));
+        rest = next;
+    }
+    parts
 }
 
 /// The numbers of the heat map.

@@ -95,6 +95,8 @@ pub struct StudyPanel {
 pub struct Curve {
     /// What sets it apart from the other curves; empty if nothing does.
     pub label: String,
+    /// The same without the run: curves that share it have one model as stated.
+    pub kin: String,
     /// Its numbers, place rising.
     pub places: Vec<Placed>,
 }
@@ -237,7 +239,7 @@ impl Group<'_> {
             if cases.len() > 1 {
                 parts.insert(0, case.name.clone());
             }
-            panel.place(parts.join(", "), r_mm, row.r_to_mm, *index);
+            panel.place(&parts, apart.run(row), (r_mm, row.r_to_mm), *index);
         }
         panel.sorted()
     }
@@ -286,7 +288,7 @@ impl Group<'_> {
                 })
                 .collect();
             parts.extend(apart.parts(row));
-            panel.place(parts.join(", "), x.value, None, *index);
+            panel.place(&parts, apart.run(row), (x.value, None), *index);
         }
         panel.sorted()
     }
@@ -329,6 +331,10 @@ impl Apart {
         }
     }
 
+    fn run(&self, row: &StudyRow) -> Option<String> {
+        (self.run && !row.run.is_empty()).then(|| format!("run {}", row.run))
+    }
+
     fn parts(&self, row: &StudyRow) -> Vec<String> {
         let mut parts = Vec::new();
         if self.station {
@@ -337,20 +343,21 @@ impl Apart {
         if let (true, Some(fraction)) = (self.chord, row.chord_fraction) {
             parts.push(format!("at {} of the chord", plain(fraction)));
         }
-        if self.run && !row.run.is_empty() {
-            parts.push(format!("run {}", row.run));
-        }
         parts
     }
 }
 
 impl StudyPanel {
-    fn place(&mut self, label: String, x: f64, x_to: Option<f64>, row: usize) {
+    fn place(&mut self, parts: &[String], run: Option<String>, (x, x_to): (f64, Option<f64>), row: usize) {
+        let kin = parts.join(", ");
+        let named: Vec<String> = parts.iter().cloned().chain(run).collect();
+        let label = named.join(", ");
         let place = Placed { x, x_to, row };
         match self.curves.iter_mut().find(|curve| curve.label == label) {
             Some(curve) => curve.places.push(place),
             None => self.curves.push(Curve {
                 label,
+                kin,
                 places: vec![place],
             }),
         }
