@@ -11,7 +11,7 @@ use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
 use crate::input::study::LoadedStudy;
-use crate::study::{Campaign, Forward};
+use crate::study::{Campaign, Forward, Work};
 
 use super::study::{listed, target};
 use super::{Console, Failure};
@@ -93,21 +93,23 @@ impl Diagnose {
         let experiments = experiments.map_err(|error| fault(error.into()))?;
         let candidates = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
         let diagnosis = diagnose_with(&campaign, candidates, &settings, progress).map_err(fault)?;
-        self.written(&campaign.name, diagnosis, folder, console)
+        self.written(&campaign.name, diagnosis, campaign.work(), folder, console)
     }
 
     fn written(
         &self,
         study: &str,
         diagnosis: Diagnosis,
+        work: Work,
         folder: Option<RunFolder>,
         console: &Console,
     ) -> Result<(), Failure> {
         let mut report = DiagnosisReport {
             diagnosis,
+            work,
             files: Vec::new(),
         };
-        let mut text = page(study, &report.diagnosis);
+        let mut text = format!("{}\n{work}\n", page(study, &report.diagnosis));
         if let Some(mut folder) = folder {
             add_diagnosis(&mut folder, study, &report.diagnosis)?;
             report.files = folder.listed();

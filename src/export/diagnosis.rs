@@ -8,6 +8,7 @@ use crate::diagnose::novel::Reconstruction;
 use crate::diagnose::screening::Sight;
 use crate::diagnose::verdict::{EffectRow, Hypothesis};
 use crate::diagnose::{Diagnosis, Verdict};
+use crate::study::Work;
 
 use super::text::{Table, number, significant, wrapped};
 
@@ -17,6 +18,8 @@ pub struct DiagnosisReport {
     /// The diagnosis.
     #[serde(flatten)]
     pub diagnosis: Diagnosis,
+    /// What it took.
+    pub work: Work,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
 }

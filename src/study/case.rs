@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::fmt::Display;
+use std::sync::Arc;
 
 use nalgebra::Vector3;
 
@@ -41,7 +42,7 @@ pub struct PreparedCase {
     pub rows: Vec<Row>,
     is_held_out: bool,
     /// The case as it stands, from which it is solved with other values: fixed by the study, so that results are too.
-    base: Option<Solved>,
+    base: Option<Arc<Solved>>,
     air_table: Option<Vec<[f64; 3]>>,
     mesh_file: Option<(String, Vec<u8>)>,
 }
@@ -148,7 +149,12 @@ impl PreparedCase {
 
     /// Starts every further solve from this one.
     pub fn start_from(&mut self, solved: Solved) {
-        self.base = Some(solved);
+        self.base = Some(Arc::new(solved));
+    }
+
+    /// The case as it stands, if `design` is just that.
+    pub fn base_at(&self, design: &Design) -> Option<Arc<Solved>> {
+        self.base.clone().filter(|base| base.at.design == *design)
     }
 
     /// A failure of this case.
@@ -182,7 +188,7 @@ impl PreparedCase {
     ) -> Result<Solved, StudyError> {
         progress.check()?;
         let (planform, mesh) = self.mesh(design).map_err(|error| self.failed(error))?;
-        let base = self.base.as_ref();
+        let base = self.base.as_deref();
         let start = near.map(|near| (near.solution, near.step.as_deref()));
         let start = start.or(base.map(|base| (&base.at.solution, None)));
         let alike = base.filter(|base| base.at.solution.mesh == mesh);
