@@ -47,8 +47,8 @@ use crate::geometry::Planform;
 use crate::input::design::{Accelerator, Design};
 use crate::mesh::Mesh;
 use crate::progress::Progress;
-use crate::structure::Equilibrium;
 use crate::structure::state::State;
+use crate::structure::{Equilibrium, Tangent};
 
 use air::Air;
 use fixed_point::Coupled;
@@ -86,17 +86,12 @@ pub fn solve_from(
 ) -> Result<Solution, CouplingError> {
     progress.check()?;
     let wing = Wing::new(design, mesh, air_table)?;
-    solve_wing(
-        design,
-        &wing,
-        mesh,
-        nearby.map(|solution| (solution, None)),
-        progress,
-    )
+    let nearby = nearby.map(|solution| (solution, None));
+    Ok(solve_wing(design, &wing, mesh, nearby, progress)?.0)
 }
 
 /// As [`solve_from`], of the wing of a design that is set up already; beside the solution nearby the step from there, by
-/// freedom, to where the shape is expected.
+/// freedom, to where the shape is expected. Besides, the structure's tangent at the solution, factorized.
 ///
 /// # Errors
 /// As [`solve`].
@@ -106,7 +101,7 @@ pub fn solve_wing(
     mesh: &Mesh,
     nearby: Option<(&Solution, Option<&[f64]>)>,
     progress: &Progress,
-) -> Result<Solution, CouplingError> {
+) -> Result<(Solution, Tangent), CouplingError> {
     let mut equilibrium = Equilibrium::new(&wing.model)?;
     let (rest, steps) = fixed_point::cured(&wing.model, &mut equilibrium, progress)?;
     let mut coupled = couple(design, wing, &mut equilibrium, &rest, nearby, progress)?;
@@ -118,7 +113,7 @@ pub fn solve_wing(
         }
     }
     let air_force = wing.air_force(&air);
-    Ok(Solution {
+    let solution = Solution {
         mesh: mesh.clone(),
         strips: wing.strip_loads(&air),
         pressure_pa: wing.pressure(mesh, &air),
@@ -128,7 +123,8 @@ pub fn solve_wing(
         air_force_n: air_force.into_iter().map(Into::into).collect(),
         rest,
         state: coupled.state,
-    })
+    };
+    Ok((solution, equilibrium.into_tangent()))
 }
 
 /// By Newton's method where the design asks for it, from nearby and from rest; else, and where it does not settle on a stable

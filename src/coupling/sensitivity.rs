@@ -15,7 +15,7 @@ use crate::geometry::Planform;
 use crate::input::design::Design;
 use crate::mesh::{Mesh, MeshError};
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Loads};
+use crate::structure::{Equilibrium, Loads, Tangent};
 
 use super::beside::{Beside, Home};
 use super::error::SensitivityError;
@@ -111,14 +111,32 @@ impl<'a> Sensitivity<'a> {
         } else {
             equilibrium.factorize(&solution.state, &wing.loads_on(&solution.state))?;
         }
-        let air = wing.strip_air(&wing.strips.shapes(&solution.state), true);
-        Ok(Sensitivity {
-            home: Home::new(design, wing, air_table, solution, remesh),
+        let home = Home::new(design, wing, air_table, solution, remesh);
+        Ok(Sensitivity::at(home, equilibrium))
+    }
+
+    /// With the tangent that the solve of this wing has left.
+    pub fn with_tangent(
+        design: &'a Design,
+        wing: &'a Wing,
+        air_table: Option<&'a [[f64; 3]]>,
+        solution: &'a Solution,
+        remesh: Remesh<'a>,
+        tangent: Tangent,
+    ) -> Self {
+        let home = Home::new(design, wing, air_table, solution, remesh);
+        Sensitivity::at(home, Equilibrium::of_tangent(&wing.model, tangent))
+    }
+
+    fn at(home: Home<'a>, equilibrium: Equilibrium<'a>) -> Self {
+        let (wing, state) = (home.wing, &home.solution.state);
+        Sensitivity {
+            air: wing.strip_air(&wing.strips.shapes(state), true),
+            home,
             equilibrium,
-            air,
             rest: None,
             last: None,
-        })
+        }
     }
 
     /// Change of the solution with the number at a dotted key of the design.

@@ -29,7 +29,75 @@ pub struct Equilibrium<'m> {
     pub(super) is_linear: bool,
 }
 
+/// An [`Equilibrium`] without its structure, to be taken up again: its pattern, and its last factorization.
+#[derive(Debug)]
+pub struct Tangent {
+    pattern: Pattern,
+    factor: Factor,
+    held: Vec<bool>,
+    values: Vec<f64>,
+    work: Vec<f64>,
+    rest_force_n: f64,
+    extent_m: f64,
+    side_m: Vec<f64>,
+    is_linear: bool,
+}
+
 impl<'m> Equilibrium<'m> {
+    /// Hands over all but the structure.
+    pub fn into_tangent(self) -> Tangent {
+        let Equilibrium {
+            pattern,
+            factor,
+            held,
+            values,
+            work,
+            rest_force_n,
+            extent_m,
+            side_m,
+            is_linear,
+            ..
+        } = self;
+        Tangent {
+            pattern,
+            factor,
+            held,
+            values,
+            work,
+            rest_force_n,
+            extent_m,
+            side_m,
+            is_linear,
+        }
+    }
+
+    /// Takes up what was handed over, for the same structure.
+    pub fn of_tangent(model: &'m Model, tangent: Tangent) -> Self {
+        let Tangent {
+            pattern,
+            factor,
+            held,
+            values,
+            work,
+            rest_force_n,
+            extent_m,
+            side_m,
+            is_linear,
+        } = tangent;
+        Equilibrium {
+            model,
+            pattern,
+            factor,
+            held,
+            values,
+            work,
+            rest_force_n,
+            extent_m,
+            side_m,
+            is_linear,
+        }
+    }
+
     /// Analyses a structure.
     ///
     /// # Errors

@@ -56,7 +56,7 @@ pub mod wing;
 
 pub use beam::Beam;
 pub use blend::Blend;
-pub use equilibrium::Equilibrium;
+pub use equilibrium::{Equilibrium, Tangent};
 pub use error::StructureError;
 pub use loads::{ArmForce, BeamTwist, LinearForce, Loads};
 pub use mass::{MassProperties, mass_matrix};

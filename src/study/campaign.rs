@@ -16,6 +16,7 @@ use super::work::{Tally, Work};
 use crate::input::measurement::Channel;
 use crate::input::study::{LoadedStudy, RulerKind};
 use crate::progress::Progress;
+use crate::structure::Tangent;
 
 /// A study ready to be predicted.
 #[derive(Debug)]
@@ -73,7 +74,7 @@ impl Campaign {
         let solved: Vec<(Vec<Result<f64, String>>, Solved)> = cases
             .par_iter()
             .map(|case| {
-                let solved = case.solve(&case.design, None, &progress.unseen())?;
+                let (solved, _) = case.solve(&case.design, None, &progress.unseen())?;
                 tally.add(solved.work());
                 Ok((case.read_each(&solved.at)?, solved))
             })
@@ -195,7 +196,7 @@ impl Campaign {
         &self,
         footing: Option<&Footing>,
         at: &[f64],
-        give: impl Fn(usize, Stand) -> Result<T, StudyError> + Sync,
+        give: impl Fn(usize, Stand, Option<Tangent>) -> Result<T, StudyError> + Sync,
     ) -> Result<Vec<T>, StudyError> {
         let times = 1 + self.asked.fetch_add(1, Ordering::Relaxed);
         self.progress.say(format_args!(
@@ -206,32 +207,41 @@ impl Campaign {
         let ground = footing.and_then(Footing::get::<Ground>);
         (0..self.cases.len())
             .into_par_iter()
-            .map(|index| give(index, self.stand(index, ground, at)?))
+            .map(|index| {
+                let (stand, tangent) = self.stand(index, ground, at)?;
+                give(index, stand, tangent)
+            })
             .collect()
     }
 
     /// A case solved: as it was on `ground` if nothing that acts on it has moved, else from there.
-    fn stand(&self, index: usize, ground: Option<&Ground>, at: &[f64]) -> Result<Stand, StudyError> {
+    fn stand(
+        &self,
+        index: usize,
+        ground: Option<&Ground>,
+        at: &[f64],
+    ) -> Result<(Stand, Option<Tangent>), StudyError> {
         let touches = |unknown: usize| matches!(&self.targets.targets[unknown], Target::Key { cases, .. } if cases.contains(&index));
         if let Some(ground) = ground.filter(|ground| ground.is_same(at, touches)) {
-            return Ok(ground.cases[index].clone());
+            return Ok((ground.cases[index].clone(), None));
         }
         let case = &self.cases[index];
         let near = ground.map(|ground| ground.near(index, at));
         let design = self.design_at(index, at)?;
-        let solved = match case.base_at(&design) {
-            Some(solved) => solved,
+        let (solved, tangent) = match case.base_at(&design) {
+            Some(solved) => (solved, None),
             None => {
-                let solved = case.solve(&design, near.as_ref(), &self.progress.unseen())?;
+                let (solved, tangent) = case.solve(&design, near.as_ref(), &self.progress.unseen())?;
                 self.tally.add(solved.work());
-                Arc::new(solved)
+                (Arc::new(solved), Some(tangent))
             }
         };
-        Ok(Stand {
+        let stand = Stand {
             reading: Arc::new(case.read(&solved.at)?),
             solved,
             columns: BTreeMap::new(),
-        })
+        };
+        Ok((stand, tangent))
     }
 
     /// The same with the derivatives that are wanted.
@@ -239,6 +249,7 @@ impl Campaign {
         &self,
         index: usize,
         mut stand: Stand,
+        tangent: Option<Tangent>,
         at: &[f64],
         wanted: &[bool],
     ) -> Result<Stand, StudyError> {
@@ -253,7 +264,7 @@ impl Campaign {
             }
         }
         let progress = self.progress.unseen();
-        let (columns, work) = self.cases[index].rates(&stand.solved, &asked, &progress)?;
+        let (columns, work) = self.cases[index].rates(&stand.solved, tangent, &asked, &progress)?;
         self.tally.add(work);
         let columns = columns.into_iter().map(|(k, column)| (k, Arc::new(column)));
         stand.columns.extend(columns);
@@ -276,7 +287,7 @@ impl Forward for Campaign {
 
     fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
         let raw = self
-            .each(None, at, |_, stand| Ok(stand.reading.to_vec()))?
+            .each(None, at, |_, stand, _| Ok(stand.reading.to_vec()))?
             .concat();
         let seen = raw.into_iter().enumerate().map(|(row, y)| {
             let (scale, offset) = self.ruler(at, row);
@@ -296,8 +307,8 @@ impl Forward for Campaign {
         wanted: &dyn Fn(&Unknown) -> bool,
     ) -> Result<(Linear, Option<Footing>), StudyError> {
         let wanted: Vec<bool> = self.targets.unknowns.iter().map(wanted).collect();
-        let stands = self.each(footing, at, |index, stand| {
-            self.with_columns(index, stand, at, &wanted)
+        let stands = self.each(footing, at, |index, stand, tangent| {
+            self.with_columns(index, stand, tangent, at, &wanted)
         })?;
         let size = self.observables.len();
         let mut value = DVector::zeros(size);
@@ -340,7 +351,7 @@ impl Forward for Campaign {
         at: &[f64],
         stations: usize,
     ) -> Result<DMatrix<f64>, StudyError> {
-        let parts = self.each(footing, at, |index, stand| {
+        let parts = self.each(footing, at, |index, stand, _| {
             self.cases[index].moment_response(&stand.solved, stations)
         })?;
         let mut response = DMatrix::zeros(self.observables.len(), stations);

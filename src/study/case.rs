@@ -26,6 +26,7 @@ use crate::lift::LiftReport;
 use crate::mesh::{Mesh, MeshError, MeshFile, for_design};
 use crate::observation::{Observer, read_channel};
 use crate::progress::Progress;
+use crate::structure::Tangent;
 
 /// A case with its effects in place.
 #[derive(Debug, Clone)]
@@ -176,7 +177,7 @@ impl PreparedCase {
         }
     }
 
-    /// Solves the case with a design of its own, from `near` or else from the case as it stands.
+    /// Solves the case with a design of its own, from `near` or else from the case as it stands; leaves the tangent there.
     ///
     /// # Errors
     /// If there is no solution.
@@ -185,7 +186,7 @@ impl PreparedCase {
         design: &Design,
         near: Option<&Near>,
         progress: &Progress,
-    ) -> Result<Solved, StudyError> {
+    ) -> Result<(Solved, Tangent), StudyError> {
         progress.check()?;
         let (planform, mesh) = self.mesh(design).map_err(|error| self.failed(error))?;
         let base = self.base.as_deref();
@@ -196,12 +197,13 @@ impl PreparedCase {
         let wing = Wing::near(design, &mesh, self.air_table.as_deref(), alike, nearby)
             .map_err(|error| self.unsolved(error))?;
         let solution = coupling::solve_wing(design, &wing, &mesh, start, progress);
+        let (solution, tangent) = solution.map_err(|error| self.unsolved(error))?;
         let at = Nearby {
             design: design.clone(),
             planform,
-            solution: solution.map_err(|error| self.unsolved(error))?,
+            solution,
         };
-        Ok(Solved { at, wing })
+        Ok((Solved { at, wing }, tangent))
     }
 
     fn mesh(&self, design: &Design) -> Result<(Planform, Mesh), MeshError> {
@@ -278,13 +280,14 @@ impl PreparedCase {
     }
 
     /// Derivatives of the readings with keys of the design: (index, values per row) for each of `columns`
-    /// (index, key, finite step if the response has a kink at zero); and what it took.
+    /// (index, key, finite step if the response has a kink at zero); and what it took. `tangent`: what the solve has left.
     ///
     /// # Errors
     /// If the coupled tangent is singular, or a key is none.
     pub fn rates(
         &self,
         solved: &Solved,
+        tangent: Option<Tangent>,
         columns: &[(usize, String, Option<f64>)],
         progress: &Progress,
     ) -> Result<(Columns, Work), StudyError> {
@@ -297,8 +300,12 @@ impl PreparedCase {
         let here = self.read(solved)?;
         let remesh = |design: &Design| self.mesh(design);
         let table = self.air_table.as_deref();
-        let mut sensitivity = Sensitivity::new(&solved.design, wing, table, &solved.solution, &remesh)
-            .map_err(|error| self.failed(error))?;
+        let Nearby { design, solution, .. } = solved;
+        let mut sensitivity = match tangent {
+            Some(tangent) => Sensitivity::with_tangent(design, wing, table, solution, &remesh, tangent),
+            None => Sensitivity::new(design, wing, table, solution, &remesh)
+                .map_err(|error| self.failed(error))?,
+        };
         let mut rates = Vec::new();
         for (index, key, switch) in columns {
             progress.check()?;
@@ -313,7 +320,7 @@ impl PreparedCase {
                         solution: &solved.solution,
                         step: rate.filter(|rate| !rate.moves_mesh).map(way),
                     };
-                    let there = self.solve(&design, Some(&from), progress)?;
+                    let (there, _) = self.solve(&design, Some(&from), progress)?;
                     work += there.work();
                     let there = self.read(&there.at)?;
                     let rates = there.iter().zip(&here);
