@@ -1,12 +1,16 @@
 //! `washout schema`: the JSON schema of a file or of an output, generated from the types.
 
+use std::path::PathBuf;
+
 use clap::{Args, ValueEnum};
 
 use crate::blind::Scoreboard;
 use crate::diagnose::Plan;
+use crate::export::ExportError;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::difference::Difference;
 use crate::export::modes::ModesSummary;
+use crate::export::studies::studies_page;
 use crate::export::study::StudyReport;
 use crate::export::summary::RunSummary;
 use crate::export::verification::VerifyReport;
@@ -32,6 +36,9 @@ pub struct Schema {
     /// Of video files for `washout measure`, instead of design files
     #[arg(long, conflicts_with_all = ["output", "study"])]
     pub video: bool,
+    /// Write the page of documentation on study files
+    #[arg(long, value_name = "FILE", requires = "study")]
+    pub page: Option<PathBuf>,
 }
 
 /// Verbs whose JSON document has a schema.
@@ -76,6 +83,9 @@ pub enum Output {
 impl Schema {
     /// Prints the schema.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        if let Some(path) = &self.page {
+            std::fs::write(path, studies_page()).map_err(ExportError::file("write", path))?;
+        }
         let schema = match self.output {
             None if self.study => crate::input::schema::study_schema(),
             None if self.video => crate::input::schema::video_schema(),

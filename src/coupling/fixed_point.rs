@@ -9,6 +9,9 @@ use crate::progress::Progress;
 use crate::structure::state::State;
 use crate::structure::{Equilibrium, Loads, Model, NewtonSettings};
 
+/// Angle of attack below which the air hardly loads a strip, rad.
+const FEATHERED_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;
+
 /// A coupled equilibrium.
 #[derive(Debug, Clone)]
 pub struct Coupled {
@@ -195,7 +198,14 @@ pub(super) fn stable(
 }
 
 /// What to try where the iteration does not settle: only what is not in use already.
-fn cure(coupling: &Coupling, linear: bool, film_wrinkles: bool) -> String {
+fn cure(coupling: &Coupling, linear: bool, film_wrinkles: bool, feathered: bool) -> String {
+    if film_wrinkles && feathered {
+        return "Most of the wing stands within 5 deg of the stream, where the air hardly loads the film: it hangs slack, and \
+                many shapes are near equilibrium. Try a larger root angle, a film that keeps more in compression \
+                (film.residual_compression = 0.01) or carries it (film.compression = \"carries\"), or a coarser mesh \
+                (--refine 0.5); they give different twist, so none of them is sure"
+            .to_string();
+    }
     let others = [
         (design::Accelerator::Newton, "newton"),
         (design::Accelerator::Anderson, "anderson"),
@@ -230,6 +240,12 @@ fn patience_lost(
 ) -> Result<Coupled, CouplingError> {
     let (iterations, twist_change_deg, residual) =
         (coupled.iterations, coupled.twist_change_deg, coupled.residual);
+    let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false);
+    let feathered = air
+        .iter()
+        .filter(|strip| strip.force.alpha.abs() < FEATHERED_RAD)
+        .count();
+    let feathered = 2 * feathered > air.len();
     match stable(wing, equilibrium, rest, coupled) {
         Err(diverged @ CouplingError::Diverged { .. }) => Err(diverged),
         _ => Err(CouplingError::OutOfPatience {
@@ -237,7 +253,7 @@ fn patience_lost(
             allowed: coupling.max_iterations,
             twist_change_deg,
             residual,
-            cure: cure(coupling, wing.linear, wing.has_film_that_wrinkles()),
+            cure: cure(coupling, wing.linear, wing.has_film_that_wrinkles(), feathered),
         }),
     }
 }
@@ -266,7 +282,7 @@ mod tests {
                 accelerator,
                 ..Coupling::default()
             };
-            cure(&coupling, linear, wrinkles)
+            cure(&coupling, linear, wrinkles, false)
         };
         let newton = advice(design::Accelerator::Newton, false, true);
         assert!(
@@ -278,5 +294,12 @@ mod tests {
         assert!(anderson.contains("\"newton\" or \"aitken\""), "{anderson}");
         assert!(!anderson.contains("film"), "{anderson}");
         assert!(!advice(design::Accelerator::Aitken, true, false).contains("newton"));
+        let feathered = |wrinkles| cure(&Coupling::default(), false, wrinkles, true);
+        assert!(
+            feathered(true).contains("residual_compression"),
+            "{}",
+            feathered(true)
+        );
+        assert!(!feathered(false).contains("slack"), "{}", feathered(false));
     }
 }

@@ -46,6 +46,8 @@ pub mod effects;
 
 pub mod report;
 
+pub mod studies;
+
 pub mod study;
 
 pub mod text;

@@ -130,6 +130,9 @@ fn the_text_of_the_new_study_is_in_step_with_the_schema() {
         }
     }
     fs::write(here.path().join("s.toml"), all.join("\n")).expect("written");
+    let next = "case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound\n\
+                flapping-24,twist,chord_rotation,deg,washout,run-1,40,,,0.25,assumed,none\n";
+    fs::write(here.path().join("s-next.csv"), next).expect("written");
     let said = washout(here.path(), &["compare", "s.toml"]);
     assert_eq!(said.code, Some(0), "{}", said.err);
 }

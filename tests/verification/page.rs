@@ -57,3 +57,12 @@ fn the_page_of_documentation_says_what_the_cases_give_now() {
         assert!(same, "{shown}\nis now\n{found}\n{renew}");
     }
 }
+
+#[test]
+fn the_page_of_studies_says_what_the_schema_and_the_example_say() {
+    let page = std::fs::read_to_string(root().join("docs/studies.md")).expect("the page");
+    assert!(
+        page == washout::export::studies::studies_page(),
+        "docs/studies.md differs from the schema; run `washout schema --study --page docs/studies.md`"
+    );
+}
