@@ -217,7 +217,9 @@ def compare(run, options):
     if not report["equilibrium"]:
         said = f"{100 * report['share_of_load']:.0f} % of the load after {report['iterations']} iterations"
         return {"run": run.name, "outcome": "Kratos finds no equilibrium", "said": said, **report}
-    leading, trailing = second_opinion.edges(folder / "edges.csv")
+    # from the flat film, as Kratos counts; edges.csv counts from the cured shape
+    edges = second_opinion.edges(folder / "edges.csv")
+    leading, trailing = [[(node, place, ours[node][:3]) for node, place, _ in edge] for edge in edges]
     result = second_opinion.compared(run.name, leading, trailing, lambda node: moved[node])
     nodes = [(ours[node][:3], moved[node]) for node in ours]
     largest = max(sum(x * x for x in u) ** 0.5 for u, _ in nodes)

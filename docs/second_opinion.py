@@ -196,7 +196,7 @@ def plate(case, nx, ny):
 def plates():
     """Corner displacements of both plates on two meshes."""
     for case in PLATES:
-        for nx, ny in [(16, 6), (58, 18)]:
+        for nx, ny in [(16, 6), (32, 10)]:
             deck, (loaded, other) = plate(case, nx, ny)
             steps, said = solve(deck)
             if steps is None:
