@@ -103,6 +103,9 @@ fn pictures_and_their_numbers_are_written_whole_and_replaced_but_nothing_of_the_
         .len();
     assert_eq!(table.lines().count(), rows + 1, "{table}");
 
+    let residuals = fs::read_to_string(target.join("residuals.svg")).expect("a picture");
+    assert!(residuals.contains("error of twist (deg)"), "{residuals}");
+
     let before = contents(&target);
     let said = run(&["compare", &wing]);
     assert!(

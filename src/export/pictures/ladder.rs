@@ -21,13 +21,16 @@ pub struct Fall {
     pub steps: Vec<(String, Vec<Option<f64>>)>,
 }
 
+/// Name of a group of data, and its error at a rung.
+type RungGroup = (&'static str, fn(&Rung) -> Option<f64>);
+
 impl Fall {
     /// Of the ladder of a diagnosis; groups that no rung has are left out.
     pub fn of_rungs(rungs: &[Rung]) -> Vec<Fall> {
         let Some(first) = rungs.first() else {
             return Vec::new();
         };
-        let all: [(&str, fn(&Rung) -> Option<f64>); 3] = [
+        let all: [RungGroup; 3] = [
             ("fitted", |rung| Some(rung.in_sample)),
             ("each case predicted from the others", |rung| rung.left_out),
             ("held out", |rung| rung.held_out),

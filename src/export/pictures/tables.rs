@@ -1,6 +1,6 @@
 //! The numbers behind the pictures as CSV, one file beside each picture.
 
-use crate::compare::Comparison;
+use crate::compare::{Comparison, StudyRow};
 use crate::diagnose::Diagnosis;
 use crate::diagnose::added_variable::AddedVariable;
 use crate::diagnose::novel::Reconstruction;
@@ -33,10 +33,13 @@ const COMPARED_HEAD: [&str; 21] = [
     "calibrated",
 ];
 
+/// A row with panel, curve and abscissa, and its place there.
+type Line<'a> = (usize, [&'a str; 3], [Option<f64>; 2]);
+
 /// `compared.csv`: every number with its panel and curve; those without a panel come last.
 pub fn compared(compared: &Compared) -> Result<Vec<u8>, ExportError> {
     let panels = panels(compared, Profiles::Apart);
-    let mut places: Vec<(usize, [&str; 3], [Option<f64>; 2])> = Vec::new();
+    let mut places: Vec<Line> = Vec::new();
     for panel in &panels {
         for curve in &panel.curves {
             let names = [panel.title.as_str(), &curve.label, &panel.x_label];
@@ -58,7 +61,7 @@ pub fn compared(compared: &Compared) -> Result<Vec<u8>, ExportError> {
             (
                 &row.case,
                 &row.wing,
-                used(row.is_held_out),
+                used(compared, row),
                 row.channel.name(),
                 row.channel.unit(),
                 &row.run,
@@ -70,7 +73,7 @@ pub fn compared(compared: &Compared) -> Result<Vec<u8>, ExportError> {
                 row.bound,
                 row.before,
                 row.sigma_of_inputs,
-                row.after,
+                compared.is_calibrated.then_some(row.after),
             ),
         )
     });
@@ -104,7 +107,7 @@ pub fn residuals(compared: &Compared) -> Result<Vec<u8>, ExportError> {
             (
                 &row.case,
                 &row.wing,
-                used(row.is_held_out),
+                used(compared, row),
                 row.channel.name(),
                 row.channel.unit(),
                 &row.run,
@@ -117,7 +120,12 @@ pub fn residuals(compared: &Compared) -> Result<Vec<u8>, ExportError> {
                 row.sigma,
                 row.bound,
             ),
-            (stated, calibrated, stated / row.sigma, calibrated / row.sigma),
+            (
+                stated,
+                compared.is_calibrated.then_some(calibrated),
+                stated / row.sigma,
+                compared.is_calibrated.then_some(calibrated / row.sigma),
+            ),
         )
     });
     csv::table(&RESIDUALS_HEAD, &lines.collect::<Vec<_>>())
@@ -217,6 +225,11 @@ pub fn falls(falls: &[super::ladder::Fall]) -> Result<Vec<u8>, ExportError> {
     csv::table(&head, &lines)
 }
 
-fn used(is_held_out: bool) -> &'static str {
-    if is_held_out { "held out" } else { "fit" }
+/// What a number was for; nothing where nothing was fitted.
+fn used(compared: &Compared, row: &StudyRow) -> &'static str {
+    match (row.is_held_out, compared.is_calibrated) {
+        (true, _) => "held out",
+        (false, true) => "fit",
+        (false, false) => "",
+    }
 }

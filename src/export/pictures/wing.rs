@@ -1,12 +1,12 @@
 //! A single wing against its measurement: twist in degrees along the span before the channels as measured.
 
-use crate::compare::{Comparison, ProfileOrigin, SpanComparison};
+use crate::compare::{ComparedStation, Comparison, ProfileOrigin, SpanComparison};
 use crate::input::measurement::{Bound, Channel};
 use crate::observation::TwistProfile;
 use crate::plot::{Chart, Figure, Ink, Key, Limit, Mark, Panel, Point, Sample, Shape, Weight};
 
-use super::compared;
 use super::panels::Compared;
+use super::{compared, residuals};
 
 /// Model against measurement; `profile` is the whole modelled profile.
 pub fn figure(comparison: &Comparison, profile: &TwistProfile) -> Figure {
@@ -50,6 +50,52 @@ pub fn figure(comparison: &Comparison, profile: &TwistProfile) -> Figure {
         }
     }
     figure
+}
+
+/// Measured minus modelled, along the span in degrees first.
+pub fn residuals(comparison: &Comparison) -> Figure {
+    let mut rest = Compared::of_wing(comparison);
+    if comparison
+        .span
+        .iter()
+        .any(|span| span.origin == ProfileOrigin::Twists)
+    {
+        rest.rows.retain(|row| row.channel != Channel::Twist);
+    }
+    let mut figure = residuals::figure(&rest);
+    let spans = comparison.span.iter().map(error_chart);
+    figure.panels = spans.chain(figure.panels).collect();
+    figure
+}
+
+fn error_chart(span: &SpanComparison) -> Panel {
+    let point = |s: &ComparedStation| Point {
+        x: s.r_mm,
+        x_to: None,
+        y: if s.misfit_deg == 0.0 { 0.0 } else { s.error_deg },
+        sigma: s.sigma_deg,
+        limit: Limit::None,
+    };
+    Panel::Chart(Chart {
+        title: title(span),
+        x_label: "distance from the wing base (mm)".to_string(),
+        y_label: "error of twist (deg)".to_string(),
+        marks: vec![Mark::Points {
+            points: span.stations.iter().map(point).collect(),
+            ink: Ink::Curve(0),
+            shape: Shape::Circle,
+            is_filled: true,
+        }],
+        x_includes: Some(0.0),
+        has_zero_line: true,
+    })
+}
+
+fn title(span: &SpanComparison) -> String {
+    match span.run.as_str() {
+        "" => "twist along the span".to_string(),
+        run => format!("twist along the span, run {run}"),
+    }
 }
 
 fn chart(comparison: &Comparison, span: &SpanComparison, profile: &TwistProfile) -> Panel {
@@ -115,13 +161,8 @@ fn chart(comparison: &Comparison, span: &SpanComparison, profile: &TwistProfile)
             weight: Weight::Thick,
         },
     );
-    let run = if span.run.is_empty() {
-        String::new()
-    } else {
-        format!(", run {}", span.run)
-    };
     Panel::Chart(Chart {
-        title: format!("twist along the span{run}"),
+        title: title(span),
         x_label: "distance from the wing base (mm)".to_string(),
         x_includes: Some(0.0),
         y_label: "twist, washout positive (deg)".to_string(),

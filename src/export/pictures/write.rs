@@ -20,7 +20,12 @@ const PANELS: usize = 12;
 /// If a file cannot be written, or a number is not finite.
 pub fn add_study(folder: &mut RunFolder, comparison: &StudyComparison) -> Result<(), ExportError> {
     let found = Compared::of_study(comparison);
-    add_compared(folder, &found, &compared::figure(&found))
+    add_compared(
+        folder,
+        &found,
+        &compared::figure(&found),
+        &residuals::figure(&found),
+    )
 }
 
 /// The same for a single wing; `profile` is its whole modelled profile.
@@ -33,20 +38,30 @@ pub fn add_wing(
     profile: &TwistProfile,
 ) -> Result<(), ExportError> {
     let found = Compared::of_wing(comparison);
-    add_compared(folder, &found, &wing::figure(comparison, profile))?;
+    add_compared(
+        folder,
+        &found,
+        &wing::figure(comparison, profile),
+        &wing::residuals(comparison),
+    )?;
     if !comparison.span.is_empty() {
         folder.add("span.csv", &tables::span(comparison)?)?;
     }
     Ok(())
 }
 
-fn add_compared(folder: &mut RunFolder, found: &Compared, figure: &Figure) -> Result<(), ExportError> {
+fn add_compared(
+    folder: &mut RunFolder,
+    found: &Compared,
+    figure: &Figure,
+    errors: &Figure,
+) -> Result<(), ExportError> {
     if found.rows.is_empty() {
         return Ok(());
     }
     add_picture(folder, "compared", figure)?;
     folder.add("compared.csv", &tables::compared(found)?)?;
-    add_picture(folder, "residuals", &residuals::figure(found))?;
+    add_picture(folder, "residuals", errors)?;
     add_picture(folder, "residuals-in-sigma", &in_sigma::figure(found))?;
     folder.add("residuals.csv", &tables::residuals(found)?)
 }
