@@ -10,6 +10,7 @@ mod export;
 
 mod help;
 
+mod hidden;
 mod init;
 
 mod interrupt;

@@ -1,0 +1,256 @@
+//! Campaigns tried before they are measured: planned, made with a hidden effect, told apart by one more experiment.
+
+use std::fs;
+use std::path::Path;
+
+use crate::{Said, washout};
+
+/// A rod on the bench under three torques; `stations` at which its twist is to be read, sigma 0.01 deg; values yet to come.
+fn campaign(folder: &Path, stations: &[u32]) {
+    fs::write(
+        folder.join("rod.toml"),
+        "format = 1\nname = 'rod'\n[planform]\nlength_mm = 100.0\noutline = [[0.0, 20.0], [100.0, 20.0]]\ntip_cut = 1.0\n\
+         [ribs]\nbays = 10\n[[rod]]\nfrom_mm = 0.0\nto_mm = 100.0\nmaterial = 'steel'\n\
+         section = { shape = 'round', diameter_mm = 1.0 }\n\
+         [material.steel]\ne_gpa = 200.0\ng_gpa = 80.0\npoisson = 0.25\ndensity_kg_m3 = 8000.0\n\
+         [[load]]\nat_mm = 100.0\nmoment_n_m = [0.001, 0.0, 0.0]\n",
+    )
+    .unwrap();
+    let rows = |case: &str, stations: &[u32]| -> String {
+        let row =
+            |r_mm: &u32| format!("{case},twist,chord_rotation,deg,washout,,{r_mm},,,0.01,stated,none\n");
+        stations.iter().map(row).collect()
+    };
+    let head = "case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound\n";
+    let cases: String = (1..=3)
+        .map(|moment| rows(&format!("m-{moment}"), stations))
+        .collect();
+    fs::write(folder.join("m.csv"), format!("{head}{cases}")).unwrap();
+    let next = format!(
+        "{head}{}{}",
+        rows("tip-again", &[100]),
+        rows("near-the-root", &[10, 20])
+    );
+    fs::write(folder.join("next.csv"), next).unwrap();
+    let experiment = |name: &str| {
+        format!(
+            "[[experiment]]\ndesign = 'rod.toml'\nset = ['load[0].moment_n_m=[0.003, 0, 0]']\nmeasurement = 'next.csv'\n\
+             measured = '{name}'\n"
+        )
+    };
+    let study = format!(
+        "# a plan\nformat = 1\nname = 'bench'\ncandidates = ['rod-shear-modulus', 'root-flexure']\n[[case]]\n\
+         design = 'rod.toml'\nset = ['load[0].moment_n_m=[{{moment*0.001}}, 0, 0]']\nmeasurement = 'm.csv'\n\
+         measured = 'm-{{moment}}'\n{}{}",
+        experiment("tip-again"),
+        experiment("near-the-root")
+    );
+    fs::write(folder.join("study.toml"), study).unwrap();
+}
+
+fn json(said: &Said) -> serde_json::Value {
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    serde_json::from_str(&said.out).unwrap()
+}
+
+const MANY: [u32; 10] = [10, 20, 30, 40, 50, 60, 70, 80, 90, 100];
+
+#[test]
+fn a_campaign_without_values_can_be_judged_but_not_compared() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), &MANY);
+    let refused = washout(folder.path(), &["compare", "study.toml"]);
+    assert_eq!(refused.code, Some(2), "{}", refused.out);
+    assert!(
+        refused.err.contains("m.csv:2: value") && refused.err.contains("--plan"),
+        "{}",
+        refused.err
+    );
+    let plan = json(&washout(
+        folder.path(),
+        &["diagnose", "study.toml", "--plan", "--json"],
+    ));
+    assert_eq!(plan["numbers"], 30);
+    let effect = |name: &str| {
+        plan["effects"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|e| e["effect"] == name)
+            .unwrap()
+            .clone()
+    };
+    // twist 0.73 deg at 1 mN m: 0.35 of it is 0.26 deg, 26 sigma at the tip alone
+    let detectability = effect("rod-shear-modulus")["detectability"].as_f64().unwrap();
+    assert!(detectability > 26.0, "{detectability}");
+    assert!(
+        effect("root-flexure")["confused_with"]
+            .as_array()
+            .unwrap()
+            .is_empty()
+    );
+}
+
+#[test]
+fn what_was_hidden_is_found_and_data_of_the_same_making_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), &MANY);
+    let run = |arguments: &[&str]| washout(folder.path(), arguments);
+    let hide = [
+        "synthesize",
+        "study.toml",
+        "--effect",
+        "root-flexure=0.2",
+        "--seed",
+        "7",
+        "--output",
+        "try",
+    ];
+    let made = json(&run(&[&hide[..], &["--json"]].concat()));
+    assert_eq!(made["numbers"], 30);
+    let answer: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(folder.path().join("try/answer.json")).unwrap()).unwrap();
+    assert_eq!(answer["acted"][0]["asked"], "root-flexure");
+    let recipe = &answer["recipe"]["made"];
+    assert!(
+        recipe["mesh"] != 1.0 && recipe["seed"] != 1 && recipe["formulas"] == "other",
+        "{recipe}"
+    );
+    let text = fs::read_to_string(folder.path().join("try/study.toml")).unwrap();
+    assert!(
+        text.starts_with("# a plan") && !text.contains("root-flexure="),
+        "{text}"
+    );
+
+    let said = json(&run(&["diagnose", "try/study.toml", "--json"]));
+    assert_eq!(said["hypotheses"][0]["effects"][0], "root-flexure", "{said}");
+    let strength = said["hypotheses"][0]["strength"].as_f64().unwrap();
+    assert!((strength - 0.2).abs() < 0.02, "{strength}");
+
+    json(&run(&[&hide[..], &["--json", "--same-formulas"]].concat()));
+    let refused = run(&["diagnose", "try/study.toml"]);
+    assert_eq!(refused.code, Some(2), "{}", refused.out);
+    assert!(
+        refused.err.contains("the same formulas") && refused.err.contains("--own-data"),
+        "{}",
+        refused.err
+    );
+    json(&run(&["diagnose", "try/study.toml", "--own-data", "--json"]));
+}
+
+#[test]
+fn bad_recipes_are_refused_with_their_cure() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), &MANY);
+    for (arguments, words) in [
+        (["--effect", "root-flexure"], "NAME=STRENGTH"),
+        (["--effect", "root-flexture=0.2"], "there is no such effect"),
+        (["--effect", "root-flexure=-1"], "outside 0 to 1000"),
+        (["--effect", "tip-loss-prandtl=0.5"], "acts on none"),
+        (["--background", "2"], "outside 0 to 0.2"),
+    ] {
+        let said = washout(
+            folder.path(),
+            &[&["synthesize", "study.toml"][..], &arguments].concat(),
+        );
+        assert_eq!(said.code, Some(2), "{arguments:?}: {}", said.out);
+        assert!(said.err.contains(words), "{arguments:?}: {}", said.err);
+        assert!(!folder.path().join("output").exists(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn what_one_campaign_cannot_tell_apart_the_experiment_that_it_names_does() {
+    let folder = tempfile::tempdir().unwrap();
+    // twist at the tip alone: a soft rod and a soft root are one
+    campaign(folder.path(), &[98, 99, 100]);
+    let run = |arguments: &[&str]| washout(folder.path(), arguments);
+    let hide = |output: &str| {
+        let arguments = [
+            "synthesize",
+            "study.toml",
+            "--effect",
+            "root-flexure=0.2",
+            "--seed",
+            "7",
+            "--output",
+            output,
+            "--json",
+        ];
+        json(&run(&arguments))
+    };
+    hide("first");
+    let said = json(&run(&["diagnose", "first/study.toml", "--json"]));
+    let in_set: Vec<&str> = said["hypotheses"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|h| h["in_set"] == true)
+        .filter_map(|h| h["effects"][0].as_str())
+        .collect();
+    assert!(
+        in_set.contains(&"root-flexure") && in_set.contains(&"rod-shear-modulus"),
+        "{said}"
+    );
+    assert_eq!(
+        said["next_experiment"]["best"], "near-the-root",
+        "{}",
+        said["next_experiment"]
+    );
+
+    // it is made, and decides
+    campaign(folder.path(), &[10, 20, 98, 99, 100]);
+    hide("second");
+    let said = json(&run(&["diagnose", "second/study.toml", "--json"]));
+    let first = &said["hypotheses"][0];
+    assert!(
+        first["effects"][0] == "root-flexure" && first["probability"].as_f64().unwrap() > 0.9,
+        "{said}"
+    );
+}
+
+#[test]
+fn a_blind_run_goes_on_where_it_stopped_and_gives_the_same_scoreboard() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), &MANY);
+    let text = fs::read_to_string(folder.path().join("study.toml")).unwrap();
+    let text = text.replace(
+        "['rod-shear-modulus', 'root-flexure']",
+        "['rod-shear-modulus', 'root-flexure', 'skin-torsion']",
+    );
+    fs::write(folder.path().join("study.toml"), text).unwrap();
+    let run = |count: &str, threads: &str| {
+        let arguments = [
+            "blind",
+            count,
+            "--study",
+            "study.toml",
+            "--output",
+            "blind",
+            "--json",
+            "--threads",
+            threads,
+        ];
+        let mut board = json(&washout(folder.path(), &arguments));
+        board.as_object_mut().unwrap().remove("median_seconds");
+        board
+    };
+    let whole = run("9", "2");
+    assert_eq!(whole["cases"], 9);
+    let alarms = whole["rows"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|row| row["what"] == "false alarms, all of these")
+        .unwrap();
+    assert_eq!(alarms["hits"], 0, "{whole}");
+    for gone in ["single-1.json", "twin-9.json"] {
+        fs::remove_file(folder.path().join("blind/cases").join(gone)).unwrap();
+    }
+    assert_eq!(run("9", "1"), whole);
+    let page = fs::read_to_string(folder.path().join("blind/scoreboard.md")).unwrap();
+    assert!(
+        page.contains("| single | 1 |") && page.contains("development benchmark"),
+        "{page}"
+    );
+}
