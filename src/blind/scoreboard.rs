@@ -262,7 +262,8 @@ fn reliability(outcomes: &[Outcome]) -> (Vec<Bin>, f64) {
 }
 
 fn simpler(outcomes: &[Outcome]) -> Vec<Row> {
-    let methods: [(&str, fn(&Outcome) -> &[String]); 4] = [
+    type Answer = fn(&Outcome) -> &[String];
+    let methods: [(&str, Answer); 4] = [
         ("calibrate only", |_| &[]),
         ("best-fitting single effect", |o| &o.simpler.best_fitting),
         ("largest score (LM)", |o| &o.simpler.largest_score),
