@@ -9,6 +9,8 @@ use crate::synthesize::{Hidden, hidden::hide};
 
 /// Misfit that it makes before anything is fitted, sigma: drawn evenly from this range.
 const MISFIT: [f64; 2] = [30.0, 70.0];
+/// Largest compliance of a soft place over that of the sound rod.
+const SOFTEST: f64 = 50.0;
 /// Powers of frequency and amplitude by which a moment grows.
 const LAWS: [[i32; 2]; 6] = [[0, 0], [1, 0], [0, 1], [2, 0], [1, 2], [2, 1]];
 
@@ -30,15 +32,19 @@ pub fn novel(blind: &Blind, draws: Draws, progress: &Progress) -> Result<Hidden,
         }
         2 => ("moment", format!("max(f - 20, 0) / 5 * {}", bump(0.12))),
         3 => ("moment", format!("-twist * {}", bump(0.15))),
-        _ => ("torsion", format!("1 / (1 + 4 * {})", bump(0.05))),
+        _ => ("torsion", bump(0.05)),
     };
     // a first size, and the size that makes the misfit that is wanted
     let target = MISFIT[0] + (MISFIT[1] - MISFIT[0]) * draws.uniform(5, 4);
-    if acts_on == "torsion" {
-        return Ok(Hidden::own("overlooked", acts_on, &formula));
-    }
-    let first = 1e-4;
-    let with = |size: f64| Hidden::own("overlooked", acts_on, &format!("{size:?} * {formula}"));
+    let is_soft = acts_on == "torsion";
+    let first = if is_soft { 1.0 } else { 1e-4 };
+    let with = |size: f64| {
+        let expression = match is_soft {
+            true => format!("1 / (1 + {size:?} * {formula})"),
+            false => format!("{size:?} * {formula}"),
+        };
+        Hidden::own("overlooked", acts_on, &expression)
+    };
     let mut wing = blind.study.clone();
     wing.experiments.clear();
     let quiet = progress.unseen();
@@ -49,5 +55,6 @@ pub fn novel(blind: &Blind, draws: Draws, progress: &Progress) -> Result<Hidden,
     let rows = before.observables().iter().zip(a.iter().zip(b.iter()));
     let squares = rows.map(|(observable, (a, b))| ((b - a) / observable.sigma).powi(2));
     let distance = squares.sum::<f64>().sqrt().max(1e-9);
-    Ok(with(sign * first * target / distance))
+    let size = first * target / distance;
+    Ok(with(if is_soft { size.min(SOFTEST) } else { sign * size }))
 }

@@ -6,23 +6,27 @@ use super::fields::Law;
 use super::novel::{FieldProfile, Reconstruction};
 use super::verdict::Draft;
 use super::words::short;
+use crate::study::Condition;
 
 /// Highest power of r/R in a draft.
 const POWERS: usize = 4;
 
-/// Draft of a reconstruction; none if it has no field.
-pub fn draft(reconstruction: &Reconstruction) -> Option<Draft> {
-    let largest = reconstruction
+/// Draft of a reconstruction in these conditions; none if it has no field.
+pub fn draft(reconstruction: &Reconstruction, conditions: &[Condition]) -> Option<Draft> {
+    let largest = |of: fn(&Condition) -> Option<f64>| conditions.iter().filter_map(of).reduce(f64::max);
+    let f1 = largest(|condition| condition.frequency_hz);
+    let phi1 = largest(|condition| condition.half_amplitude_deg).map(f64::to_radians);
+    let profile = reconstruction
         .field
         .iter()
         .max_by(|a, b| a.total.abs().total_cmp(&b.total.abs()))?;
-    let shape = polynomial(largest)?;
-    let place = format!("centred at {:.2} of the span", largest.centroid);
+    let shape = polynomial(profile)?;
+    let place = format!("centred at {:.2} of the span", profile.centroid);
     let (factor, what) = match (reconstruction.law, reconstruction.scaling) {
         (Law::Load { .. } | Law::Free, Some(scaling)) => {
             let ([a, da], [b, db]) = (scaling.frequency, scaling.amplitude);
             (
-                format!(" * f^{a:.1} * phi^{b:.1}"),
+                format!("{}{}", power("f", f1, a), power("Phi", phi1, b)),
                 format!(
                     "a moment per length {place}, as frequency to the power {a:.1} ± {da:.1} and amplitude to the \
                      power {b:.1} ± {db:.1}"
@@ -38,18 +42,34 @@ pub fn draft(reconstruction: &Reconstruction) -> Option<Draft> {
             format!("a moment per length {place}, different in every condition"),
         ),
         (Law::Spring, _) => (" * -twist".into(), format!("a spring against twist {place}")),
-        (Law::Compliance, _) => (
-            " * twist_rate".into(),
-            format!("a softer (or stiffer) stretch {place}"),
-        ),
+        (Law::Compliance, _) => (String::new(), format!("a softer (or stiffer) stretch {place}")),
         (Law::Sensor, _) => (
             String::new(),
             format!("an error of the reading, the same in all conditions, {place}"),
         ),
     };
+    let (acts_on, expression) = match reconstruction.law {
+        Law::Compliance => (Some("torsion"), format!("1 / max(1 + {shape}, 0.05)")),
+        Law::Sensor => (None, shape),
+        _ => (Some("moment"), format!("({shape}){factor}")),
+    };
+    let effect = acts_on.map(|acts_on| {
+        format!(
+            "[effects.missing]\nkind = \"custom\"\nacts_on = \"{acts_on}\"\nexpression = \"{expression}\"\nstrength = 1.0\n\
+             summary = \"{what}\"\n"
+        )
+    });
     Some(Draft {
-        expression: format!("({shape}){factor}"),
+        expression,
         what,
+        effect,
+    })
+}
+
+/// ` * (f / 26.0)^2.0`; nothing where no condition has the number.
+fn power(name: &str, largest: Option<f64>, power: f64) -> String {
+    largest.map_or(String::new(), |largest| {
+        format!(" * ({name} / {largest:.4})^({power:.1})")
     })
 }
 

@@ -219,7 +219,9 @@ fn novel(baseline: &Baseline, judgement: &Judgement) -> Novel {
     nearest.truncate(LOOK_ALIKES);
     Novel {
         probability: probability(judgement, &Case::Novel),
-        draft: reconstruction.as_ref().and_then(draft),
+        draft: reconstruction
+            .as_ref()
+            .and_then(|found| draft(found, baseline.forward.conditions())),
         reconstruction,
         nearest,
     }

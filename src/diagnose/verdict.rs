@@ -161,10 +161,14 @@ pub struct Novel {
 /// A formula to start an effect of one's own from.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Draft {
-    /// Expression over x = r/R, f and phi (both over the largest of the study) in the unit of the field.
+    /// Formula over x = r/R, f (Hz), Phi (rad) and twist (rad): a moment per length, N·m/m; for a compliance, the factor of the
+    /// rods' torsional stiffness; for an error of the reading, that error.
     pub expression: String,
     /// What it stands for.
     pub what: String,
+    /// The same as a table `[effects.missing]` for a design or for `washout add missing --own`; none for an error of the
+    /// reading, which is no effect.
+    pub effect: Option<String>,
 }
 
 /// One effect that the model lacks.

@@ -53,8 +53,16 @@ pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
             reconstruction(found)
         ));
         if let Some(draft) = &diagnosis.novel.draft {
-            let text = format!("{}\n  [effects.custom]\n  # {}\n", draft.expression, draft.what);
-            sections.push(format!("A formula to start from (x = r/R)\n  {text}"));
+            sections.push(match &draft.effect {
+                Some(effect) => format!(
+                    "An effect of your own to start from (washout add missing --own FILE --to STUDY)\n{}",
+                    indented(effect)
+                ),
+                None => format!(
+                    "Along the span (x = r/R)\n  {}\n  {}\n",
+                    draft.expression, draft.what
+                ),
+            });
         }
     }
     if !diagnosis.predictions.is_empty() {
@@ -286,4 +294,8 @@ fn predictions(diagnosis: &Diagnosis) -> String {
         ]);
     }
     table.render()
+}
+
+fn indented(text: &str) -> String {
+    text.lines().map(|line| format!("  {line}\n")).collect()
 }

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# An effect that no library has: hidden, not named for something else, added by a formula of one's own, gone.
+#
+#   cargo build --release && examples/own_effect.sh        (half a minute on two cores)
+set -euo pipefail
+cd "$(dirname "$0")/.."
+washout() { target/release/washout --quiet "$@" --json; }
+try=output/own-effect
+run=$try/three-rods.toml
+
+washout synthesize studies/three-rods.toml --own examples/loose_seam.toml --seed 21 --output $try >/dev/null
+washout diagnose $run --output $try/diagnosis | grep -m2 -E '"(sentence|verdict)"' | tee $try/first.txt
+grep -q '"novel"' $try/first.txt
+echo "Its formula, as the builder guesses it from the field along the span, joins the model:"
+washout add loose-seam --own examples/loose_seam.toml --to $run --ladder $try/ladder | grep -A3 '"strength"'
+washout diagnose $run --output $try/again | grep -m1 '"sentence"' | tee $try/last.txt
+grep -q "Nothing detectable is missing" $try/last.txt
