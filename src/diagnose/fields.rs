@@ -262,39 +262,41 @@ impl Places {
         (responded > 0.0 && predicted > 0.0).then(|| (predicted / responded).sqrt())
     }
 
-    /// For each channel but twist in each condition, its prediction, and where there are three numbers or more, its prediction
-    /// times the place along the span from -1 to 1.
+    /// For each channel but twist on each wing, its prediction, and the same times the place along the span and the logarithm
+    /// of the dynamic pressure (both from -1 to 1) where three or more tell them apart: smooth over stations and conditions, so
+    /// that one number that is off stays one number.
     fn levels_and_tilts(&self, forward: &dyn Forward, data: &Data) -> DMatrix<f64> {
         let observables = forward.observables();
         let of = |position: usize| &observables[data.rows[position]];
-        let mut columns: Vec<DVector<f64>> = Vec::new();
-        for (condition, positions) in data.conditions(forward) {
-            let length_mm = 1e3 * forward.conditions()[condition].length_m;
-            let mut channels: Vec<Channel> = Vec::new();
-            for &position in &positions {
-                let channel = of(position).channel;
-                if !channel.is_twist() && !channels.contains(&channel) {
-                    channels.push(channel);
-                }
+        let condition = |position: usize| &forward.conditions()[of(position).condition];
+        let mut groups: Vec<((Channel, &str), Vec<usize>)> = Vec::new();
+        for position in (0..self.value.len()).filter(|&position| !of(position).channel.is_twist()) {
+            let key = (of(position).channel, condition(position).wing.as_str());
+            match groups.iter_mut().find(|(known, _)| *known == key) {
+                Some((_, own)) => own.push(position),
+                None => groups.push((key, vec![position])),
             }
-            for channel in channels {
-                let own: Vec<usize> = positions
-                    .iter()
-                    .copied()
-                    .filter(|&p| of(p).channel == channel)
-                    .collect();
-                let tilt = |position: usize| 2.0 * of(position).r_mm.unwrap_or(0.0) / length_mm - 1.0;
-                let column = |weight: &dyn Fn(usize) -> f64| {
-                    let mut column = DVector::zeros(self.value.len());
-                    for &position in &own {
-                        column[position] = self.value[position] * weight(position);
-                    }
-                    column
+        }
+        let mut columns: Vec<DVector<f64>> = Vec::new();
+        for (_, own) in groups {
+            let place = centred(&own, &|position| of(position).r_mm.unwrap_or(0.0));
+            let load = centred(&own, &|position| {
+                condition(position).dynamic_pressure_pa.max(1e-9).ln()
+            });
+            for weights in [vec![], vec![&place], vec![&load], vec![&place, &load]] {
+                let Some(weights) = weights
+                    .into_iter()
+                    .map(Option::as_ref)
+                    .collect::<Option<Vec<_>>>()
+                else {
+                    continue;
                 };
-                columns.push(column(&|_| 1.0));
-                if own.len() >= 3 {
-                    columns.push(column(&tilt));
+                let mut column = DVector::zeros(self.value.len());
+                for (index, &position) in own.iter().enumerate() {
+                    let weight: f64 = weights.iter().map(|weight: &&Vec<f64>| weight[index]).product();
+                    column[position] = self.value[position] * weight;
                 }
+                columns.push(column);
             }
         }
         match columns.is_empty() {
@@ -312,6 +314,21 @@ impl Places {
             profiles: vec![(None, root * factor)],
         })
     }
+}
+
+/// A number of each position, mapped to -1 to 1; none if it takes fewer than three values.
+fn centred(positions: &[usize], of: &dyn Fn(usize) -> f64) -> Option<Vec<f64>> {
+    let numbers: Vec<f64> = positions.iter().map(|&position| of(position)).collect();
+    let mut values = numbers.clone();
+    values.sort_by(f64::total_cmp);
+    values.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+    let [low, high] = [values.first()?, values.last()?];
+    (values.len() >= 3).then(|| {
+        numbers
+            .iter()
+            .map(|x| 2.0 * (x - low) / (high - low) - 1.0)
+            .collect()
+    })
 }
 
 fn hat(x: f64, station: usize, stations: usize) -> f64 {

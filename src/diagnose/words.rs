@@ -104,9 +104,20 @@ fn novel(diagnosis: &Diagnosis) -> String {
         )
     });
     if diagnosis.novel.probability < 0.5 {
+        let known = diagnosis.hypotheses.iter().find(|h| !h.families.is_empty());
+        let left = diagnosis
+            .significance_after
+            .map(|left| left.p_misfit.min(left.p_field));
+        let best = known.zip(left).map_or_else(String::new, |(known, left)| {
+            format!(
+                " Of the known ones, {} does best, and what it leaves arises by chance with probability {} only.",
+                with_strength(known),
+                short(left)
+            )
+        });
         return format!(
             "Something is missing that no known effect explains, and nothing smooth along the span does well; nearest \
-             comes {what}{nearest}."
+             comes {what}{nearest}.{best}"
         );
     }
     format!("Something is missing that no known effect explains: {what}{nearest}.")
