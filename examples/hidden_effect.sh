@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A hidden effect from start to end, in ten commands: made, seen, named, added, gone.
 #
-#   cargo build --release && examples/hidden_effect.sh        (two minutes on two cores)
+#   cargo build --release && examples/hidden_effect.sh        (half a minute on two cores)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 washout() { target/release/washout --quiet "$@" --json; }

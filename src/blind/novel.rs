@@ -1,13 +1,15 @@
 //! Causes that no effect of the library is: moments, springs and soft places that somebody overlooked.
 
-use super::{Blind, BlindError};
+use super::{Blind, BlindError, Kind};
 use crate::input::measurement::Formulas;
 use crate::progress::Progress;
 use crate::study::draws::Draws;
 use crate::study::{Campaign, Forward};
 use crate::synthesize::{Hidden, hidden::hide};
 
-/// Misfit that it makes before anything is fitted, sigma: drawn evenly from this range.
+/// Misfit of a cause of its first size, sigma, below which no size of it can be meant.
+const INVISIBLE: f64 = 1e-6;
+/// Misfit that it makes before anything is fitted, sigma: drawn evenly from this range; a soft place may stay below.
 const MISFIT: [f64; 2] = [30.0, 70.0];
 /// Largest compliance of a soft place over that of the sound rod.
 const SOFTEST: f64 = 50.0;
@@ -22,7 +24,9 @@ pub fn novel(blind: &Blind, draws: Draws, progress: &Progress) -> Result<Hidden,
     let place = 0.25 + 0.5 * draws.uniform(5, 0);
     let sign = if draws.uniform(5, 1) < 0.5 { 1.0 } else { -1.0 };
     let bump = |width: f64| format!("exp(-((x - {place:.3}) / {width})^2)");
+    let flaps = (blind.study.cases.iter()).any(|case| case.loaded.design.flapping.is_some());
     let (acts_on, formula) = match (draws.uniform(5, 2) * 5.0) as usize {
+        0..=2 if !flaps => ("moment", bump(0.12)),
         0 | 1 => {
             let [a, b] = LAWS[(draws.uniform(5, 3) * LAWS.len() as f64) as usize];
             (
@@ -54,7 +58,13 @@ pub fn novel(blind: &Blind, draws: Draws, progress: &Progress) -> Result<Hidden,
     let (a, b) = (before.predict(&before.start())?, after.predict(&after.start())?);
     let rows = before.observables().iter().zip(a.iter().zip(b.iter()));
     let squares = rows.map(|(observable, (a, b))| ((b - a) / observable.sigma).powi(2));
-    let distance = squares.sum::<f64>().sqrt().max(1e-9);
+    let distance = squares.sum::<f64>().sqrt();
+    if distance < INVISIBLE {
+        return Err(BlindError::NoCase {
+            kind: Kind::Novel.word(),
+            reason: "what was to be overlooked moves no reading",
+        });
+    }
     let size = first * target / distance;
     Ok(with(if is_soft { size.min(SOFTEST) } else { sign * size }))
 }

@@ -1,5 +1,7 @@
 //! `washout blind`: many diagnoses whose answer is known, and the scoreboard.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -26,7 +28,8 @@ A development benchmark: the cases are made by washout itself, with other meshes
 Every case is a file in the output folder; scoreboard.md there lists the figures, every case and every miss.")]
 pub struct TryBlind {
     /// How many cases
-    pub cases: usize,
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub cases: u32,
     /// The study whose campaign is tried
     #[arg(long, value_name = "STUDY", default_value = "studies/three-rods.toml")]
     pub study: PathBuf,
@@ -55,7 +58,8 @@ impl TryBlind {
         std::fs::create_dir_all(&folder).map_err(ExportError::file("create", &folder))?;
         let mut outcomes: Vec<Outcome> = Vec::new();
         let mut blind: Option<Blind> = None;
-        for index in 0..self.cases {
+        self.same_run(&study, &names)?;
+        for index in 0..self.cases as usize {
             let (kind, seed) = (Kind::at(index), self.seed + index as u64);
             let path = folder.join(format!("{}-{seed}.json", kind.word()));
             if let Some(known) = read(&path)? {
@@ -91,6 +95,32 @@ impl TryBlind {
         console.result(&page, &board)
     }
 
+    /// Refuses a folder that holds the cases of another run: their figures must not be added up.
+    fn same_run(&self, study: &LoadedStudy, names: &[&str]) -> Result<(), Failure> {
+        let mut content = study.clone();
+        content.path = PathBuf::new();
+        let mut hash = DefaultHasher::new();
+        format!("{content:?}{names:?}").hash(&mut hash);
+        let key = format!(
+            "washout {}, content {:016x}\n",
+            env!("CARGO_PKG_VERSION"),
+            hash.finish()
+        );
+        let path = self.output.join("run.txt");
+        match std::fs::read_to_string(&path) {
+            Ok(known) if known == key => Ok(()),
+            Ok(_) => Err(Failure::Option {
+                option: "--output",
+                reason: format!(
+                    "{} holds cases of another study, other effects or another version; give another folder",
+                    self.output.display()
+                ),
+            }),
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(write_whole(&path, key.as_bytes())?),
+            Err(error) => Err(ExportError::file("read", path)(error).into()),
+        }
+    }
+
     fn failed(&self, error: BlindError) -> Failure {
         match error {
             BlindError::Diagnosis(DiagnoseError::Cancelled(cancelled))
@@ -107,7 +137,7 @@ impl TryBlind {
 fn read(path: &Path) -> Result<Option<Outcome>, Failure> {
     match std::fs::read_to_string(path) {
         Ok(text) => Ok(serde_json::from_str(&text).ok()),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
         Err(error) => Err(ExportError::file("read", path)(error).into()),
     }
 }

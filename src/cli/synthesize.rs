@@ -149,6 +149,20 @@ impl Synthesize {
 /// Writes study, measurements and answer.
 fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeReport, Failure> {
     std::fs::create_dir_all(folder).map_err(ExportError::file("create", folder))?;
+    let whole = |path: &Path| path.canonicalize().map_err(ExportError::file("find", path));
+    let home = study.parent().filter(|home| !home.as_os_str().is_empty());
+    if whole(home.unwrap_or(Path::new(".")))? == whole(folder)? {
+        return Err(Failure::Option {
+            option: "--output",
+            reason: format!(
+                "{} is the folder of the study itself, which would be written over; give another",
+                folder.display()
+            ),
+        });
+    }
+    let study_text = study_beside(study, folder)?;
+    let answer_text =
+        serde_json::to_string_pretty(&made.answer).map_err(|error| Failure::Output(error.into()))?;
     let mut files: BTreeMap<String, BTreeMap<usize, Row>> = BTreeMap::new();
     for case in &made.study.cases {
         let rows = files.entry(file_name(&case.measurement)).or_default();
@@ -159,20 +173,21 @@ fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeRepo
         "These numbers come from no experiment: they are readings of a model with errors of its own."
             .to_string(),
     ];
-    let mut measurements = Vec::new();
+    let mut texts = Vec::new();
     let mut numbers = 0;
     for (name, rows) in &files {
         let rows: Vec<Row> = rows.values().cloned().collect();
         numbers += rows.len();
-        let path = folder.join(name);
-        write_whole(&path, measurement_csv(&comments, &rows)?.as_bytes())?;
-        measurements.push(path);
+        texts.push((folder.join(name), measurement_csv(&comments, &rows)?));
     }
+    // nothing is written before everything is there
+    let measurements: Vec<PathBuf> = texts.iter().map(|(path, _)| path.clone()).collect();
     let path = folder.join(file_name(&study.to_string_lossy()));
-    write_whole(&path, study_beside(study, folder)?.as_bytes())?;
     let answer = folder.join("answer.json");
-    let text = serde_json::to_string_pretty(&made.answer).map_err(|error| Failure::Output(error.into()))?;
-    write_whole(&answer, text.as_bytes())?;
+    texts.extend([(path.clone(), study_text), (answer.clone(), answer_text)]);
+    for (path, text) in &texts {
+        write_whole(path, text.as_bytes())?;
+    }
     Ok(SynthesizeReport {
         study: path,
         measurements,

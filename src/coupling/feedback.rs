@@ -161,7 +161,7 @@ impl<'a, 'm> Feedback<'a, 'm> {
         let most = KRYLOV.min(right.len());
         let mut feedback = DMatrix::<f64>::zeros(most + 1, most);
         for k in 0..most {
-            let more = self.orthogonal_step(&mut basis, &mut feedback, k) && k + 1 < most;
+            let more = self.orthogonal_step(&mut basis, &mut feedback, k);
             let mut projected = -feedback.view((0, 0), (k + 2, k + 1)).into_owned();
             for i in 0..=k {
                 projected[(i, i)] += 1.0;
@@ -194,7 +194,7 @@ impl<'a, 'm> Feedback<'a, 'm> {
         let right = DVector::from_column_slice(right);
         let solution = matrix.clone().lu().solve(&right)?;
         let residual = (&matrix * &solution - &right).norm();
-        (residual <= 1e-6 * right.norm()).then(|| solution.data.into())
+        (residual <= 1e-9 * right.norm()).then(|| solution.data.into())
     }
 
     /// S K⁻¹ f.

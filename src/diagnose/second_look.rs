@@ -69,6 +69,9 @@ pub fn second_look(
         };
         let [low, high] = unknowns[unknown].range;
         let step = (sign * STEP * scale).clamp(low, high);
+        if step == 0.0 {
+            continue;
+        }
         let mut at = baseline.fit.at.clone();
         at[unknown] = step;
         let Ok(moved) = forward.predict(&at) else { continue };

@@ -98,8 +98,18 @@ impl PreparedCase {
             let mut table = effect.numbers.clone();
             table.insert("strength".to_string(), toml::Value::Float(effect.strength));
             let acting = acting(&effect.name, &table, &design).map_err(|error| failed(error.to_string()))?;
-            if is_applicable(&acting.card(), &design) {
-                design.effects.insert(effect.name.clone(), table);
+            match is_applicable(&acting.card(), &design) {
+                true => {
+                    design.effects.insert(effect.name.clone(), table);
+                }
+                false if concerns.is_none() => {}
+                false => {
+                    let reason = format!(
+                        "effect {} can do nothing here, and the study names this design",
+                        effect.name
+                    );
+                    return Err(failed(reason));
+                }
             }
         }
         for name in candidates {

@@ -7,7 +7,7 @@ use super::Acted;
 use super::error::SynthesizeError;
 use super::rival::{Rival, rival};
 use crate::effects::custom::Custom;
-use crate::effects::{Card, is_applicable, named};
+use crate::effects::{Card, Effect, is_applicable, named};
 use crate::input::measurement::Formulas;
 use crate::input::study::LoadedStudy;
 
@@ -104,20 +104,27 @@ fn hide_known(
         Formulas::Other if effect.table.is_empty() => rival(&effect.name, effect.strength),
         _ => None,
     };
-    let (name, table, formula) = match other {
+    let (name, table, formula, strength) = match other {
         Some(Rival::Known(name, strength)) => (
             name.to_string(),
             with_strength(&effect.table, strength),
             name.to_string(),
+            strength,
         ),
         Some(Rival::Own(own)) => {
             let formula = own.table["expression"].as_str().unwrap_or_default().to_string();
-            (own.name.clone(), with_strength(&own.table, own.strength), formula)
+            (
+                own.name.clone(),
+                with_strength(&own.table, own.strength),
+                formula,
+                own.strength,
+            )
         }
         None => (
             effect.name.clone(),
             with_strength(&effect.table, effect.strength),
             effect.name.clone(),
+            effect.strength,
         ),
     };
     let mut touched = 0;
@@ -136,6 +143,7 @@ fn hide_known(
         family: card.family.to_string(),
         strength: effect.strength,
         formula,
+        formula_strength: strength,
     })
 }
 
@@ -146,7 +154,6 @@ fn hide_own(study: &mut LoadedStudy, effect: &Hidden) -> Result<Acted, Synthesiz
         let design = &mut case.loaded.design;
         let (own, _) =
             Custom::read(&effect.name, &table, design).map_err(|error| effect.fault(error.to_string()))?;
-        use crate::effects::Effect;
         if is_applicable(&own.card(), design) {
             design.effects.insert(effect.name.clone(), table.clone());
             touched += 1;
@@ -160,6 +167,7 @@ fn hide_own(study: &mut LoadedStudy, effect: &Hidden) -> Result<Acted, Synthesiz
         family: "user's own".to_string(),
         strength: effect.strength,
         formula: table["expression"].as_str().unwrap_or_default().to_string(),
+        formula_strength: effect.strength,
     })
 }
 

@@ -18,7 +18,7 @@ pub use hidden::Hidden;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::input::measurement::{Formulas, Made, Row};
+use crate::input::measurement::{Formulas, Made};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::draws::Draws;
@@ -29,6 +29,9 @@ const UNKNOWNS: u64 = 1;
 const BACKGROUND: u64 = 2;
 const NOISE: u64 = 3;
 const OUTLIER: u64 = 4;
+/// Draws of an unknown before its mean is taken, and how far apart they lie in their stream.
+const TRIES: u64 = 100;
+const AGAIN: u64 = 1 << 32;
 
 /// What to make.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -57,7 +60,7 @@ pub struct Synthetic {
 pub struct Answer {
     /// The recipe.
     pub recipe: Recipe,
-    /// The hidden effects as they acted: `formula` names the effect that was asked for and the one that was used.
+    /// The hidden effects as they acted.
     pub acted: Vec<Acted>,
     /// Uncertain inputs and nuisances of the ruler as they were drawn.
     pub unknowns: Vec<Drawn>,
@@ -78,6 +81,8 @@ pub struct Acted {
     pub strength: f64,
     /// The effect or formula that acted.
     pub formula: String,
+    /// The strength with which that acted.
+    pub formula_strength: f64,
 }
 
 /// A value that was drawn from its prior.
@@ -125,8 +130,14 @@ pub fn synthesize(
         .map(|(index, (unknown, start))| match unknown.kind {
             UnknownKind::Effect { .. } => start,
             _ => {
-                let drawn = unknown.mean + unknown.sigma * draws.normal(UNKNOWNS, index as u64);
-                drawn.clamp(unknown.range[0], unknown.range[1])
+                let [low, high] = unknown.range;
+                // what its range excludes is drawn again
+                let mut tries = (0..TRIES).map(|time| {
+                    unknown.mean + unknown.sigma * draws.normal(UNKNOWNS, index as u64 + AGAIN * time)
+                });
+                tries
+                    .find(|drawn| (low..=high).contains(drawn))
+                    .unwrap_or(unknown.mean)
             }
         })
         .collect();
@@ -162,7 +173,8 @@ pub fn synthesize(
                 .filter(|(which, _)| *which == place)
                 .map_or(0.0, |(_, off)| off);
             let scatter = recipe.noise * draws.normal(NOISE, place as u64) + off;
-            fill(row, value[place] + row.sigma * scatter);
+            row.value = value[place] + row.sigma * scatter;
+            row.is_planned = false;
             true
         });
     }
@@ -176,11 +188,6 @@ pub fn synthesize(
             unread,
         },
     })
-}
-
-fn fill(row: &mut Row, value: f64) {
-    row.value = value;
-    row.is_planned = false;
 }
 
 /// Place of a wing among those of a study.

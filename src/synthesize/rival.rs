@@ -19,7 +19,7 @@ const PAIRS: [[&str; 2]; 3] = [
     ["lift-gain-linear", "lift-gain-saturating"],
 ];
 
-/// Another formula of an effect, of the same size at `strength`; none if there is but one.
+/// Another formula of an effect, of the same size at `strength`; none if there is but one, or it takes no such strength.
 ///
 /// Between known rivals, strengths are in the ratio of what is plausible. Formulas written out here vary a little along the
 /// span, or with the angle, about what the effect has as a constant.
@@ -30,7 +30,7 @@ pub fn rival(effect: &str, strength: f64) -> Option<Rival> {
                 let scale = |name: &str| named(name).map(|effect| effect.card().parameters[0].scale());
                 let other = strength * scale(to)? / scale(from)?;
                 let [low, high] = named(to)?.card().parameters[0].range;
-                return Some(Rival::Known(to, other.clamp(low, high)));
+                return (low..=high).contains(&other).then_some(Rival::Known(to, other));
             }
         }
     }

@@ -143,6 +143,7 @@ fn bad_recipes_are_refused_with_their_cure() {
     let folder = tempfile::tempdir().unwrap();
     campaign(folder.path(), &MANY);
     for (arguments, words) in [
+        (["--output", "."], "the folder of the study itself"),
         (["--effect", "root-flexure"], "NAME=STRENGTH"),
         (["--effect", "root-flexture=0.2"], "there is no such effect"),
         (["--effect", "root-flexure=-1"], "outside 0 to 1000"),
@@ -248,6 +249,23 @@ fn a_blind_run_goes_on_where_it_stopped_and_gives_the_same_scoreboard() {
         fs::remove_file(folder.path().join("blind/cases").join(gone)).unwrap();
     }
     assert_eq!(run("9", "1"), whole);
+    let other = [
+        "blind",
+        "2",
+        "--study",
+        "study.toml",
+        "--output",
+        "blind",
+        "--effect",
+        "root-flexure",
+    ];
+    let refused = washout(folder.path(), &other);
+    assert_eq!(refused.code, Some(2), "{}", refused.out);
+    assert!(refused.err.contains("holds cases of another"), "{}", refused.err);
+    assert_eq!(
+        washout(folder.path(), &["blind", "0", "--study", "study.toml"]).code,
+        Some(2)
+    );
     let page = fs::read_to_string(folder.path().join("blind/scoreboard.md")).unwrap();
     assert!(
         page.contains("| single | 1 |") && page.contains("development benchmark"),

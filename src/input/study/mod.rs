@@ -177,7 +177,7 @@ pub struct StudyEffect {
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
     #[schemars(with = "std::collections::BTreeMap<String, serde_json::Value>", extend("examples" = [{"from_mm": 40.0}]))]
     pub numbers: toml::Table,
-    /// The designs on which it acts, by name; all where absent.
+    /// The designs on which it acts, by name; all on which it can where absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = [["twist-v2"]]))]
     pub designs: Option<Vec<String>>,
