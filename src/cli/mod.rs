@@ -15,6 +15,8 @@ pub mod solve;
 
 pub mod stroke;
 
+pub mod stroke_quasi_static;
+
 pub mod study;
 
 pub mod compare;

@@ -10,6 +10,7 @@ use crate::coupling::solution::Solution;
 use crate::export::collect::{Solved, summarize, write_files};
 use crate::export::report::page;
 use crate::export::run::{RunFolder, read_summary};
+use crate::export::warnings::of_stroke;
 use crate::input::Design;
 use crate::observation::{TwistProfile, read_profile};
 use crate::progress::Progress;
@@ -19,6 +20,7 @@ use crate::study::{ProfileOutputs, StudyError, Uncertainty, UncertaintySettings,
 use super::case::{Case, DesignArguments};
 use super::reading::Reading;
 use super::stroke::{self, StrokeRun};
+use super::stroke_quasi_static;
 use super::{Console, Failure};
 
 /// Arguments of `washout solve`.
@@ -27,10 +29,12 @@ use super::{Console, Failure};
   washout solve designs/twist-v2.toml
   washout solve designs/twist-v2.toml --set flapping.frequency_hz=25 --output output/v2-25hz
   washout solve designs/twist-v2.toml --uncertainty        a band instead of a line, and what it comes from
-  washout solve designs/twist-v2.toml --stroke 9           the shapes over the stroke, and their mean lift
+  washout solve designs/twist-v2.toml --stroke 36          the wing in motion over its stroke, for ParaView: stroke.pvd
+  washout solve designs/twist-v2.toml --stroke-quasi-static 9        the same as if each phase stood still
   washout solve designs/twist-v2.toml --json | jq .tip
 
-Writes output/NAME/: wing.vtu, wing-rest.vtu and wing.pvd for ParaView, profile.csv, strips.csv, summary.json.
+Writes output/NAME/: wing.vtu, wing-rest.vtu and wing.pvd for ParaView, profile.csv, strips.csv, summary.json;
+with --stroke also stroke.pvd and its shapes, stroke.csv (twist, lift, what the stop carries), stroke-twist.csv.
 An earlier run there is replaced only when all of that is complete.")]
 pub struct Solve {
     /// The design
@@ -42,9 +46,13 @@ pub struct Solve {
     /// Propagate the assumed ranges to a band by N solves, 16 or more [default N: 64]
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "64")]
     pub uncertainty: Option<usize>,
-    /// Solve at N phases of the stroke besides, from mid-stroke to the reversal, each as if it stood still
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=99))]
+    /// The whole stroke besides, at N phases: its periodic motion, with the inertia of wing and air, with damping, and with
+    /// pitch that flips between the stops
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=720))]
     pub stroke: Option<u16>,
+    /// N phases from mid-stroke to the reversal instead, each solved as if it stood still: no inertia, no flip
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=99), conflicts_with = "stroke")]
+    pub stroke_quasi_static: Option<u16>,
 }
 
 impl Solve {
@@ -63,10 +71,13 @@ impl Solve {
             .uncertainty
             .map(|samples| band(&case, &solution, &reading, samples, progress));
         let uncertainty = uncertainty.transpose()?;
-        let stroke = self
+        let moving = self
             .stroke
             .map(|phases| stroke::solve(&case, &solution, phases, progress));
-        let stroke: Option<StrokeRun> = stroke.transpose()?;
+        let standing = self
+            .stroke_quasi_static
+            .map(|phases| stroke_quasi_static::solve(&case, &solution, phases, progress));
+        let stroke: Option<StrokeRun> = moving.or(standing).transpose()?;
         let design = &case.loaded.design;
         let numbers = engineering(design, &case.planform, &solution, progress);
         let numbers = numbers.map_err(|source| Failure::Coupling {
@@ -87,6 +98,7 @@ impl Solve {
         let mut summary = summarize(&solved);
         if let Some(stroke) = stroke {
             stroke.add_files(&mut folder)?;
+            summary.warnings.extend(of_stroke(&stroke.summary));
             summary.stroke = Some(stroke.summary);
         }
         write_files(&mut folder, &solved, &mut summary)?;

@@ -22,6 +22,8 @@ pub mod newton;
 
 pub mod harmonic_balance;
 
+pub mod instant;
+
 pub mod motion;
 
 pub mod periodic;
@@ -29,6 +31,8 @@ pub mod periodic;
 pub mod sensitivity;
 
 pub mod solution;
+
+mod strip_path;
 
 pub mod strips;
 

@@ -1,11 +1,9 @@
 //! What the periodic motion does at the phase of a design, frozen, for the effects that need rates.
 
-use nalgebra::Vector3;
-
 use super::error::CouplingError;
 use super::periodic::{Periodic, PeriodicSettings, periodic_near};
 use super::solution::Solution;
-use crate::effects::{Motion, Need, NodeLoad, StripMotion, bind};
+use crate::effects::{Motion, Need, StripMotion, bind};
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::progress::Progress;
@@ -37,17 +35,26 @@ pub fn motion_near(
     Ok(periodic.at(phase_deg.to_radians()))
 }
 
-/// The design at mid-stroke, without the effects that are made from its motion, or act nowhere but off mid-stroke.
-pub(super) fn at_mid_stroke(design: &Design) -> Result<Design, CouplingError> {
-    let left_out = bind(design)?.into_iter().filter_map(|bound| {
+/// Names of a design's effects that are made from its motion, or act nowhere but off mid-stroke: the motion is found
+/// without them.
+///
+/// # Errors
+/// If its effects are not what their cards ask for.
+pub fn left_out(design: &Design) -> Result<Vec<String>, CouplingError> {
+    let names = bind(design)?.into_iter().filter_map(|bound| {
         let card = bound.effect.card();
         let moves = |need: &Need| matches!(need, Need::Motion | Need::OffMidStroke);
         card.needs.iter().any(moves).then(|| card.name.to_string())
     });
+    Ok(names.collect())
+}
+
+/// The design at mid-stroke, without [`left_out`].
+pub(super) fn at_mid_stroke(design: &Design) -> Result<Design, CouplingError> {
     let mut still = design.clone();
-    left_out.for_each(|name| {
+    for name in left_out(design)? {
         still.effects.remove(&name);
-    });
+    }
     if let Some(flapping) = &mut still.flapping {
         flapping.phase_deg = 0.0.into();
     }
@@ -71,19 +78,7 @@ impl Periodic {
             .collect();
         let [wing, both] = &fields.mass;
         let air: Vec<f64> = both.iter().zip(wing).map(|(both, wing)| both - wing).collect();
-        let resist = |mass: &[f64], acceleration: &[f64]| -> Vec<NodeLoad> {
-            let momentum = fields.pattern.multiply(mass, acceleration);
-            let part = |at: usize| -Vector3::from_column_slice(&momentum[at..at + 3]);
-            (0..self.wing.model.nodes.len())
-                .map(|node| {
-                    let at = fields.pattern.freedom(node, 0);
-                    NodeLoad {
-                        force_n: part(at),
-                        moment_n_m: part(at + 3),
-                    }
-                })
-                .collect()
-        };
+        let resist = |mass: &[f64], acceleration: &[f64]| fields.inertia(mass, acceleration);
         let strips = self.stations_m().into_iter().filter_map(|r_m| {
             let [_, twist_rate_rad_s, twist_acceleration_rad_s2] = self.twist(r_m, phase)?;
             Some(StripMotion {

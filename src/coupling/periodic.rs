@@ -16,9 +16,10 @@ use super::feedback::Feedback;
 use super::harmonic_balance::{Harmonics, Oscillators, StrokeWork};
 use super::motion::at_mid_stroke;
 use super::solution::Solution;
-use super::strips::Strip;
+use super::strip_path::{StripPath, strip_paths};
 use super::stroke::{Stroke, standing_path};
 use super::wing::Wing;
+use crate::effects::NodeLoad;
 use crate::geometry::Planform;
 use crate::input::design::Design;
 use crate::mesh::Mesh;
@@ -60,6 +61,8 @@ impl Default for PeriodicSettings {
 /// The motion over a stroke, in the rod's frame at the stop of the first half-stroke (phases −π/2 to π/2).
 #[derive(Debug, Clone)]
 pub struct Periodic {
+    /// How it was computed.
+    pub settings: PeriodicSettings,
     /// How the rod is driven.
     pub stroke: Stroke,
     /// The modes about the loaded shape at mid-stroke.
@@ -75,14 +78,6 @@ pub struct Periodic {
     /// Where and how each strip turns.
     strips: Vec<StripPath>,
     pub(super) fields: Fields,
-}
-
-/// Twist of a strip: along the standing path, and by mode.
-#[derive(Debug, Clone)]
-struct StripPath {
-    r_m: f64,
-    standing: [f64; 2],
-    by_mode: DVector<f64>,
 }
 
 /// Motions by freedom, and the masses that resist them.
@@ -171,6 +166,7 @@ pub fn periodic_near(
     let work = system.work(&motion, &force);
     Ok(Periodic {
         strips: strip_paths(&wing, &still, &fields),
+        settings: settings.clone(),
         stroke,
         modes,
         motion,
@@ -367,8 +363,21 @@ impl Fields {
         }
     }
 
+    /// Forces and moments by which a mass resists an acceleration, both by freedom.
+    pub fn inertia(&self, mass: &[f64], acceleration: &[f64]) -> Vec<NodeLoad> {
+        let momentum = self.pattern.multiply(mass, acceleration);
+        let part = |at: usize| -Vector3::from_column_slice(&momentum[at..at + 3]);
+        let load = |at: usize| NodeLoad {
+            force_n: part(at),
+            moment_n_m: part(at + 3),
+        };
+        (0..self.nodes)
+            .map(|node| load(self.pattern.freedom(node, 0)))
+            .collect()
+    }
+
     /// The displacements of a motion by freedom.
-    fn displacement(&self, field: &[f64]) -> Vec<Vector3<f64>> {
+    pub fn displacement(&self, field: &[f64]) -> Vec<Vector3<f64>> {
         let at = |node: usize| self.pattern.freedom(node, 0);
         (0..self.nodes)
             .map(|node| Vector3::from_column_slice(&field[at(node)..at(node) + 3]))
@@ -416,30 +425,4 @@ fn oscillators(
         air_damping,
         air_stiffness,
     }
-}
-
-fn strip_paths(wing: &Wing, still: &Solution, fields: &Fields) -> Vec<StripPath> {
-    let strips = &wing.strips;
-    let [shapes, rest] = [&still.state, &still.rest].map(|state| strips.shapes(state));
-    let changes = |field: &[f64]| strips.shape_changes(&fields.displacement(field));
-    let by_pressure: Vec<f64> = {
-        let [shape, more] = &fields.standing;
-        changes(&shape.iter().zip(more).map(|(a, b)| a + b).collect::<Vec<f64>>())
-    };
-    let by_mode: Vec<Vec<f64>> = fields.modes.iter().map(|mode| changes(mode)).collect();
-    let turn = |strip: usize, change: &[f64]| {
-        let (y, z) = (shapes[6 * strip + 1], shapes[6 * strip + 2]);
-        let (dy, dz) = (change[6 * strip + 1], change[6 * strip + 2]);
-        (y * dz - z * dy) / (y * y + z * z)
-    };
-    let angle = |shapes: &[f64], strip: usize| shapes[6 * strip + 2].atan2(shapes[6 * strip + 1]);
-    let path = |(index, strip): (usize, &Strip)| {
-        let twist = angle(&shapes, index) - angle(&rest, index);
-        StripPath {
-            r_m: strip.r_m,
-            standing: [twist, turn(index, &by_pressure) - twist],
-            by_mode: DVector::from_iterator(by_mode.len(), by_mode.iter().map(|change| turn(index, change))),
-        }
-    };
-    strips.strips.iter().enumerate().map(path).collect()
 }

@@ -152,18 +152,24 @@ impl Strip {
 
     /// The air's force in a shape.
     pub fn air(&self, air: &Air, shape: &StripShape) -> StripAir {
+        self.air_at(air, &air.flow.velocity(self.r_m), shape)
+    }
+
+    /// The same in air that comes with another velocity (m/s, wing frame) than the flow's.
+    pub fn air_at(&self, air: &Air, velocity: &Vector3<f64>, shape: &StripShape) -> StripAir {
         match air.acting(self) {
-            None => self.valued(&self.force(air, shape, &())),
-            Some(acting) => self.valued(&self.force(air, &shape.map(Dual::from), &acting).real()),
+            None => self.valued(&self.force(air, velocity, shape, &())),
+            Some(acting) => self.valued(&self.force(air, velocity, &shape.map(Dual::from), &acting).real()),
         }
     }
 
     /// The same with derivatives.
     pub fn air_and_derivative(&self, air: &Air, shape: &StripShape) -> StripAir {
         let seeded = SVector::<Dual, 6>::from_fn(|i, _| Dual::from_re(shape[i]).derivative(i));
+        let velocity = air.flow.velocity(self.r_m);
         let force = match air.acting(self) {
-            None => self.force(air, &seeded, &()),
-            Some(acting) => self.force(air, &seeded, &acting),
+            None => self.force(air, &velocity, &seeded, &()),
+            Some(acting) => self.force(air, &velocity, &seeded, &acting),
         };
         let by_shape = |point: Vector3<Dual>| {
             SMatrix::<f64, 3, 6>::from_fn(|i, j| {
@@ -191,15 +197,15 @@ impl Strip {
     fn force<D: Number>(
         &self,
         air: &Air,
+        velocity: &Vector3<f64>,
         shape: &SVector<D, 6>,
         change: &impl SectionChange<D>,
     ) -> Spread<D> {
-        let velocity = air.flow.velocity(self.r_m);
         let chord = Vector3::new(shape[0], shape[1], shape[2]);
         let span = Vector3::new(shape[3], shape[4], shape[5]);
         let linear = || {
-            let alpha = alpha_linear(&velocity, &chord, &span, self.chord_m);
-            let force = strip_force_linear(&air.law, &velocity, alpha, self.chord_m, change);
+            let alpha = alpha_linear(velocity, &chord, &span, self.chord_m);
+            let force = strip_force_linear(&air.law, velocity, alpha, self.chord_m, change);
             (force, D::from(self.chord_m))
         };
         let large = || {

@@ -1,5 +1,5 @@
-//! `profile.csv`, `strips.csv`, `edges.csv`: twist along the span, the air on each strip, where the edges go; units in the
-//! head.
+//! `profile.csv`, `strips.csv`, `edges.csv`, `stroke.csv`, `stroke-twist.csv`: twist along the span, the air on each strip,
+//! where the edges go, all over the stroke; units in the head.
 
 use serde::Serialize;
 
@@ -7,6 +7,7 @@ use crate::coupling::solution::StripLoad;
 use crate::mesh::Mesh;
 
 use super::ExportError;
+use super::stroke::{PhaseRow, StrokeTwist};
 use super::summary::ProfileRow;
 
 /// Columns of `profile.csv`.
@@ -38,6 +39,50 @@ const STRIPS_HEAD: [&str; 10] = [
 
 /// Columns of `edges.csv`.
 const EDGES_HEAD: [&str; 7] = ["edge", "node", "r_mm", "y_mm", "ux_mm", "uy_mm", "uz_mm"];
+
+/// Columns of `stroke.csv`.
+const STROKE_HEAD: [&str; 11] = [
+    "phase_deg",
+    "time_ms",
+    "sweep_deg",
+    "pitch_deg",
+    "flips",
+    "tip_twist_deg",
+    "standing_tip_twist_deg",
+    "lift_mn",
+    "drag_mn",
+    "power_mw",
+    "stop_mn_mm",
+];
+
+/// Columns of `stroke-twist.csv`.
+const STROKE_TWIST_HEAD: [&str; 5] = ["phase_deg", "r_mm", "twist_deg", "standing_deg", "rate_deg_s"];
+
+/// The phases of a stroke; what only a periodic motion has is blank otherwise.
+pub fn stroke(rows: &[PhaseRow]) -> Result<Vec<u8>, ExportError> {
+    let row = |row: &PhaseRow| {
+        let (moving, forces) = (row.moving.as_ref(), row.forces.as_ref());
+        (
+            row.phase_deg,
+            moving.map(|moving| moving.time_ms),
+            moving.map(|moving| moving.sweep_deg),
+            moving.map(|moving| moving.pitch_deg),
+            moving.map(|moving| u8::from(moving.is_flipping)),
+            row.tip_twist_deg,
+            moving.and_then(|moving| moving.standing_tip_twist_deg),
+            forces.map(|forces| forces.lift_mn),
+            forces.map(|forces| forces.drag_mn),
+            forces.map(|forces| forces.power_mw),
+            row.stop_moment_mn_mm,
+        )
+    };
+    table(&STROKE_HEAD, &rows.iter().map(row).collect::<Vec<_>>())
+}
+
+/// Twist along the span at the phases of a stroke.
+pub fn stroke_twist(rows: &[StrokeTwist]) -> Result<Vec<u8>, ExportError> {
+    table(&STROKE_TWIST_HEAD, rows)
+}
 
 /// The twist profile; `alpha_deg` is blank without flow.
 pub fn profile(rows: &[ProfileRow]) -> Result<Vec<u8>, ExportError> {

@@ -26,6 +26,8 @@ pub mod kratos;
 
 pub mod nodal_loads;
 
+pub mod stroke;
+
 pub mod summary;
 
 pub mod builder;

@@ -8,7 +8,8 @@ use crate::input::design::FilmCompression;
 use crate::lift::{Forces, LiftReport};
 use crate::study::{Output, Uncertainty};
 
-use super::summary::{FlowSummary, RunSummary, StrokeSummary};
+use super::stroke::{StrokeKind, StrokeSummary};
+use super::summary::{FlowSummary, RunSummary};
 use super::text::{Table, number, significant, wrapped};
 
 /// The page; `folder` is where the files of the run are, if any were written.
@@ -296,31 +297,60 @@ fn lift(report: &LiftReport) -> String {
 }
 
 fn stroke(stroke: &StrokeSummary) -> String {
-    let mut table = Table::new(["phase_deg", "tip_twist_deg", "lift_mn", "drag_mn", "power_mw"]);
+    let mut table = Table::new([
+        "phase_deg",
+        "tip_twist_deg",
+        "standing_deg",
+        "lift_mn",
+        "drag_mn",
+        "power_mw",
+        "stop_mn_mm",
+    ]);
+    let shown = |value: Option<f64>, digits| value.map_or(String::new(), |value| number(value, digits));
     for row in &stroke.phases {
-        let force = |pick: fn(&Forces) -> f64| {
-            row.forces
-                .as_ref()
-                .map_or(String::new(), |forces| number(pick(forces), 2))
+        let force = |pick: fn(&Forces) -> f64| shown(row.forces.as_ref().map(pick), 2);
+        let moving = row.moving.as_ref();
+        let flips = if moving.is_some_and(|moving| moving.is_flipping) {
+            " flips"
+        } else {
+            ""
         };
         table.row([
             number(row.phase_deg, 1),
-            row.tip_twist_deg.map_or(String::new(), |twist| number(twist, 2)),
+            shown(row.tip_twist_deg, 2),
+            shown(
+                moving.map_or(row.tip_twist_deg, |moving| moving.standing_tip_twist_deg),
+                2,
+            ),
             force(|forces| forces.lift_mn),
             force(|forces| forces.drag_mn),
             force(|forces| forces.power_mw),
+            shown(row.stop_moment_mn_mm, 1) + flips,
         ]);
     }
-    let mut text = format!(
-        "Over the stroke, each phase as if it stood still\n{}",
-        table.render()
-    );
+    let head = match stroke.kind {
+        StrokeKind::Periodic => {
+            "Over the stroke, in motion (standing: if it stood still under the load of the phase)"
+        }
+        StrokeKind::QuasiStatic => "Over the stroke, each phase as if it stood still",
+    };
+    let mut text = format!("{head}\n{}", table.render());
     if let Some(mean) = &stroke.mean {
         let [lift, drag, power] = [mean.lift_mn, mean.drag_mn, mean.power_mw].map(|value| number(value, 2));
         let _ = writeln!(
             text,
             "  {}: lift {lift} mN, drag {drag} mN, power {power} mW",
             mean.name
+        );
+    }
+    if let Some(periodic) = &stroke.periodic {
+        let modes: Vec<String> = periodic.mode_hz.iter().map(|hz| number(*hz, 0)).collect();
+        let _ = writeln!(
+            text,
+            "  made of modes at {} Hz; assumed: {} % of critical damping, flips that take {} % of the stroke each",
+            modes.join(", "),
+            number(1e2 * periodic.damping_ratio, 1),
+            number(1e2 * periodic.flip_share, 0)
         );
     }
     text

@@ -9,8 +9,10 @@ use crate::compare::{Comparison, ModelledStages};
 use crate::coupling::Engineering;
 use crate::input::design::{Design, Section};
 use crate::input::measurement::Bound;
-use crate::lift::{Forces, LiftReport};
+use crate::lift::LiftReport;
 use crate::study::Uncertainty;
+
+use super::stroke::StrokeSummary;
 
 /// Version of this document.
 pub const FORMAT: u32 = 1;
@@ -224,28 +226,6 @@ pub struct TipSummary {
     pub node: usize,
     /// Displacement of that node from the unloaded shape, wing frame.
     pub displacement_mm: [f64; 3],
-}
-
-/// The wing over its stroke, each phase solved as if it stood still.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct StrokeSummary {
-    /// From mid-stroke toward the reversal.
-    pub phases: Vec<PhaseRow>,
-    /// Mean over the stroke with the twist of these phases.
-    pub mean: Option<Forces>,
-}
-
-/// One phase of the stroke.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct PhaseRow {
-    /// Phase; 0 is mid-stroke, 90 the reversal.
-    pub phase_deg: f64,
-    /// Twist of the tip; absent where it cannot be read.
-    pub tip_twist_deg: Option<f64>,
-    /// Forces at that phase.
-    pub forces: Option<Forces>,
-    /// Shape under load.
-    pub file: String,
 }
 
 /// What the numbers in the cell arrays of the `.vtu` files mean.

@@ -1,11 +1,15 @@
 //! What limits how far the numbers of a run hold.
 
+use super::stroke::StrokeSummary;
 use super::summary::RunSummary;
 use super::text::{number, significant};
 use crate::input::design::{Coefficients, Design, FilmCompression, Section};
 
 /// Below this ratio of the lowest natural frequency to that of the flapping, the shape does not follow its load.
 pub const SLOW_RATIO: f64 = 1.5;
+
+/// Above this swing of the twist about that of standing still, a motion of linear modes is a hint.
+pub const LARGE_SWING_DEG: f64 = 15.0;
 
 /// Sentences for a reader who must not take the numbers for more than they are; none if nothing is the matter.
 pub fn warnings(summary: &RunSummary) -> Vec<String> {
@@ -44,6 +48,36 @@ pub fn warnings(summary: &RunSummary) -> Vec<String> {
         ));
     }
     warnings.extend(of_design(&summary.design, summary.wing.tip_mm));
+    warnings
+}
+
+/// What limits the numbers of a stroke; none for phases that stand still.
+pub fn of_stroke(stroke: &StrokeSummary) -> Vec<String> {
+    let Some(periodic) = &stroke.periodic else {
+        return Vec::new();
+    };
+    let mut warnings = Vec::new();
+    if periodic.largest_swing_deg > LARGE_SWING_DEG {
+        warnings.push(format!(
+            "over the stroke the wing swings by up to {} deg about the shape that would stand still, farther than modes hold \
+             that are linear about mid-stroke: take from it which way and how hard, not the figure",
+            number(periodic.largest_swing_deg, 0)
+        ));
+    }
+    if !periodic.released_deg.is_empty() {
+        let stretches = periodic.released_deg.iter();
+        let stretches = stretches.map(|[from, to]| format!("{} to {} deg", number(*from, 0), number(*to, 0)));
+        warnings.push(format!(
+            "over the stroke the stop would have to pull at phases of {} (mid-stroke: 0): the real wing leaves it there",
+            stretches.collect::<Vec<_>>().join(", ")
+        ));
+    }
+    if !periodic.left_out.is_empty() {
+        warnings.push(format!(
+            "the motion over the stroke is found without {}, which it is the source of, or holds itself",
+            periodic.left_out.join(", ")
+        ));
+    }
     warnings
 }
 

@@ -86,6 +86,32 @@ pub fn solution_grid(design: &Design, solution: &Solution, twist_deg: Vec<f64>, 
     grid
 }
 
+/// A wing that moves, without the forces in its structure; `in_space` takes its points (m) from the rod's frame to where they
+/// are shown. Displacement, rotation and twist count from the unloaded shape in the rod's frame.
+pub fn moving_grid(
+    design: &Design,
+    solution: &Solution,
+    twist_deg: Vec<f64>,
+    in_space: impl Fn(&Vector3<f64>) -> Vector3<f64>,
+) -> Grid {
+    let Solution {
+        mesh, rest, state, ..
+    } = solution;
+    let moved = mesh.nodes.iter().zip(&state.displacement);
+    let mut grid = grid(
+        design,
+        mesh,
+        moved.map(|(&node, u)| in_space(&(Vector3::from(node) + u))),
+    );
+    grid.point_arrays = vec![
+        Array::vector("displacement_mm", &displacement_mm(rest, state)),
+        Array::vector("rotation_deg", &rotation_deg(rest, state)),
+        Array::scalar("twist_deg", twist_deg),
+        Array::scalar("pressure_pa", pressure_at_nodes(mesh, &solution.pressure_pa)),
+    ];
+    grid
+}
+
 /// What the numbers in `material` and `section` of the cells mean.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Legend<'a> {
