@@ -1,9 +1,9 @@
 //! What is hidden in a case.
 
+use super::distance::strength_seen_at;
 use super::novel::novel;
 use super::{Blind, BlindError, Kind};
 use crate::diagnose::plan::PlannedEffect;
-use crate::effects::named;
 use crate::progress::Progress;
 use crate::study::draws::Draws;
 use crate::synthesize::{Hidden, Recipe};
@@ -29,28 +29,30 @@ pub fn recipe(blind: &Blind, kind: Kind, seed: u64, progress: &Progress) -> Resu
         kind: kind.word(),
         reason,
     };
+    let is_turned = |effect: &PlannedEffect| blind.turned.iter().any(|turned| turned.effect == effect.effect);
+    let may = |effect: &PlannedEffect| is_visible(effect) && !is_turned(effect);
     match kind {
         Kind::Null => {}
         Kind::NullQuiet => recipe.noise = 1.3,
         Kind::NullOutlier => recipe.outlier = Some(8.0),
         Kind::Single => {
-            let first = pick(&blind.plan.effects, draws, 0, &is_visible)
+            let first = pick(&blind.outlook.plan.effects, draws, 0, &may)
                 .ok_or(none("no effect of plausible size would be seen"))?;
-            recipe.hidden = vec![hidden(first, draws, 0)];
+            recipe.hidden = vec![hidden(blind, first, draws, 0)?];
         }
         Kind::Twin => {
-            let first = pick(&blind.plan.effects, draws, 0, &|effect| {
-                is_visible(effect) && has_twin(effect)
+            let first = pick(&blind.outlook.plan.effects, draws, 0, &|effect| {
+                may(effect) && has_twin(effect)
             })
             .ok_or(none("no two effects look alike"))?;
-            recipe.hidden = vec![hidden(first, draws, 0)];
+            recipe.hidden = vec![hidden(blind, first, draws, 0)?];
         }
         Kind::Pair => {
             let reason = "fewer than two families would be seen";
-            let first = pick(&blind.plan.effects, draws, 0, &is_visible).ok_or(none(reason))?;
-            let other = |effect: &PlannedEffect| is_visible(effect) && effect.family != first.family;
-            let second = pick(&blind.plan.effects, draws, 1, &other).ok_or(none(reason))?;
-            recipe.hidden = vec![hidden(first, draws, 0), hidden(second, draws, 1)];
+            let first = pick(&blind.outlook.plan.effects, draws, 0, &may).ok_or(none(reason))?;
+            let other = |effect: &PlannedEffect| may(effect) && effect.family != first.family;
+            let second = pick(&blind.outlook.plan.effects, draws, 1, &other).ok_or(none(reason))?;
+            recipe.hidden = vec![hidden(blind, first, draws, 0)?, hidden(blind, second, draws, 1)?];
         }
         Kind::Novel => recipe.hidden = vec![novel(blind, draws, progress)?],
     }
@@ -71,7 +73,7 @@ fn pick<'a>(
 }
 
 /// Whether its plausible size reaches the range from which strengths are drawn.
-fn is_visible(effect: &PlannedEffect) -> bool {
+pub fn is_visible(effect: &PlannedEffect) -> bool {
     effect.detectability >= DETECTABLE[0]
 }
 
@@ -83,22 +85,10 @@ fn has_twin(effect: &PlannedEffect) -> bool {
 }
 
 /// With a strength that is seen at a distance drawn from the range, as far as it is plausible.
-fn hidden(effect: &PlannedEffect, draws: Draws, which: u64) -> Hidden {
+fn hidden(blind: &Blind, effect: &PlannedEffect, draws: Draws, which: u64) -> Result<Hidden, BlindError> {
     let [low, high] = DETECTABLE;
-    let most = high.min(effect.detectability);
-    let distance = low + (most - low) * draws.uniform(3, which);
-    let one_sided = named(&effect.effect).is_some_and(|known| known.card().parameters[0].is_one_sided());
-    let sign = if one_sided || draws.uniform(4, which) < 0.5 {
-        1.0
-    } else {
-        -1.0
-    };
-    let size = effect.scale * distance / effect.detectability;
-    let range = named(&effect.effect).map_or([-size, size], |known| known.card().parameters[0].plausible);
-    let strength = if sign < 0.0 && -size < range[0] {
-        size
-    } else {
-        sign * size
-    };
-    Hidden::known(&effect.effect, strength)
+    let target = low + (high - low) * draws.uniform(3, which);
+    let sign = if draws.uniform(4, which) < 0.5 { 1.0 } else { -1.0 };
+    let strength = strength_seen_at(blind, effect, target, sign)?;
+    Ok(Hidden::known(&effect.effect, strength))
 }

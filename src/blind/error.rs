@@ -27,3 +27,16 @@ pub enum BlindError {
     #[error(transparent)]
     Diagnosis(#[from] DiagnoseError),
 }
+
+impl BlindError {
+    /// Whether it ends the run: the user asked to stop, or the campaign allows no case of that kind. Others are of one case.
+    pub fn is_of_run(&self) -> bool {
+        matches!(
+            self,
+            BlindError::NoCase { .. }
+                | BlindError::Diagnosis(DiagnoseError::Cancelled(_))
+                | BlindError::Study(StudyError::Cancelled(_))
+                | BlindError::Synthesis(SynthesizeError::Study(StudyError::Cancelled(_)))
+        )
+    }
+}

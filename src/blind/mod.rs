@@ -6,6 +6,8 @@
 
 pub mod baselines;
 
+pub mod distance;
+
 pub mod draw;
 
 pub mod error;
@@ -16,8 +18,9 @@ pub mod outcome;
 
 pub mod scoreboard;
 
+pub use distance::Turned;
 pub use error::BlindError;
-pub use outcome::Outcome;
+pub use outcome::{Failed, Outcome};
 pub use scoreboard::{Scoreboard, scoreboard};
 
 use std::time::Instant;
@@ -25,11 +28,14 @@ use std::time::Instant;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::diagnose::{self, Plan, Settings, judged};
+use crate::diagnose::plan::Outlook;
+use crate::diagnose::{self, Settings, judged};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::Campaign;
 use crate::synthesize::synthesize;
+
+use distance::turned;
 
 /// Kinds of cases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -114,26 +120,31 @@ impl Kind {
 }
 
 /// What all cases share.
-#[derive(Debug)]
 pub struct Blind<'a> {
     /// The study whose campaign is tried.
     pub study: &'a LoadedStudy,
     /// Effects that the diagnosis may try.
     pub candidates: Vec<&'a str>,
+    /// Its model.
+    pub campaign: Campaign,
     /// What the campaign could see.
-    pub plan: Plan,
+    pub outlook: Outlook,
     /// Settings of every diagnosis.
     pub settings: Settings,
+    /// Effects that would be seen but are not hidden: a small error of the wing turns their signature.
+    pub turned: Vec<Turned>,
 }
 
 impl<'a> Blind<'a> {
-    /// Judges the campaign, so that strengths can be drawn by how well they can be seen.
+    /// Judges the campaign, so that strengths can be drawn by how well they can be seen; `known`: effects that are not hidden,
+    /// if they are known from an earlier run.
     ///
     /// # Errors
     /// If the study has no solution.
     pub fn new(
         study: &'a LoadedStudy,
         candidates: Vec<&'a str>,
+        known: Option<Vec<Turned>>,
         progress: &Progress,
     ) -> Result<Blind<'a>, BlindError> {
         let campaign = Campaign::new(study, &candidates, progress)?;
@@ -142,13 +153,23 @@ impl<'a> Blind<'a> {
             start: Some(campaign.start()),
             ..Settings::default()
         };
-        let plan = diagnose::plan(&campaign, &settings, progress)?;
-        Ok(Blind {
+        let outlook = Outlook::new(&campaign, &settings, progress)?;
+        let mut blind = Blind {
             study,
             candidates,
-            plan,
+            campaign,
+            outlook,
             settings,
-        })
+            turned: Vec::new(),
+        };
+        blind.turned = match known {
+            Some(known) => known,
+            None => {
+                progress.say("which effects act on another wing as on this one");
+                turned(&blind, progress)?
+            }
+        };
+        Ok(blind)
     }
 
     /// Makes, diagnoses and judges one case.
@@ -164,9 +185,8 @@ impl<'a> Blind<'a> {
         let said = diagnose::report::report(&baseline, &judgement, None, progress)?;
         let rivals = baselines::answers(&baseline, &judgement);
         Ok(outcome::judge(
-            self,
             (kind, seed),
-            &made.answer,
+            (&made.answer, &distance::distances(self, &recipe.hidden)?),
             &said,
             rivals,
             started.elapsed().as_secs_f64(),

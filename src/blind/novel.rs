@@ -9,8 +9,9 @@ use crate::synthesize::{Hidden, hidden::hide};
 
 /// Misfit of a cause of its first size, sigma, below which no size of it can be meant.
 const INVISIBLE: f64 = 1e-6;
-/// Misfit that it makes before anything is fitted, sigma: drawn evenly from this range; a soft place may stay below.
-const MISFIT: [f64; 2] = [30.0, 70.0];
+/// Misfit that it leaves to a model that may absorb what it can, sigma: drawn evenly from this range; a soft place may stay
+/// below.
+const MISFIT: [f64; 2] = [12.0, 30.0];
 /// Largest compliance of a soft place over that of the sound rod.
 const SOFTEST: f64 = 50.0;
 /// Powers of frequency and amplitude by which a moment grows.
@@ -49,22 +50,27 @@ pub fn novel(blind: &Blind, draws: Draws, progress: &Progress) -> Result<Hidden,
         };
         Hidden::own("overlooked", acts_on, &expression)
     };
-    let mut wing = blind.study.clone();
-    wing.experiments.clear();
-    let quiet = progress.unseen();
-    let before = Campaign::new(&wing, &[], &quiet)?;
-    hide(&mut wing, &[with(first)], Formulas::Same)?;
-    let after = Campaign::new(&wing, &[], &quiet)?;
-    let (a, b) = (before.predict(&before.start())?, after.predict(&after.start())?);
-    let rows = before.observables().iter().zip(a.iter().zip(b.iter()));
-    let squares = rows.map(|(observable, (a, b))| ((b - a) / observable.sigma).powi(2));
-    let distance = squares.sum::<f64>().sqrt();
+    let seen = |size: f64| -> Result<f64, BlindError> {
+        let mut wing = blind.study.clone();
+        wing.experiments.clear();
+        hide(&mut wing, &[with(size)], Formulas::Same)?;
+        let campaign = Campaign::new(&wing, &[], &progress.unseen())?;
+        Ok(blind.outlook.distance(&campaign.predict(&campaign.start())?))
+    };
+    let distance = seen(first)?;
     if distance < INVISIBLE {
         return Err(BlindError::NoCase {
             kind: Kind::Novel.word(),
             reason: "what was to be overlooked moves no reading",
         });
     }
-    let size = first * target / distance;
+    // what is soft saturates, what is a load grows nearly in proportion: one more step does
+    let mut size = first * target / distance;
+    if is_soft {
+        size = size.min(SOFTEST);
+    }
+    if let Ok(distance) = seen(size) {
+        size *= (target / distance).clamp(0.5, 2.0);
+    }
     Ok(with(if is_soft { size.min(SOFTEST) } else { sign * size }))
 }

@@ -3,8 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::Kind;
 use super::baselines::Simpler;
-use super::{Blind, Kind};
+use super::distance::Distance;
+use crate::diagnose::posterior::SEPARATE;
 use crate::diagnose::verdict::Hypothesis;
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::synthesize::{Acted, Answer};
@@ -18,9 +20,9 @@ pub struct Outcome {
     pub seed: u64,
     /// What was hidden.
     pub truth: Vec<Acted>,
-    /// Detectability of each hidden effect by the plan, sigma.
+    /// Distance of the model with each hidden effect from that without, sigma, what it can absorb left out.
     pub detectability: Vec<f64>,
-    /// Whether the nearest effect of another family is at least 3 sigma away at that strength.
+    /// Whether the nearest effect of another family is at least 3 sigma away from each.
     pub is_separable: bool,
     /// Background error of the wing that was measured.
     pub background: f64,
@@ -46,6 +48,17 @@ pub struct Outcome {
     pub simpler: Simpler,
     /// Time of the diagnosis, s.
     pub seconds: f64,
+}
+
+/// A case that came to no answer.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Failed {
+    /// Its kind.
+    pub kind: Kind,
+    /// Its seed.
+    pub seed: u64,
+    /// Why.
+    pub failed: String,
 }
 
 impl Outcome {
@@ -92,31 +105,14 @@ pub fn same(said: &[String], truth: &[&str]) -> bool {
 
 /// Compares what was said with the answer.
 pub fn judge(
-    blind: &Blind,
     (kind, seed): (Kind, u64),
-    answer: &Answer,
+    (answer, distances): (&Answer, &[Distance]),
     said: &Diagnosis,
     simpler: Simpler,
     seconds: f64,
 ) -> Outcome {
-    let planned = |name: &str| blind.plan.effects.iter().find(|effect| effect.effect == name);
-    let detectability: Vec<f64> = answer
-        .acted
-        .iter()
-        .filter_map(|acted| {
-            let effect = planned(&acted.asked)?;
-            Some((acted.strength / effect.scale * effect.detectability).abs())
-        })
-        .collect();
-    let is_separable = answer.acted.iter().zip(&detectability).all(|(acted, distance)| {
-        let near = planned(&acted.asked).map(|effect| &effect.confused_with);
-        let nearest = near
-            .into_iter()
-            .flatten()
-            .map(|other| other.cosine.abs())
-            .fold(0.0, f64::max);
-        distance * (1.0 - nearest * nearest).max(0.0).sqrt() >= 3.0
-    });
+    let detectability = distances.iter().map(|distance| distance.seen).collect();
+    let is_separable = distances.iter().all(|distance| distance.apart >= SEPARATE);
     let families: Vec<&str> = match kind {
         Kind::Novel => Vec::new(),
         _ => answer.acted.iter().map(|acted| acted.family.as_str()).collect(),

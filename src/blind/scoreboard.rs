@@ -4,7 +4,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
-use super::outcome::{Outcome, same};
+use super::distance::Turned;
+use super::outcome::{Failed, Outcome, same};
 use crate::diagnose::Verdict;
 
 /// Misfit from which on a novel cause should be recognised, sigma.
@@ -13,8 +14,12 @@ const PLAIN: f64 = 10.0;
 /// The scoreboard of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Scoreboard {
-    /// Cases.
+    /// Cases that came to an answer.
     pub cases: usize,
+    /// Cases that did not.
+    pub failed: Vec<Failed>,
+    /// Effects that would be seen but are not hidden.
+    pub turned: Vec<Turned>,
     /// The figures.
     pub rows: Vec<Row>,
     /// How often hypotheses were right that were said to be so probable.
@@ -97,8 +102,8 @@ fn middle(what: &str, asked: &str, mut values: Vec<f64>) -> Row {
     }
 }
 
-/// The scoreboard of `outcomes`, whatever their order.
-pub fn scoreboard(outcomes: &[Outcome]) -> Scoreboard {
+/// The scoreboard of `outcomes`, whatever their order, of the cases that came to none, and of what was not hidden.
+pub fn scoreboard(outcomes: &[Outcome], failed: &[Failed], turned: &[Turned]) -> Scoreboard {
     let of = |kind: Kind| outcomes.iter().filter(move |o| o.kind == kind);
     let seen = |kind: Kind| of(kind).filter(|o| o.is_alarm());
     let clear = |o: &&Outcome| o.is_separable && o.detectability.iter().all(|d| *d >= 5.0);
@@ -220,6 +225,8 @@ pub fn scoreboard(outcomes: &[Outcome]) -> Scoreboard {
     seconds.sort_by(f64::total_cmp);
     Scoreboard {
         cases: outcomes.len(),
+        failed: failed.to_vec(),
+        turned: turned.to_vec(),
         rows,
         reliability,
         calibration_error,

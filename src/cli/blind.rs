@@ -3,19 +3,43 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
 
-use crate::blind::{Blind, BlindError, Kind, Outcome, Scoreboard, scoreboard};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use serde::{Deserialize, Serialize};
+
+use crate::blind::{Blind, BlindError, Failed, Kind, Outcome, Scoreboard, Turned, scoreboard};
 use crate::diagnose::DiagnoseError;
 use crate::export::ExportError;
 use crate::export::blind::page;
 use crate::export::file::write_whole;
 use crate::input::study::LoadedStudy;
+use crate::progress::Progress;
 use crate::study::StudyError;
+use crate::synthesize::SynthesizeError;
 
 use super::diagnose::candidates;
 use super::{Console, Failure};
+
+/// A case as its file holds it.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+enum Case {
+    Judged(Box<Outcome>),
+    Failed(Failed),
+}
+
+/// What a folder of cases is of.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Run {
+    version: String,
+    /// Of study and effects.
+    content: String,
+    /// What is not hidden; none before that is known.
+    turned: Option<Vec<Turned>>,
+}
 
 /// Arguments of `washout blind`.
 #[derive(Debug, Args)]
@@ -56,38 +80,49 @@ impl TryBlind {
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let folder = self.output.join("cases");
         std::fs::create_dir_all(&folder).map_err(ExportError::file("create", &folder))?;
-        let mut outcomes: Vec<Outcome> = Vec::new();
-        let mut blind: Option<Blind> = None;
-        self.same_run(&study, &names)?;
-        for index in 0..self.cases as usize {
-            let (kind, seed) = (Kind::at(index), self.seed + index as u64);
-            let path = folder.join(format!("{}-{seed}.json", kind.word()));
-            if let Some(known) = read(&path)? {
-                outcomes.push(known);
-                continue;
-            }
-            let started = match &blind {
-                Some(blind) => blind,
-                None => {
-                    let new = Blind::new(&study, names.clone(), progress).map_err(|e| self.failed(e))?;
-                    blind.insert(new)
-                }
-            };
-            progress.say(format_args!(
-                "case {} of {}: {}",
-                index + 1,
-                self.cases,
-                kind.word()
-            ));
-            let outcome = started
-                .case(kind, seed, &progress.unseen())
-                .map_err(|error| self.failed(error))?;
-            let text =
-                serde_json::to_string_pretty(&outcome).map_err(|error| Failure::Output(error.into()))?;
-            write_whole(&path, text.as_bytes())?;
-            outcomes.push(outcome);
+        let mut run = self.same_run(&study, &names)?;
+        let cases: Vec<(Kind, u64, PathBuf)> = (0..self.cases as usize)
+            .map(|index| {
+                let (kind, seed) = (Kind::at(index), self.seed + index as u64);
+                (kind, seed, folder.join(format!("{}-{seed}.json", kind.word())))
+            })
+            .collect();
+        let mut known = Vec::new();
+        for (_, _, path) in &cases {
+            known.push(read(path)?);
         }
-        let board: Scoreboard = scoreboard(&outcomes);
+        let left = known.iter().filter(|case| case.is_none()).count();
+        if left > 0 {
+            progress.say(format_args!("{left} of {} cases to be diagnosed", self.cases));
+            let known_turned = run.turned.take();
+            let blind =
+                Blind::new(&study, names.clone(), known_turned, progress).map_err(|e| self.failed(e))?;
+            run.turned = Some(blind.turned.clone());
+            self.note(&run)?;
+            let done = AtomicUsize::new(0);
+            cases
+                .par_iter()
+                .zip(&mut known)
+                .filter(|(_, known)| known.is_none())
+                .try_for_each(|((kind, seed, path), known)| {
+                    let case = self.case(&blind, *kind, *seed, progress)?;
+                    let text =
+                        serde_json::to_string_pretty(&case).map_err(|error| Failure::Output(error.into()))?;
+                    write_whole(path, text.as_bytes())?;
+                    *known = Some(case);
+                    let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+                    progress.say(format_args!("{count} of {left}: {} {seed}", kind.word()));
+                    Ok::<(), Failure>(())
+                })?;
+        }
+        let (mut outcomes, mut failed) = (Vec::new(), Vec::new());
+        for case in known.into_iter().flatten() {
+            match case {
+                Case::Judged(outcome) => outcomes.push(*outcome),
+                Case::Failed(reason) => failed.push(reason),
+            }
+        }
+        let board: Scoreboard = scoreboard(&outcomes, &failed, run.turned.as_deref().unwrap_or_default());
         let page = page(&study.study.name, &board, &outcomes);
         let json = serde_json::to_string_pretty(&board).map_err(|error| Failure::Output(error.into()))?;
         write_whole(&self.output.join("scoreboard.md"), page.as_bytes())?;
@@ -95,36 +130,67 @@ impl TryBlind {
         console.result(&page, &board)
     }
 
-    /// Refuses a folder that holds the cases of another run: their figures must not be added up.
-    fn same_run(&self, study: &LoadedStudy, names: &[&str]) -> Result<(), Failure> {
+    /// One case; without an answer, with the reason. An error if the user asked to stop or the campaign allows no such case.
+    fn case(&self, blind: &Blind, kind: Kind, seed: u64, progress: &Progress) -> Result<Case, Failure> {
+        match blind.case(kind, seed, &progress.unseen()) {
+            Ok(outcome) => Ok(Case::Judged(Box::new(outcome))),
+            Err(error) if error.is_of_run() => Err(self.failed(error)),
+            Err(error) => Ok(Case::Failed(Failed {
+                kind,
+                seed,
+                failed: error.to_string(),
+            })),
+        }
+    }
+
+    /// What the folder is of; refuses one that holds the cases of another run: their figures must not be added up.
+    fn same_run(&self, study: &LoadedStudy, names: &[&str]) -> Result<Run, Failure> {
         let mut content = study.clone();
         content.path = PathBuf::new();
         let mut hash = DefaultHasher::new();
         format!("{content:?}{names:?}").hash(&mut hash);
-        let key = format!(
-            "washout {}, content {:016x}\n",
-            env!("CARGO_PKG_VERSION"),
-            hash.finish()
-        );
-        let path = self.output.join("run.txt");
-        match std::fs::read_to_string(&path) {
-            Ok(known) if known == key => Ok(()),
-            Ok(_) => Err(Failure::Option {
+        let run = Run {
+            version: env!("CARGO_PKG_VERSION").to_string(),
+            content: format!("{:016x}", hash.finish()),
+            turned: None,
+        };
+        let path = self.run_file();
+        let text = match std::fs::read_to_string(&path) {
+            Ok(text) => text,
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                self.note(&run)?;
+                return Ok(run);
+            }
+            Err(error) => return Err(ExportError::file("read", path)(error).into()),
+        };
+        match serde_json::from_str::<Run>(&text) {
+            Ok(known) if known.version == run.version && known.content == run.content => Ok(known),
+            _ => Err(Failure::Option {
                 option: "--output",
                 reason: format!(
                     "{} holds cases of another study, other effects or another version; give another folder",
                     self.output.display()
                 ),
             }),
-            Err(error) if error.kind() == ErrorKind::NotFound => Ok(write_whole(&path, key.as_bytes())?),
-            Err(error) => Err(ExportError::file("read", path)(error).into()),
         }
+    }
+
+    fn note(&self, run: &Run) -> Result<(), Failure> {
+        let text = serde_json::to_string_pretty(run).map_err(|error| Failure::Output(error.into()))?;
+        Ok(write_whole(&self.run_file(), text.as_bytes())?)
+    }
+
+    fn run_file(&self) -> PathBuf {
+        self.output.join("run.json")
     }
 
     fn failed(&self, error: BlindError) -> Failure {
         match error {
             BlindError::Diagnosis(DiagnoseError::Cancelled(cancelled))
-            | BlindError::Study(StudyError::Cancelled(cancelled)) => cancelled.into(),
+            | BlindError::Study(StudyError::Cancelled(cancelled))
+            | BlindError::Synthesis(SynthesizeError::Study(StudyError::Cancelled(cancelled))) => {
+                cancelled.into()
+            }
             source => Failure::Blind {
                 study: self.study.clone(),
                 source,
@@ -134,7 +200,7 @@ impl TryBlind {
 }
 
 /// A case that was done before; none if its file is not there or was written by another version.
-fn read(path: &Path) -> Result<Option<Outcome>, Failure> {
+fn read(path: &Path) -> Result<Option<Case>, Failure> {
     match std::fs::read_to_string(path) {
         Ok(text) => Ok(serde_json::from_str(&text).ok()),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),

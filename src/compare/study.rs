@@ -9,7 +9,8 @@ use crate::input::study::CaseNumber;
 use crate::study::calibrate::misfit;
 use crate::study::case::PreparedCase;
 use crate::study::{
-    Campaign, Condition, Fit, Forward, Linear, Noise, StudyError, Task, Unknown, UnknownKind, calibrate,
+    AdmittedError, Campaign, Condition, Fit, Forward, Linear, Noise, StudyError, Task, Unknown, UnknownKind,
+    calibrate,
 };
 
 /// Posterior over prior width below which the data are said to know an unknown.
@@ -156,7 +157,12 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
     let (observables, conditions) = (campaign.observables(), campaign.conditions());
     let fitted = |row: &usize| !conditions[observables[*row].condition].is_held_out;
     let rows: Vec<usize> = (0..observables.len()).filter(fitted).collect();
-    let noise = Noise::new(observables, conditions, &rows, &before.value, campaign.slop)?;
+    let noise = Noise::new(
+        observables,
+        conditions,
+        &rows,
+        &AdmittedError::of_predictions(campaign.slop, &before.value),
+    )?;
     let free: Vec<usize> = (0..campaign.unknowns().len()).collect();
     let task = Task {
         rows: &rows,

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
 use crate::study::calibrate::misfit;
-use crate::study::{Fit, Footing, Forward};
+use crate::study::{AdmittedError, Fit, Footing, Forward};
 
 use super::data::{Data, Scatter, start};
 use super::error::DiagnoseError;
@@ -15,7 +15,7 @@ use super::null::{NullTest, Scale, Significance};
 use super::refit::Explanation;
 use super::robust::outlier_widening;
 use super::rough::{FEWEST, Smooth};
-use super::screening::{Directions, is_one_sided, slopes_of_missing};
+use super::screening::{Directions, Slopes, is_one_sided, slopes_of_missing};
 use super::settings::Settings;
 use super::whitened::{Local, Whitened};
 use crate::study::draws::Draws;
@@ -37,8 +37,8 @@ pub struct Baseline<'a> {
     pub data: Data,
     /// Predictions where the unknowns start.
     pub raw: DVector<f64>,
-    /// Predictions by which the admitted error is scaled.
-    pub value: DVector<f64>,
+    /// The error that is admitted of the model.
+    pub admitted: AdmittedError,
     /// Scatter that the data show.
     pub scatter: Scatter,
     /// The fit.
@@ -82,20 +82,23 @@ impl<'a> Baseline<'a> {
                 what: "its start".into(),
             });
         }
-        let stated = Scatter::new(forward, &data, &raw, settings, 1.0, vec![1.0; size])?;
+        let glanced = AdmittedError::of_predictions(settings.slop, &raw);
+        let stated = Scatter::new(forward, &data, &glanced, 1.0, vec![1.0; size])?;
         let first = stated.fit(forward, &data, &data.model, &start, None)?;
         progress.check()?;
         progress.say("derivatives with every effect");
-        let (slopes, footing) =
-            slopes_of_missing(forward, &data, &first.at, settings, first.footing.as_ref())?;
+        let Slopes {
+            missing: slopes,
+            admitted,
+            footing,
+        } = slopes_of_missing(forward, &data, &first.at, settings, first.footing.as_ref())?;
         let mut moment = forward.moment_response_from(footing.as_ref(), &first.at, settings.stations)?;
         let kept = data.kept_bounds(forward, &first.predicted);
         for &row in &kept {
             moment.row_mut(row).fill(0.0);
         }
         progress.check()?;
-        let value = first.predicted.clone();
-        let fields = fields(forward, &data, &moment, &value);
+        let fields = fields(forward, &data, &moment, &admitted.value);
         let local = Local::about(&first, forward, &stated.noise);
         let glance = Glance {
             forward,
@@ -104,7 +107,7 @@ impl<'a> Baseline<'a> {
             local: &local,
             slopes: &slopes,
             fields: &fields,
-            value: &value,
+            admitted: &admitted,
         };
         let widening = glance.outliers();
         let scatter = glance.settle(widening)?;
@@ -120,7 +123,7 @@ impl<'a> Baseline<'a> {
             settings,
             data,
             raw,
-            value,
+            admitted,
             scatter,
             fit,
             local,
@@ -147,6 +150,10 @@ impl<'a> Baseline<'a> {
         let (Some(local), Some(found)) = (&explanation.local, &explanation.fit) else {
             return Ok(None);
         };
+        let admitted = AdmittedError {
+            value: found.predicted.clone(),
+            ..self.admitted.clone()
+        };
         let glance = Glance {
             forward: self.forward,
             settings: self.settings,
@@ -154,7 +161,7 @@ impl<'a> Baseline<'a> {
             local,
             slopes: &self.slopes,
             fields: &self.fields,
-            value: &found.predicted,
+            admitted: &admitted,
         };
         let widening = glance.outliers();
         let scatter = glance.settle(widening)?;
@@ -171,13 +178,13 @@ impl<'a> Baseline<'a> {
             settings: self.settings,
             data: self.data.clone(),
             raw: self.raw.clone(),
-            value: found.predicted.clone(),
             directions: Directions::new(&self.data, &self.slopes, &whitened),
             seen: seen(&self.fields, &whitened),
             fields: self.fields.clone(),
             slopes: self.slopes.clone(),
             likelihood: self.likelihood,
             footing: self.footing.clone(),
+            admitted,
             scatter,
             fit,
             local,
@@ -253,7 +260,7 @@ struct Glance<'a> {
     local: &'a Local,
     slopes: &'a DMatrix<f64>,
     fields: &'a [Field],
-    value: &'a DVector<f64>,
+    admitted: &'a AdmittedError,
 }
 
 impl Glance<'_> {
@@ -266,7 +273,9 @@ impl Glance<'_> {
         let observables = self.forward.observables();
         let inverse = rows.iter().map(|&row| 1.0 / observables[row].sigma);
         let inverse = DVector::from_iterator(rows.len(), inverse);
-        let errors = rows.iter().map(|&row| misfit(&observables[row], self.value[row]));
+        let errors = rows
+            .iter()
+            .map(|&row| misfit(&observables[row], self.admitted.value[row]));
         let residual = DVector::from_iterator(rows.len(), errors).component_mul(&inverse);
         let mut parts = vec![self.local.slopes.clone(), self.slopes.select_rows(rows.iter())];
         let smooth = self.fields.iter().filter(|field| is_smooth(field.law));
@@ -300,13 +309,6 @@ impl Glance<'_> {
 
     fn scatter(&self, scale: f64, widening: &[f64]) -> Result<Scatter, DiagnoseError> {
         let widening = widening.to_vec();
-        Scatter::new(
-            self.forward,
-            self.data,
-            self.value,
-            self.settings,
-            scale,
-            widening,
-        )
+        Scatter::new(self.forward, self.data, self.admitted, scale, widening)
     }
 }

@@ -6,7 +6,9 @@ use nalgebra::DVector;
 
 use crate::input::measurement::Bound;
 use crate::study::calibrate::misfit;
-use crate::study::{Fit, Footing, Forward, Noise, Observable, Task, Unknown, UnknownKind, calibrate};
+use crate::study::{
+    AdmittedError, Fit, Footing, Forward, Noise, Observable, Task, Unknown, UnknownKind, calibrate,
+};
 
 use super::error::DiagnoseError;
 use super::settings::Settings;
@@ -22,6 +24,8 @@ pub struct Data {
     pub model: Vec<usize>,
     /// Strengths of effects that the model lacks.
     pub missing: Vec<usize>,
+    /// Errors of the model that are admitted.
+    pub admitted: Vec<usize>,
 }
 
 /// Whether an unknown is the strength of an effect that the model lacks: its prior is centred at none, and so it starts.
@@ -59,8 +63,11 @@ impl Data {
         rows.sort_by(order);
         held_out.sort_by(order);
         let unknowns = forward.unknowns();
-        let (missing, model): (Vec<usize>, Vec<usize>) =
-            (0..unknowns.len()).partition(|&i| is_missing(&unknowns[i], start[i]));
+        let (admitted, others): (Vec<usize>, Vec<usize>) =
+            (0..unknowns.len()).partition(|&i| unknowns[i].kind == UnknownKind::Admitted);
+        let (missing, model): (Vec<usize>, Vec<usize>) = others
+            .into_iter()
+            .partition(|&i| is_missing(&unknowns[i], start[i]));
         if rows.is_empty() {
             return Err(DiagnoseError::NoData);
         }
@@ -72,6 +79,7 @@ impl Data {
             held_out,
             model,
             missing,
+            admitted,
         })
     }
 
@@ -135,16 +143,14 @@ pub struct Scatter {
 }
 
 impl Scatter {
-    /// Stated standard deviations times `scale` times `widening`, and the admitted error of a model that predicts
-    /// `value`.
+    /// Stated standard deviations times `scale` times `widening`, and the error that is admitted of the model.
     ///
     /// # Errors
     /// If a standard deviation is not positive.
     pub fn new(
         forward: &dyn Forward,
         data: &Data,
-        value: &DVector<f64>,
-        settings: &Settings,
+        admitted: &AdmittedError,
         scale: f64,
         widening: Vec<f64>,
     ) -> Result<Scatter, DiagnoseError> {
@@ -152,13 +158,7 @@ impl Scatter {
         for (&row, wider) in data.rows.iter().zip(&widening) {
             observables[row].sigma *= scale * wider;
         }
-        let noise = Noise::new(
-            &observables,
-            forward.conditions(),
-            &data.rows,
-            value,
-            settings.slop,
-        )?;
+        let noise = Noise::new(&observables, forward.conditions(), &data.rows, admitted)?;
         Ok(Scatter {
             scale,
             widening,

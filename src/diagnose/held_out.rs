@@ -88,6 +88,7 @@ pub fn by_wing(forward: &dyn Forward, data: &Data) -> Vec<Vec<usize>> {
 mod tests {
     use super::*;
     use crate::input::measurement::{Bound, Channel};
+    use crate::study::AdmittedError;
     use crate::study::{Condition, Observable};
 
     fn noise(size: usize, sigma: f64) -> Noise {
@@ -113,7 +114,13 @@ mod tests {
             length_m: 1.0,
         };
         let rows: Vec<usize> = (0..size).collect();
-        Noise::new(&observables, &[condition], &rows, &DVector::zeros(size), 0.0).unwrap()
+        Noise::new(
+            &observables,
+            &[condition],
+            &rows,
+            &AdmittedError::of_predictions(0.0, &DVector::zeros(size)),
+        )
+        .unwrap()
     }
 
     #[test]

@@ -17,6 +17,8 @@ use super::whitened::Whitened;
 
 /// Explanations this much below the best in ln(prior × evidence) of the linear model are not fitted anew.
 const HOPELESS: f64 = 25.0;
+/// The same below the best that was fitted anew.
+const LOST: f64 = 15.0;
 /// Pairs are fitted anew only if the linear model puts one this close to the best single effect.
 const PAIR_CHANCE: f64 = 8.0;
 
@@ -218,7 +220,12 @@ fn refit_singles(
     for index in chosen {
         progress.check()?;
         let trial = &judgement.singles[index];
-        if trial.ln_weight() < judgement.singles[first].ln_weight() - HOPELESS {
+        let fitted = judgement.refits.iter();
+        let best = fitted
+            .map(|(index, found)| judgement.singles[*index].ln_prior + found.ln_evidence)
+            .fold(f64::NEG_INFINITY, f64::max);
+        let hoped = trial.ln_prior + judgement.ln_evidence[index];
+        if hoped < best - LOST || trial.ln_weight() < judgement.singles[first].ln_weight() - HOPELESS {
             break;
         }
         progress.say(format_args!("refit {} of {count}", judgement.refits.len() + 1));
@@ -261,13 +268,14 @@ fn refit_pairs(
     };
     progress.say("derivatives with every effect, the best one in the model");
     let footing = fit.footing.as_ref();
-    let (slopes, _) = slopes_of_missing(
+    let slopes = slopes_of_missing(
         baseline.forward,
         &baseline.data,
         &fit.at,
         baseline.settings,
         footing,
-    )?;
+    )?
+    .missing;
     let whitened = Whitened::new(local, &baseline.scatter.noise)?;
     let mut directions = Directions::new(&baseline.data, &slopes, &whitened);
     let family = judgement.singles[best_index].families[0];

@@ -93,10 +93,13 @@ pub fn of(baseline: &Baseline) -> Misfit {
     let square = |position: usize| (errors[position] / sigma(position)).powi(2);
     let total: f64 = (0..errors.len()).map(square).sum::<f64>().max(f64::MIN_POSITIVE);
     let covariance = |a: usize, b: usize| {
-        let slopes = &baseline.local.slopes;
+        let (slopes, admitted) = (&baseline.local.slopes, &baseline.admitted);
         let noise = if a == b { sigma(a).powi(2) } else { 0.0 };
-        let admitted =
-            baseline.settings.slop.powi(2) * baseline.value[data.rows[a]] * baseline.value[data.rows[b]];
+        let admitted = admitted.share.powi(2) * admitted.value[data.rows[a]] * admitted.value[data.rows[b]]
+            + admitted
+                .responses
+                .row(data.rows[a])
+                .dot(&admitted.responses.row(data.rows[b]));
         noise + admitted + slopes.row(a).dot(&slopes.row(b))
     };
     let mut by_condition = Vec::new();

@@ -10,7 +10,7 @@ use crate::study::Forward;
 use super::data::{Data, Scatter, start};
 use super::error::DiagnoseError;
 use super::posterior::SEPARATE;
-use super::screening::{Directions, ENOUGH_POWER, effect_of, family_wise, slopes_of_missing};
+use super::screening::{Directions, ENOUGH_POWER, Slopes, effect_of, family_wise, slopes_of_missing};
 use super::settings::Settings;
 use super::verdict::LookAlike;
 use super::whitened::{Local, Whitened};
@@ -49,65 +49,128 @@ pub struct PlannedEffect {
     pub confused_with: Vec<LookAlike>,
 }
 
+/// A campaign before it is measured: how far every reading stands out of noise and of what the model could absorb.
+pub struct Outlook {
+    /// What it could tell.
+    pub plan: Plan,
+    /// Readings of the model at `start`.
+    pub predicted: DVector<f64>,
+    /// Values of all unknowns: effects at zero.
+    pub start: Vec<f64>,
+    data: Data,
+    whitened: Whitened,
+    directions: Directions,
+}
+
 /// Judges the campaign whose observables `forward` lists; their values do not matter, their noise does.
 ///
 /// # Errors
 /// If there is nothing to measure or no effect to look for, a result is not finite, or the user asked to stop.
 pub fn plan(forward: &dyn Forward, settings: &Settings, progress: &Progress) -> Result<Plan, DiagnoseError> {
-    settings.check()?;
-    let start = start(forward, settings)?;
-    let data = Data::new(forward, &start)?;
-    let unknowns = forward.unknowns();
-    progress.say("derivatives with every effect");
-    let is_of_model = |name: &str| data.model.iter().any(|&i| unknowns[i].name == name);
-    let linear = forward.linearize(&start, &|unknown| is_of_model(&unknown.name))?;
-    progress.check()?;
-    let (slopes, _) = slopes_of_missing(forward, &data, &start, settings, None)?;
-    let size = data.rows.len();
-    let scale = settings.noise_scale.unwrap_or(1.0);
-    let scatter = Scatter::new(forward, &data, &linear.value, settings, scale, vec![1.0; size])?;
-    let own = DMatrix::from_fn(size, data.model.len(), |row, k| {
-        linear.jacobian[(data.rows[row], data.model[k])] * unknowns[data.model[k]].sigma
-    });
-    let local = Local {
-        at_means: DVector::zeros(size),
-        slopes: own,
-        rows: data.rows.clone(),
-    };
-    let whitened = Whitened::new(&local, &scatter.noise)?;
-    let directions = Directions::new(&data, &slopes, &whitened);
-    let before = scatter
-        .noise
-        .whiten_columns(&slopes.select_rows(data.rows.iter()));
-    let level = family_wise(settings.significance, data.missing.len());
-    let mut effects: Vec<PlannedEffect> = (0..data.missing.len())
-        .filter_map(|k| {
-            let unknown = &unknowns[data.missing[k]];
-            let (effect, family, scale, _) = effect_of(unknown)?;
-            let (length, whole) = (directions.lengths[k], before.column(k).norm());
-            Some(PlannedEffect {
-                effect: effect.to_string(),
-                family: family.to_string(),
-                scale,
-                unit: unknown.unit.clone(),
-                standard_error: unknown.sigma / length.max(1e-9),
-                detectability: scale / unknown.sigma * length,
-                power: directions.power(k, unknown, level),
-                absorbed: if whole > 0.0 {
-                    1.0 - (length / whole).min(1.0)
-                } else {
-                    0.0
-                },
-                confused_with: confused(forward, &data, &directions, k),
+    Ok(Outlook::new(forward, settings, progress)?.plan)
+}
+
+impl Outlook {
+    /// As [`plan`], with what it was judged by.
+    ///
+    /// # Errors
+    /// As [`plan`].
+    pub fn new(
+        forward: &dyn Forward,
+        settings: &Settings,
+        progress: &Progress,
+    ) -> Result<Outlook, DiagnoseError> {
+        settings.check()?;
+        let start = start(forward, settings)?;
+        let data = Data::new(forward, &start)?;
+        let unknowns = forward.unknowns();
+        progress.say("derivatives with every effect");
+        let is_of_model = |name: &str| data.model.iter().any(|&i| unknowns[i].name == name);
+        let linear = forward.linearize(&start, &|unknown| is_of_model(&unknown.name))?;
+        progress.check()?;
+        let Slopes {
+            missing: slopes,
+            admitted,
+            ..
+        } = slopes_of_missing(forward, &data, &start, settings, None)?;
+        let size = data.rows.len();
+        let scale = settings.noise_scale.unwrap_or(1.0);
+        let scatter = Scatter::new(forward, &data, &admitted, scale, vec![1.0; size])?;
+        let own = DMatrix::from_fn(size, data.model.len(), |row, k| {
+            linear.jacobian[(data.rows[row], data.model[k])] * unknowns[data.model[k]].sigma
+        });
+        let local = Local {
+            at_means: DVector::zeros(size),
+            slopes: own,
+            rows: data.rows.clone(),
+        };
+        let whitened = Whitened::new(&local, &scatter.noise)?;
+        let directions = Directions::new(&data, &slopes, &whitened);
+        let before = scatter
+            .noise
+            .whiten_columns(&slopes.select_rows(data.rows.iter()));
+        let level = family_wise(settings.significance, data.missing.len());
+        let mut effects: Vec<PlannedEffect> = (0..data.missing.len())
+            .filter_map(|k| {
+                let unknown = &unknowns[data.missing[k]];
+                let (effect, family, scale, _) = effect_of(unknown)?;
+                let (length, whole) = (directions.lengths[k], before.column(k).norm());
+                Some(PlannedEffect {
+                    effect: effect.to_string(),
+                    family: family.to_string(),
+                    scale,
+                    unit: unknown.unit.clone(),
+                    standard_error: unknown.sigma / length.max(1e-9),
+                    detectability: scale / unknown.sigma * length,
+                    power: directions.power(k, unknown, level),
+                    absorbed: if whole > 0.0 {
+                        1.0 - (length / whole).min(1.0)
+                    } else {
+                        0.0
+                    },
+                    confused_with: confused(forward, &data, &directions, k),
+                })
             })
+            .collect();
+        effects.sort_by(|a, b| b.detectability.total_cmp(&a.detectability));
+        Ok(Outlook {
+            plan: Plan {
+                sentence: sentence(&effects),
+                numbers: size,
+                effects,
+            },
+            predicted: linear.value,
+            start,
+            data,
+            whitened,
+            directions,
         })
-        .collect();
-    effects.sort_by(|a, b| b.detectability.total_cmp(&a.detectability));
-    Ok(Plan {
-        sentence: sentence(&effects),
-        numbers: size,
-        effects,
-    })
+    }
+
+    /// Distance of readings from those of the model, in standard deviations, what the model could absorb left out.
+    pub fn distance(&self, readings: &DVector<f64>) -> f64 {
+        self.seen(&(readings - &self.predicted)).norm()
+    }
+
+    /// The same with the effect of another family than `family` left out that is nearest to them.
+    pub fn apart(&self, forward: &dyn Forward, readings: &DVector<f64>, family: &str) -> f64 {
+        let seen = self.seen(&(readings - &self.predicted));
+        let directions = &self.directions;
+        let others = (0..self.data.missing.len()).filter(|&k| {
+            effect_of(&forward.unknowns()[self.data.missing[k]])
+                .is_some_and(|(_, other, _, _)| other != family)
+                && directions.lengths[k] > 0.0
+        });
+        let along = others.map(|k| seen.dot(&directions.columns.column(k)) / directions.lengths[k]);
+        let nearest = along.map(|dot| dot * dot).fold(0.0, f64::max);
+        (seen.norm_squared() - nearest).max(0.0).sqrt()
+    }
+
+    /// Change of readings in standard deviations, what the model could absorb left out.
+    pub fn seen(&self, moved: &DVector<f64>) -> DVector<f64> {
+        let moved = DMatrix::from_column_slice(moved.len(), 1, moved.as_slice());
+        self.whitened.directions(&moved).column(0).into_owned()
+    }
 }
 
 fn confused(forward: &dyn Forward, data: &Data, directions: &Directions, k: usize) -> Vec<LookAlike> {

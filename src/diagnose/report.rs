@@ -322,7 +322,7 @@ fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, Diag
             &baseline.data,
             baseline.settings,
             &baseline.scatter,
-            &baseline.value,
+            &baseline.admitted,
             &explanations,
         )?;
         if let Some(share) = share {

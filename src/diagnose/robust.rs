@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use crate::study::Forward;
+use crate::study::{AdmittedError, Forward};
 
 use super::data::{Data, Scatter};
 use super::error::DiagnoseError;
@@ -61,7 +61,7 @@ pub fn stability(
     data: &Data,
     settings: &Settings,
     scatter: &Scatter,
-    value: &DVector<f64>,
+    admitted: &AdmittedError,
     explanations: &[(&Explanation, f64)],
 ) -> Result<Option<f64>, DiagnoseError> {
     let conditions = data.conditions(forward);
@@ -74,7 +74,7 @@ pub fn stability(
         for &position in positions {
             widening[position] *= OUT;
         }
-        let without = Scatter::new(forward, data, value, settings, scatter.scale, widening)?;
+        let without = Scatter::new(forward, data, admitted, scatter.scale, widening)?;
         let likelihood = Likelihood::of(data.rows.len() - positions.len(), settings);
         let mut evidence = Vec::new();
         for (explanation, weight) in explanations {

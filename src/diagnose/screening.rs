@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, Normal};
 
-use crate::study::{Footing, Forward, Unknown, UnknownKind};
+use crate::study::{AdmittedError, Footing, Forward, Unknown, UnknownKind};
 
 use super::data::Data;
 use super::error::DiagnoseError;
@@ -66,9 +66,21 @@ pub fn is_one_sided(unknown: &Unknown) -> bool {
     effect_of(unknown).is_some_and(|(_, _, _, one_sided)| one_sided)
 }
 
+/// How all observables answer about one point.
+#[derive(Debug, Clone)]
+pub struct Slopes {
+    /// To the missing effects, one column each, per prior standard deviation.
+    pub missing: DMatrix<f64>,
+    /// To what is admitted of the model.
+    pub admitted: AdmittedError,
+    /// What the model left there.
+    pub footing: Option<Footing>,
+}
+
 /// Derivatives of all observables with the missing effects at `at`, one column each, per prior standard deviation.
 ///
-/// An effect with a kink at zero is seen from a step. Besides, what the model leaves there; `footing`: what it left nearby.
+/// An effect with a kink at zero is seen from a step. Besides, the responses to what is admitted of the model, per standard
+/// deviation, and what the model leaves there; `footing`: what it left nearby.
 ///
 /// # Errors
 /// If the model has no solution there, or a derivative is not finite.
@@ -78,9 +90,10 @@ pub fn slopes_of_missing(
     at: &[f64],
     settings: &Settings,
     footing: Option<&Footing>,
-) -> Result<(DMatrix<f64>, Option<Footing>), DiagnoseError> {
+) -> Result<Slopes, DiagnoseError> {
     let unknowns = forward.unknowns();
-    let names: Vec<&str> = data.missing.iter().map(|&i| unknowns[i].name.as_str()).collect();
+    let wanted = data.missing.iter().chain(&data.admitted);
+    let names: Vec<&str> = wanted.map(|&i| unknowns[i].name.as_str()).collect();
     let wanted = |unknown: &Unknown| names.contains(&unknown.name.as_str());
     let (linear, left) = forward.linearize_from(footing, at, &wanted)?;
     let mut slopes = linear.jacobian.select_columns(data.missing.iter());
@@ -102,10 +115,29 @@ pub fn slopes_of_missing(
             });
         }
     }
+    let mut admitted = linear.jacobian.select_columns(data.admitted.iter());
+    for (k, &i) in data.admitted.iter().enumerate() {
+        let mut column = admitted.column_mut(k);
+        column *= unknowns[i].sigma * settings.slop;
+        if column.iter().any(|slope| !slope.is_finite()) {
+            return Err(DiagnoseError::NotFinite {
+                what: unknowns[i].name.clone(),
+            });
+        }
+    }
     for row in data.kept_bounds(forward, &linear.value) {
         slopes.row_mut(row).fill(0.0);
+        admitted.row_mut(row).fill(0.0);
     }
-    Ok((slopes, left))
+    Ok(Slopes {
+        missing: slopes,
+        admitted: AdmittedError {
+            share: settings.slop,
+            value: linear.value,
+            responses: admitted,
+        },
+        footing: left,
+    })
 }
 
 impl Directions {

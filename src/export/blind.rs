@@ -6,8 +6,11 @@ use crate::blind::{Kind, Outcome};
 /// The page.
 pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
     let mut page = format!(
-        "# Blind cases on {study}\n\n{} cases, made by washout itself: a development benchmark. Median time of a diagnosis {:.0} s.\n\n",
-        board.cases, board.median_seconds
+        "# Blind cases on {study}\n\n{} cases, made by washout itself: a development benchmark; {} more came to no answer. Median \
+         time of a diagnosis {:.0} s.\n\n",
+        board.cases,
+        board.failed.len(),
+        board.median_seconds
     );
     page += "| figure | hits | share or value | 95 % interval | asked |\n|---|---|---|---|---|\n";
     for row in &board.rows {
@@ -26,7 +29,7 @@ pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
     for row in &board.simpler {
         page += &line(row);
     }
-    page += "\nEvery case:\n\n| kind | seed | hidden (sigma by the plan) | said | right | time s |\n|---|---|---|---|---|---|\n";
+    page += "\nEvery case:\n\n| kind | seed | hidden (distance, sigma) | said | right | time s |\n|---|---|---|---|---|---|\n";
     for outcome in outcomes {
         let hidden: Vec<String> = outcome
             .truth
@@ -52,6 +55,23 @@ pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
             outcome.sentence,
             outcome.seconds
         );
+    }
+    if !board.turned.is_empty() {
+        page += "\nNot hidden, because an error of one percent in the wing turns their signature (the wing's motion is near a \
+                 resonance): ";
+        let turned = board.turned.iter().map(|turned| match turned.cosine {
+            Some(cosine) => format!("{} (cosine {cosine:.2})", turned.effect),
+            None => format!("{} (no equilibrium)", turned.effect),
+        });
+        page += &turned.collect::<Vec<_>>().join(", ");
+        page += ".\n";
+    }
+    if !board.failed.is_empty() {
+        page += "\nWithout an answer:\n\n| kind | seed | why |\n|---|---|---|\n";
+    }
+    for failed in &board.failed {
+        let why = failed.failed.replace('|', "\\|").replace('\n', " ");
+        page += &format!("| {} | {} | {why} |\n", failed.kind.word(), failed.seed);
     }
     page
 }

@@ -252,6 +252,7 @@ impl Local {
 mod tests {
     use super::*;
     use crate::input::measurement::Channel;
+    use crate::study::AdmittedError;
     use crate::study::forward::{Condition, Unknown, UnknownKind};
 
     /// y = a exp(−b x) at x = 0, 1, … with unknowns a and b.
@@ -303,7 +304,13 @@ mod tests {
         fn fit(&self) -> Fit {
             let rows: Vec<usize> = (0..self.observables.len()).collect();
             let none = DVector::zeros(rows.len());
-            let noise = Noise::new(&self.observables, &self.conditions, &rows, &none, 0.0).unwrap();
+            let noise = Noise::new(
+                &self.observables,
+                &self.conditions,
+                &rows,
+                &AdmittedError::of_predictions(0.0, &none),
+            )
+            .unwrap();
             let task = Task {
                 rows: &rows,
                 noise: &noise,
@@ -418,7 +425,13 @@ mod tests {
             let cliff = Cliff(Decay::new(&exact(20.0, 0.7), 1e-3, [0.0, 5.0]), error);
             let rows: Vec<usize> = (0..8).collect();
             let none = DVector::zeros(8);
-            let noise = Noise::new(cliff.observables(), cliff.conditions(), &rows, &none, 0.0).unwrap();
+            let noise = Noise::new(
+                cliff.observables(),
+                cliff.conditions(),
+                &rows,
+                &AdmittedError::of_predictions(0.0, &none),
+            )
+            .unwrap();
             let task = Task {
                 rows: &rows,
                 noise: &noise,

@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
+use super::admitted::admit;
 use super::error::StudyError;
 use super::footing::Column;
 use super::forward::{Condition, Observable};
@@ -122,6 +123,9 @@ impl PreparedCase {
                     .effects
                     .insert(name.to_string(), strength.into_iter().collect());
             }
+        }
+        if !candidates.is_empty() {
+            admit(&mut design);
         }
         let mesh_file = case
             .loaded

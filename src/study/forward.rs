@@ -37,6 +37,9 @@ pub enum UnknownKind {
     Input,
     /// A nuisance of the ruler: it moves the reading, not the wing.
     Ruler,
+    /// An error of the model that is admitted ([`super::admitted`]): never fitted, part of the scatter. Its sigma is for an admitted
+    /// share of 1.
+    Admitted,
     /// The strength of an effect.
     Effect {
         /// Name of the effect.

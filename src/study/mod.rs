@@ -1,5 +1,7 @@
 //! Predictions of whole studies; uncertainty of assumed inputs.
 
+pub mod admitted;
+
 pub mod band;
 
 pub mod boxed;
@@ -41,7 +43,7 @@ pub use calibrate::{Fit, Task, calibrate};
 pub use campaign::{Campaign, SkippedRow};
 pub use error::StudyError;
 pub use forward::{Condition, Footing, Forward, Linear, Observable, Unknown, UnknownKind};
-pub use noise::Noise;
+pub use noise::{AdmittedError, Noise};
 pub use output::{Output, ProfileOutputs};
 pub use shares::Share;
 pub use uncertainty::{Uncertainty, UncertaintySettings, propagate};

@@ -12,16 +12,38 @@ const CONDITION_CORRELATION: [f64; 2] = [0.7, 0.0];
 
 /// Covariance of measurement minus model for a choice of observables, by its Cholesky factor.
 ///
-/// Σ = diag(σ²) + τ² (y yᵀ) ∘ C with the prediction y, the admitted share τ of error, and a smooth correlation C along
-/// the span, between conditions of one wing, within one channel. Without the second part every small idealisation of
-/// a model becomes a discovery.
+/// Σ = diag(σ²) + τ² (y yᵀ) ∘ C + A Aᵀ with the prediction y, the admitted share τ of error, a smooth correlation C along
+/// the span, between conditions of one wing, within one channel, and the responses A to admitted errors of outline,
+/// stiffness and air law. Without these every small idealisation of a model becomes a discovery.
 #[derive(Debug, Clone)]
 pub struct Noise {
     factor: Cholesky<f64, Dyn>,
 }
 
+/// The error of the model that is admitted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AdmittedError {
+    /// Share τ of every prediction.
+    pub share: f64,
+    /// Predictions of all observables.
+    pub value: DVector<f64>,
+    /// Responses of all observables to the admitted errors of the model's inputs, one standard deviation of each.
+    pub responses: DMatrix<f64>,
+}
+
+impl AdmittedError {
+    /// A share of the predictions `value`, and nothing else.
+    pub fn of_predictions(share: f64, value: &DVector<f64>) -> AdmittedError {
+        AdmittedError {
+            share,
+            value: value.clone(),
+            responses: DMatrix::zeros(value.len(), 0),
+        }
+    }
+}
+
 impl Noise {
-    /// Covariance for the observables `rows` with predictions `value` (of all observables) and admitted share `slop`.
+    /// Covariance for the observables `rows`.
     ///
     /// # Errors
     /// If it is not positive definite: a σ that is no positive number.
@@ -29,16 +51,22 @@ impl Noise {
         observables: &[Observable],
         conditions: &[Condition],
         rows: &[usize],
-        value: &DVector<f64>,
-        slop: f64,
+        admitted: &AdmittedError,
     ) -> Result<Noise, StudyError> {
         let size = rows.len();
-        let covariance = DMatrix::from_fn(size, size, |i, j| {
+        let AdmittedError {
+            share,
+            value,
+            responses,
+        } = admitted;
+        let mut covariance = DMatrix::from_fn(size, size, |i, j| {
             let (a, b) = (&observables[rows[i]], &observables[rows[j]]);
             let measured = if i == j { a.sigma * a.sigma } else { 0.0 };
-            let admitted = slop * slop * value[rows[i]] * value[rows[j]];
+            let admitted = share * share * value[rows[i]] * value[rows[j]];
             measured + admitted * correlation(a, b, conditions)
         });
+        let responses = responses.select_rows(rows.iter());
+        covariance += &responses * responses.transpose();
         let factor = Cholesky::new(covariance).ok_or(StudyError::BadNoise)?;
         Ok(Noise { factor })
     }
@@ -145,7 +173,13 @@ mod tests {
     fn coloured_unit_noise_has_the_stated_covariance() {
         let (rows, conditions) = observables();
         let value = DVector::from_element(4, 10.0);
-        let noise = Noise::new(&rows, &conditions, &[0, 1, 2, 3], &value, 0.05).unwrap();
+        let noise = Noise::new(
+            &rows,
+            &conditions,
+            &[0, 1, 2, 3],
+            &AdmittedError::of_predictions(0.05, &value),
+        )
+        .unwrap();
         let lower = DMatrix::from_fn(4, 4, |i, j| {
             noise.colour(&DVector::from_fn(4, |k, _| f64::from(u8::from(k == j))))[i]
         });

@@ -12,6 +12,7 @@ pub mod hidden;
 
 pub mod rival;
 
+pub use background::Background;
 pub use error::SynthesizeError;
 pub use hidden::Hidden;
 
@@ -65,7 +66,7 @@ pub struct Answer {
     /// Uncertain inputs and nuisances of the ruler as they were drawn.
     pub unknowns: Vec<Drawn>,
     /// Errors of outline, stiffness and air law by wing.
-    pub background: Vec<background::Background>,
+    pub background: Vec<Background>,
     /// Measured rows that the wing could not be asked for; they have no value.
     pub unread: Vec<String>,
 }
@@ -109,18 +110,7 @@ pub fn synthesize(
     let mut truth = study.clone();
     truth.experiments.clear();
     let acted = hidden::hide(&mut truth, &recipe.hidden, recipe.made.formulas)?;
-    let mut background = Vec::new();
-    for case in &mut truth.cases {
-        let design = &mut case.loaded.design;
-        design.mesh.refine *= recipe.made.mesh;
-        let wing = wing_number(study, &design.name);
-        let errors =
-            background::Background::drawn(design, recipe.made.background, draws, BACKGROUND + 8 * wing);
-        errors.apply(design)?;
-        if !background.contains(&errors) {
-            background.push(errors);
-        }
-    }
+    let background = make_unlike(&mut truth, &recipe.made)?;
     let campaign = Campaign::new(&truth, &[], &progress.unseen())?;
     let at: Vec<f64> = campaign
         .unknowns()
@@ -190,15 +180,35 @@ pub fn synthesize(
     })
 }
 
-/// Place of a wing among those of a study.
-fn wing_number(study: &LoadedStudy, name: &str) -> u64 {
-    let mut wings: Vec<&str> = Vec::new();
-    for case in &study.cases {
-        if !wings.contains(&case.loaded.design.name.as_str()) {
-            wings.push(&case.loaded.design.name);
+/// The study with wings as they are measured: other meshes, and background errors.
+///
+/// # Errors
+/// If a design refuses an error.
+pub fn unlike(study: &LoadedStudy, made: &Made) -> Result<LoadedStudy, SynthesizeError> {
+    let mut truth = study.clone();
+    truth.experiments.clear();
+    make_unlike(&mut truth, made)?;
+    Ok(truth)
+}
+
+fn make_unlike(study: &mut LoadedStudy, made: &Made) -> Result<Vec<Background>, SynthesizeError> {
+    let draws = Draws::new(made.seed);
+    let mut background = Vec::new();
+    let mut wings: Vec<String> = Vec::new();
+    for case in &mut study.cases {
+        let design = &mut case.loaded.design;
+        design.mesh.refine *= made.mesh;
+        if !wings.contains(&design.name) {
+            wings.push(design.name.clone());
+        }
+        let wing = wings.iter().position(|wing| *wing == design.name).unwrap_or(0);
+        let errors = Background::drawn(design, made.background, draws, BACKGROUND + 8 * wing as u64);
+        errors.apply(design)?;
+        if !background.contains(&errors) {
+            background.push(errors);
         }
     }
-    wings.iter().position(|wing| *wing == name).unwrap_or(0) as u64
+    Ok(background)
 }
 
 impl Recipe {

@@ -1,0 +1,158 @@
+//! How far a hidden effect moves the readings, what the model could absorb left out: by the full model, not by its slope at
+//! zero.
+
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::draw::is_visible;
+use super::{Blind, BlindError};
+use crate::diagnose::plan::PlannedEffect;
+use crate::diagnose::screening::effect_of;
+use crate::effects::named;
+use crate::progress::Progress;
+use crate::study::{Campaign, Forward, StudyError};
+use crate::synthesize::{Hidden, Recipe, unlike};
+
+/// Tries for a strength, and the share of the wanted distance within which one is good.
+const TRIES: usize = 6;
+const NEAR: f64 = 0.15;
+/// Largest factor from one try to the next.
+const LONGEST: f64 = 8.0;
+
+/// Distance at which the signature of an effect is compared with that on another wing, sigma.
+const COMPARED: f64 = 10.0;
+/// Cosine below which it counts as turned.
+const SAME: f64 = 0.9;
+
+/// An effect whose signature is another on a wing that differs by a percent.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Turned {
+    /// The effect.
+    pub effect: String,
+    /// Cosine between the two signatures; none if the other wing has no equilibrium with it.
+    pub cosine: Option<f64>,
+}
+
+/// Distances in standard deviations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Distance {
+    /// From the model without the effect.
+    pub seen: f64,
+    /// From the model with the nearest effect of another family.
+    pub apart: f64,
+}
+
+/// Distances of each of `hidden` alone; none of those that the diagnosis cannot try.
+///
+/// # Errors
+/// If the model with one of them has no solution.
+pub fn distances(blind: &Blind, hidden: &[Hidden]) -> Result<Vec<Distance>, BlindError> {
+    let mut found = Vec::new();
+    for effect in hidden {
+        if let Some(distance) = distance(blind, &effect.name, effect.strength)? {
+            found.push(distance);
+        }
+    }
+    Ok(found)
+}
+
+/// The strength of `effect`, of sign `sign` if it may have that, which is seen at distance `target`; the largest plausible one if
+/// that is nearer.
+///
+/// # Errors
+/// If the model without the effect has no solution.
+pub fn strength_seen_at(
+    blind: &Blind,
+    effect: &PlannedEffect,
+    target: f64,
+    sign: f64,
+) -> Result<f64, BlindError> {
+    let [low, high] =
+        named(&effect.effect).map_or([0.0, effect.scale], |known| known.card().parameters[0].plausible);
+    let sign = if sign < 0.0 && low >= 0.0 { 1.0 } else { sign };
+    let sign = if sign > 0.0 && high <= 0.0 { -1.0 } else { sign };
+    let most = if sign < 0.0 { -low } else { high };
+    let mut size = (effect.scale * target / effect.detectability).min(most);
+    let mut best = (f64::INFINITY, size);
+    for _ in 0..TRIES {
+        // a strength with which the wing has no equilibrium is too large
+        let seen = match distance(blind, &effect.effect, sign * size) {
+            Ok(Some(distance)) => distance.seen,
+            Ok(None) => break,
+            Err(_) => f64::INFINITY,
+        };
+        let off = (seen / target).max(1e-9).ln().abs();
+        if off < best.0 {
+            best = (off, size);
+        }
+        if off < NEAR || (seen < target && size >= most) {
+            break;
+        }
+        let factor = (target / seen).clamp(1.0 / LONGEST, LONGEST);
+        size = (size * factor).min(most);
+    }
+    Ok(sign * best.1)
+}
+
+/// Effects that would be seen whose signature turns with errors of outline, stiffness and air law of one percent: they are
+/// large where the wing's motion is near a resonance, and no campaign there can name them.
+///
+/// # Errors
+/// If the other wing has no solution.
+pub fn turned(blind: &Blind, progress: &Progress) -> Result<Vec<Turned>, BlindError> {
+    let other = unlike(blind.study, &Recipe::new(0).made)?;
+    let other = Campaign::new(&other, &blind.candidates, &progress.unseen())?;
+    let still = other.predict(&other.start())?;
+    let visible = blind
+        .outlook
+        .plan
+        .effects
+        .par_iter()
+        .filter(|effect| is_visible(effect));
+    let found = visible.map(|effect| {
+        progress.check().map_err(StudyError::from)?;
+        let strength = strength_seen_at(blind, effect, COMPARED, 1.0)?;
+        let of = |campaign: &Campaign| -> Option<_> {
+            let unknown = position(campaign, &effect.effect)?;
+            let mut at = campaign.start();
+            at[unknown] = strength;
+            campaign.predict(&at).ok()
+        };
+        let cosine = of(&blind.campaign).zip(of(&other)).map(|(here, there)| {
+            let here = blind.outlook.seen(&(here - &blind.outlook.predicted));
+            let there = blind.outlook.seen(&(there - &still));
+            here.dot(&there) / (here.norm() * there.norm()).max(f64::MIN_POSITIVE)
+        });
+        Ok(Turned {
+            effect: effect.effect.clone(),
+            cosine,
+        })
+    });
+    let found: Vec<Turned> = found.collect::<Result<_, BlindError>>()?;
+    let is_turned = |turned: &Turned| turned.cosine.is_none_or(|cosine| cosine < SAME);
+    Ok(found.into_iter().filter(is_turned).collect())
+}
+
+/// Of an effect with many members, the first: a place is a number of its own.
+fn position(campaign: &Campaign, name: &str) -> Option<usize> {
+    let mut unknowns = campaign.unknowns().iter();
+    unknowns.position(|unknown| effect_of(unknown).is_some_and(|(effect, _, _, _)| effect == name))
+}
+
+fn distance(blind: &Blind, name: &str, strength: f64) -> Result<Option<Distance>, BlindError> {
+    let unknowns = blind.campaign.unknowns();
+    let Some(unknown) = position(&blind.campaign, name) else {
+        return Ok(None);
+    };
+    let Some((_, family, _, _)) = effect_of(&unknowns[unknown]) else {
+        return Ok(None);
+    };
+    let mut at = blind.outlook.start.clone();
+    at[unknown] = strength;
+    let readings = blind.campaign.predict(&at)?;
+    Ok(Some(Distance {
+        seen: blind.outlook.distance(&readings),
+        apart: blind.outlook.apart(&blind.campaign, &readings, family),
+    }))
+}
