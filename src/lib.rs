@@ -40,6 +40,8 @@ pub mod verify;
 
 pub mod study;
 
+pub mod explore;
+
 pub mod synthesize;
 
 pub mod compare;

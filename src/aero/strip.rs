@@ -132,7 +132,7 @@ pub fn strip_force<D: Number>(
 
 impl AirLaw {
     /// What the laws give for a section, and `change` makes of it.
-    pub(super) fn section<D: Number>(
+    pub fn section<D: Number>(
         &self,
         air: &mut SectionAir<D>,
         change: &impl SectionChange<D>,

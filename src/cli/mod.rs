@@ -21,6 +21,12 @@ pub mod study;
 
 pub mod compare;
 
+pub mod flights;
+
+pub mod lift;
+
+pub mod lift_ratios;
+
 pub mod divergence;
 
 pub mod modes;
@@ -94,6 +100,8 @@ pub enum Verb {
     Solve(solve::Solve),
     /// Compare a design with its measurement, in degrees, in sigma and in words
     Compare(compare::Compare),
+    /// What twist buys: lift, power and efficiency over the stroke, wings side by side
+    Lift(lift::Lift),
     /// Raise the speed or the amplitude until the wing has no equilibrium any more
     Divergence(divergence::Divergence),
     /// Natural frequencies and mode shapes, unloaded or in flight
@@ -135,6 +143,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let result = match &arguments.verb {
         Verb::Solve(verb) => verb.run(&console),
         Verb::Compare(verb) => verb.run(&console),
+        Verb::Lift(verb) => verb.run(&console),
         Verb::Divergence(verb) => verb.run(&console),
         Verb::Modes(verb) => verb.run(&console),
         Verb::Mesh(verb) => verb.run(&console),

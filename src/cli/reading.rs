@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::aero::{AirLaw, Flow};
+use crate::aero::Flow;
 use crate::compare::{Comparison, ModelledStages, compare};
+use crate::coupling::BladeAir;
 use crate::coupling::solution::Solution;
 use crate::input::measurement::Channel;
 use crate::lift::{LiftReport, Stroke, StrokeMeans, TwistAlongSpan, TwistHistory, stroke_means};
@@ -83,7 +84,8 @@ pub fn means(
     found.map(Some).map_err(|error| case.fault(error))
 }
 
-fn air_law(case: &Case) -> Result<AirLaw, Failure> {
+/// The air of a design on blade elements, with its effects.
+pub fn air_law(case: &Case) -> Result<BladeAir, Failure> {
     let table = case.loaded.air_table.as_deref();
-    AirLaw::from_design(&case.loaded.design, table).map_err(|error| case.fault(error))
+    BladeAir::new(&case.loaded.design, &case.planform, table).map_err(|error| case.fault(error))
 }

@@ -48,6 +48,8 @@ pub enum Output {
     Solve,
     /// `washout compare --json`
     Compare,
+    /// `washout lift --json`
+    Lift,
     /// `washout divergence --json`
     Divergence,
     /// `washout diff --json`
@@ -92,6 +94,7 @@ impl Schema {
             None => crate::input::schema::design_schema(),
             Some(Output::Solve) => schemars::schema_for!(RunSummary),
             Some(Output::Compare) => schemars::schema_for!(super::compare::CompareReport),
+            Some(Output::Lift) => schemars::schema_for!(crate::export::lift::LiftSummary),
             Some(Output::Divergence) => schemars::schema_for!(super::divergence::DivergenceReport),
             Some(Output::Diff) => schemars::schema_for!(Difference),
             Some(Output::Modes) => schemars::schema_for!(ModesSummary),

@@ -8,6 +8,8 @@ pub mod air_resistance;
 
 mod beside;
 
+pub mod blade;
+
 pub mod build;
 
 pub mod engineering;
@@ -42,6 +44,7 @@ pub mod vibration;
 
 pub mod wing;
 
+pub use blade::{BladeAir, BladeSection};
 pub use engineering::{Engineering, Extreme};
 pub use error::{CouplingError, SensitivityError};
 pub use periodic::{Periodic, PeriodicSettings, periodic};

@@ -18,6 +18,8 @@ pub mod study;
 
 pub mod video;
 
+pub mod twist_table;
+
 mod air_table;
 
 mod load;
@@ -50,4 +52,5 @@ pub use error::{InputError, Place, Problem, Range};
 pub use expression::{Expression, ExpressionError};
 pub use load::Loaded;
 pub(crate) use nearest::nearest as nearest_word;
+pub use twist_table::TwistTable;
 pub use unit::unit_symbol;

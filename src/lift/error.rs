@@ -18,6 +18,9 @@ pub enum LiftError {
         /// Its value.
         value: f64,
     },
+    /// A measurement that says nothing of twist.
+    #[error("the measurement holds no twist; name one with rows of channel twist or twist_rate")]
+    NoMeasuredTwist,
     /// A profile without points.
     #[error("the twist profile has no points; give at least one [r, twist]")]
     NoTwist,

@@ -5,6 +5,10 @@
 
 pub mod error;
 
+pub mod blade;
+
+pub mod measured;
+
 pub mod twist;
 
 pub mod means;
@@ -21,7 +25,9 @@ pub mod sweep;
 
 pub mod report;
 
-mod quadrature;
+pub mod flight;
+
+pub(crate) mod quadrature;
 
 #[cfg(test)]
 mod paper;
@@ -29,8 +35,9 @@ mod paper;
 pub use distribution::{SpanPoint, departure_from_ellipse, scaled_to_measured, span_distribution};
 pub use effective::{EffectiveCoefficients, effective_coefficient_ratio, implied_amplitude_ratio};
 pub use error::LiftError;
+pub use flight::{Flight, InertialPower};
 pub use means::{StationMeans, StrokeMeans};
-pub use ratios::Ratios;
+pub use ratios::{Ratios, mean_local_lift_to_drag};
 pub use report::{Forces, LiftReport};
 pub use stroke::{Instant, Stroke, forces_at_phase, stroke_means};
 pub use sweep::{AmplitudePoint, amplitude_sweep, lift_at_power};

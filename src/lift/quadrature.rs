@@ -1,7 +1,7 @@
 //! Gauss-Legendre quadrature on panels between kinks.
 
 /// Nodes and weights of the `count`-point rule on [0, 1] (Newton's method on the Legendre polynomial).
-pub(super) fn gauss_legendre(count: u32) -> Vec<[f64; 2]> {
+pub(crate) fn gauss_legendre(count: u32) -> Vec<[f64; 2]> {
     let n = f64::from(count);
     let mut rule: Vec<[f64; 2]> = (0..count)
         .map(|i| {
@@ -25,7 +25,7 @@ pub(super) fn gauss_legendre(count: u32) -> Vec<[f64; 2]> {
 
 /// Points and weights over [`ends`[0], …, `ends`[last]] (rising), each stretch between two ends cut into panels no
 /// wider than `widest`, with the rule on each.
-pub(super) fn panels(ends: &[f64], widest: f64, rule: &[[f64; 2]]) -> Vec<[f64; 2]> {
+pub(crate) fn panels(ends: &[f64], widest: f64, rule: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut points = Vec::new();
     for stretch in ends.windows(2) {
         let length = stretch[1] - stretch[0];

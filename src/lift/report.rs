@@ -3,10 +3,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::aero::{AirLaw, Flow};
+use crate::aero::Flow;
 use crate::coupling::solution::StripLoad;
 use crate::geometry::Planform;
 
+use super::blade::BladeLaw;
 use super::error::LiftError;
 use super::means::StrokeMeans;
 use super::stroke::{Stroke, stroke_means};
@@ -80,7 +81,7 @@ impl LiftReport {
     /// As [`stroke_means`] and [`TwistAlongSpan::from_strips`].
     pub fn new(
         planform: &Planform,
-        law: &AirLaw,
+        law: &impl BladeLaw,
         flow: &Flow,
         strips: &[StripLoad],
     ) -> Result<Self, LiftError> {

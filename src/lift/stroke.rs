@@ -1,8 +1,10 @@
 //! Forces over one stroke, averaged by Gauss quadrature along the span and in time.
 
-use crate::aero::{AirLaw, Flow};
+use crate::aero::Flow;
+use crate::coupling::BladeSection;
 use crate::geometry::Planform;
 
+use super::blade::BladeLaw;
 use super::error::LiftError;
 use super::means::{StationMeans, StrokeMeans};
 use super::quadrature::{gauss_legendre, panels};
@@ -82,7 +84,7 @@ impl Stroke {
 /// [`LiftError::Air`] if an angle of attack leaves a coefficient table.
 pub fn stroke_means(
     planform: &Planform,
-    law: &AirLaw,
+    law: &impl BladeLaw,
     stroke: &Stroke,
     twist: &TwistHistory,
 ) -> Result<StrokeMeans, LiftError> {
@@ -95,6 +97,7 @@ pub fn stroke_means(
         power_w: 0.0,
         stations: Vec::new(),
     };
+    let torque = drag_ratio(planform, law, stroke, twist)?;
     for [r_m, width_m] in span_points(planform, twist) {
         let chord_m = planform.chord_m(r_m);
         let mut station = StationMeans {
@@ -107,7 +110,7 @@ pub fn stroke_means(
             power_w_per_m: 0.0,
         };
         for [phase_rad, weight] in &phases {
-            let [lift, drag, power] = blade(planform, law, stroke, twist, r_m, chord_m, *phase_rad)?;
+            let [lift, drag, power] = blade(planform, law, stroke, twist, r_m, chord_m, *phase_rad, torque)?;
             station.lift_n_per_m += lift * weight / half_turn;
             station.drag_n_per_m += drag * weight / half_turn;
             station.power_w_per_m += power * weight / half_turn;
@@ -126,7 +129,7 @@ pub fn stroke_means(
 /// As [`stroke_means`].
 pub fn forces_at_phase(
     planform: &Planform,
-    law: &AirLaw,
+    law: &impl BladeLaw,
     stroke: &Stroke,
     twist: &TwistHistory,
     phase_rad: f64,
@@ -137,6 +140,7 @@ pub fn forces_at_phase(
         drag_n: 0.0,
         power_w: 0.0,
     };
+    let torque = drag_ratio(planform, law, stroke, twist)?;
     for [r_m, width_m] in span_points(planform, twist) {
         let [lift, drag, power] = blade(
             planform,
@@ -146,6 +150,7 @@ pub fn forces_at_phase(
             r_m,
             planform.chord_m(r_m),
             phase_rad,
+            torque,
         )?;
         instant.lift_n += lift * width_m;
         instant.drag_n += drag * width_m;
@@ -155,24 +160,69 @@ pub fn forces_at_phase(
 }
 
 /// Lift and drag (N/m) and power (W/m) of the blade element at `r_m` and `phase_rad`.
+#[allow(clippy::too_many_arguments)]
 fn blade(
     planform: &Planform,
-    law: &AirLaw,
+    law: &impl BladeLaw,
     stroke: &Stroke,
     twist: &TwistHistory,
     r_m: f64,
     chord_m: f64,
     phase_rad: f64,
+    drag_ratio: f64,
 ) -> Result<[f64; 3], LiftError> {
-    let speed_m_s = stroke.peak_rate_rad_s() * phase_rad.cos().abs() * (r_m + planform.root_offset_m());
+    let arm_m = r_m + planform.root_offset_m();
+    let speed_m_s = stroke.peak_rate_rad_s() * phase_rad.cos().abs() * arm_m;
     let alpha_rad = stroke.stop_angle_rad - twist.twist_rad(r_m, phase_rad);
-    law.check(alpha_rad).map_err(|source| LiftError::Air {
+    let mut section = BladeSection {
+        r_m,
+        chord_m,
+        alpha_rad,
+        speed_m_s,
+        phase_rad,
+        twist_rate_rad_s: 0.0,
+        normal_acceleration_m_s2: 0.0,
+        drag_ratio,
+    };
+    if law.wants_motion() {
+        let angular_rate = std::f64::consts::TAU * stroke.frequency_hz;
+        section.twist_rate_rad_s = twist.rate(r_m, phase_rad) * angular_rate;
+        let side = if phase_rad.cos() < 0.0 { -1.0 } else { 1.0 };
+        let surge = -stroke.peak_rate_rad_s() * arm_m * phase_rad.sin() * side * angular_rate;
+        section.normal_acceleration_m_s2 =
+            surge * alpha_rad.sin() - speed_m_s * alpha_rad.cos() * section.twist_rate_rad_s;
+    }
+    let [lift, drag] = law.force(&section).map_err(|source| LiftError::Air {
         r_mm: r_m * 1e3,
         source,
     })?;
-    let (cl, cd) = law.coefficients.lift_and_drag(alpha_rad);
-    let load = 0.5 * law.density_kg_m3 * speed_m_s * speed_m_s * chord_m;
-    Ok([load * cl, load * cd, load * cd * speed_m_s])
+    Ok([lift, drag, drag * speed_m_s])
+}
+
+/// Drag torque at mid-stroke over that of the untwisted wing, as an effect on the motion may ask for it; 1 without drag.
+fn drag_ratio(
+    planform: &Planform,
+    law: &impl BladeLaw,
+    stroke: &Stroke,
+    twist: &TwistHistory,
+) -> Result<f64, LiftError> {
+    if !law.wants_motion() {
+        return Ok(1.0);
+    }
+    let [mut twisted, mut plain] = [0.0, 0.0];
+    let flat = TwistHistory::paper_ramp(super::twist::TwistAlongSpan::flat());
+    for [r_m, width_m] in span_points(planform, twist) {
+        let chord_m = planform.chord_m(r_m);
+        for (history, sum) in [(twist, &mut twisted), (&flat, &mut plain)] {
+            let [_, _, power] = blade(planform, law, stroke, history, r_m, chord_m, 0.0, 1.0)?;
+            *sum += power * width_m;
+        }
+    }
+    Ok(if plain > 0.0 && twisted > 0.0 {
+        twisted / plain
+    } else {
+        1.0
+    })
 }
 
 /// Quadrature points and weights along the built span, m.

@@ -1,8 +1,8 @@
 //! Lift against aerodynamic power over a sweep of the amplitude (the paper's Fig. 6a, there over four voltages).
 
-use crate::aero::AirLaw;
 use crate::geometry::Planform;
 
+use super::blade::BladeLaw;
 use super::error::LiftError;
 use super::stroke::{Stroke, stroke_means};
 use super::twist::TwistHistory;
@@ -27,7 +27,7 @@ pub struct AmplitudePoint {
 /// What `twist_at` returns; [`LiftError`] of the means; an amplitude that is negative or not finite.
 pub fn amplitude_sweep<E: From<LiftError>>(
     planform: &Planform,
-    law: &AirLaw,
+    law: &impl BladeLaw,
     stroke: &Stroke,
     half_amplitudes_rad: &[f64],
     mut twist_at: impl FnMut(&Stroke) -> Result<TwistHistory, E>,

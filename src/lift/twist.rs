@@ -173,6 +173,13 @@ impl TwistHistory {
         }
     }
 
+    /// Rate of the twist with the stroke phase at `r_m`, rad/rad; at a kink the mean of both sides.
+    pub fn rate(&self, r_m: f64, phase_rad: f64) -> f64 {
+        // straight between kinks, so the difference is exact but for rounding
+        let step = 1e-5;
+        (self.twist_rad(r_m, phase_rad + step) - self.twist_rad(r_m, phase_rad - step)) / (2.0 * step)
+    }
+
     /// Phases in [−π/2, π/2] between which the twist is smooth in time, rising, both ends included.
     pub(super) fn phase_kinks_rad(&self) -> Vec<f64> {
         let mut kinks = vec![-PI / 2.0, PI / 2.0];

@@ -12,12 +12,12 @@ use super::error::StudyError;
 use super::footing::Column;
 use super::forward::{Condition, Observable};
 use super::work::Work;
-use crate::aero::{AirLaw, Flow};
+use crate::aero::Flow;
 use crate::coupling::sensitivity::{Nearby, Rate};
 use crate::coupling::solution::Solution;
 use crate::coupling::strips::Strips;
 use crate::coupling::wing::Wing;
-use crate::coupling::{self, CouplingError, Sensitivity};
+use crate::coupling::{self, BladeAir, CouplingError, Sensitivity};
 use crate::effects::{acting, is_applicable, named};
 use crate::geometry::Planform;
 use crate::input::Design;
@@ -279,7 +279,8 @@ impl PreparedCase {
         if !self.rows.iter().any(|row| wanted.contains(&row.channel)) {
             return Ok(whole);
         }
-        let law = AirLaw::from_design(&solved.design, self.air_table.as_deref());
+        let table = self.air_table.as_deref();
+        let law = BladeAir::new(&solved.design, &solved.planform, table);
         let law = law.map_err(|error| self.failed(error))?;
         let report = LiftReport::new(&solved.planform, &law, &flow, &solved.solution.strips);
         let report = report.map_err(|error| self.failed(error))?;

@@ -8,6 +8,8 @@ pub mod in_sigma;
 
 pub mod ladder;
 
+pub mod lift;
+
 pub mod panels;
 
 pub mod residuals;

@@ -1,0 +1,302 @@
+//! Wings on their stroke, from designs and profiles on the command line, with the twist that the user asks for.
+
+use std::f64::consts::FRAC_PI_2;
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+use nalgebra::Vector3;
+
+use crate::aero::Flow;
+use crate::coupling::solution::Solution;
+use crate::effects::{Need, bind};
+use crate::input::TwistTable;
+use crate::lift::{Flight, LiftError, Stroke, TwistAlongSpan, TwistHistory};
+use crate::progress::Progress;
+use crate::structure::MassProperties;
+use crate::structure::state::State;
+
+use super::Failure;
+use super::case::{Case, DesignArguments};
+use super::reading::air_law;
+
+/// Where the twist of a design comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum TwistSource {
+    /// Solved at phases of the stroke, each as if it stood still
+    Phases,
+    /// Solved at mid-stroke, and ramped up and down over each half-stroke (20/60/20)
+    Ramp,
+    /// The measured profile that the design names, on the same ramp
+    Measured,
+    /// None
+    Flat,
+}
+
+/// A wing on its stroke, and what it was made from.
+#[derive(Debug, Clone)]
+pub struct Flown {
+    /// Name of the wing.
+    pub name: String,
+    /// File that it came from.
+    pub file: PathBuf,
+    /// The design that gives outline, air and stroke.
+    pub case: Case,
+    /// The wing on its stroke.
+    pub flight: Flight,
+    /// Solutions at parts of the full speed, for other amplitudes: (part, twist), falling; empty where twist does not follow
+    /// the speed alone.
+    pub by_speed: Vec<(f64, TwistAlongSpan)>,
+}
+
+/// Whether a file holds a profile rather than a design.
+pub fn is_profile(file: &Path) -> bool {
+    file.extension().is_some_and(|extension| extension == "csv")
+}
+
+/// A profile on the stroke of a design.
+pub fn of_profile(file: &Path, on: &Case) -> Result<Flown, Failure> {
+    let table = TwistTable::load(file)?;
+    let stroke = stroke(on)?;
+    let refuse = |error: LiftError| Failure::design(file, error);
+    let along = |points: &Vec<[f64; 2]>| {
+        let points = points.iter().map(|[r_mm, deg]| [r_mm * 1e-3, deg.to_radians()]);
+        TwistAlongSpan::from_points(points.collect()).map_err(refuse)
+    };
+    let twist = match table.profiles.as_slice() {
+        [(None, points)] => TwistHistory::paper_ramp(along(points)?),
+        profiles => {
+            let phases = profiles
+                .iter()
+                .map(|(phase_deg, points)| Ok((phase_deg.unwrap_or(0.0).to_radians(), along(points)?)));
+            TwistHistory::solved(phases.collect::<Result<_, Failure>>()?).map_err(refuse)?
+        }
+    };
+    Ok(Flown {
+        name: file
+            .file_stem()
+            .map_or("profile".into(), |stem| stem.to_string_lossy().into_owned()),
+        file: file.to_path_buf(),
+        flight: Flight {
+            planform: on.planform.clone(),
+            air: air_law(on)?,
+            stroke,
+            twist,
+        },
+        case: on.clone(),
+        by_speed: Vec::new(),
+    })
+}
+
+/// A design with the twist that is asked for; `amplitudes`: besides its own, others over it at which it will flap.
+pub fn of_design(
+    case: Case,
+    source: TwistSource,
+    phases: u16,
+    amplitudes: &[f64],
+    progress: &Progress,
+) -> Result<Flown, Failure> {
+    let stroke = stroke(&case)?;
+    let mut by_speed = Vec::new();
+    let twist = match source {
+        TwistSource::Flat => TwistHistory::paper_ramp(TwistAlongSpan::flat()),
+        TwistSource::Measured => {
+            let measurement = case.loaded.measurement.as_ref();
+            let measurement = measurement.ok_or_else(|| Failure::NoMeasurement {
+                design: case.loaded.path.clone(),
+            })?;
+            let full = TwistAlongSpan::from_measurement(measurement);
+            TwistHistory::paper_ramp(full.map_err(|error| case.fault(error))?)
+        }
+        TwistSource::Ramp => {
+            by_speed = at_speeds(&case, &[&[1.0], amplitudes].concat(), progress)?;
+            TwistHistory::paper_ramp(at_full_speed(&by_speed))
+        }
+        TwistSource::Phases => {
+            let own = (0..phases).map(|k| (FRAC_PI_2 * f64::from(k) / f64::from(phases)).cos());
+            let speeds: Vec<f64> = own.chain(amplitudes.iter().copied()).collect();
+            if follows_speed(&case)? {
+                by_speed = at_speeds(&case, &speeds, progress)?;
+                over_stroke(&by_speed, 1.0).map_err(|error| case.fault(error))?
+            } else {
+                at_phases(&case, phases, progress)?
+            }
+        }
+    };
+    Ok(Flown {
+        name: case.loaded.design.name.clone(),
+        file: case.loaded.path.clone(),
+        flight: Flight {
+            planform: case.planform.clone(),
+            air: air_law(&case)?,
+            stroke,
+            twist,
+        },
+        case,
+        by_speed,
+    })
+}
+
+impl Flown {
+    /// The same wing at another amplitude, `part` times its own; none where its twist there is not known.
+    pub fn at_amplitude(&self, part: f64, source: TwistSource) -> Option<Result<Flight, LiftError>> {
+        let twist = match (source, self.by_speed.as_slice()) {
+            (TwistSource::Measured | TwistSource::Flat, _) => Ok(self.flight.twist.clone()),
+            _ if is_profile(&self.file) => Ok(self.flight.twist.clone()),
+            (_, []) => return None,
+            (TwistSource::Ramp, known) => {
+                let near = known.iter().find(|(speed, _)| (speed - part).abs() < 1e-9)?;
+                Ok(TwistHistory::paper_ramp(near.1.clone()))
+            }
+            (TwistSource::Phases, known) => over_stroke(known, part),
+        };
+        let half_amplitude_rad = self.flight.stroke.half_amplitude_rad * part;
+        Some(twist.map(|twist| Flight {
+            stroke: Stroke {
+                half_amplitude_rad,
+                ..self.flight.stroke
+            },
+            twist,
+            ..self.flight.clone()
+        }))
+    }
+
+    /// Inertia about the stroke axis, kg·m², at rest; none for a profile, which has no mass.
+    pub fn inertia_kg_m2(&self) -> Result<Option<f64>, Failure> {
+        if is_profile(&self.file) {
+            return Ok(None);
+        }
+        let Loaded { design, table } = self.loaded();
+        let wing = crate::coupling::wing::Wing::new(design, &self.case.mesh, table);
+        let wing = wing.map_err(|source| Failure::Coupling {
+            design: self.file.clone(),
+            source,
+        })?;
+        let properties = MassProperties::of(&wing.model, &State::at_rest(wing.model.nodes.len()));
+        let axis = Vector3::new(-self.flight.planform.root_offset_m(), 0.0, 0.0);
+        let direction = Flow::from_design(design).map(|flow| flow.lift_direction());
+        Ok(direction.map(|direction| properties.about_kg_m2(&axis, &direction)))
+    }
+
+    fn loaded(&self) -> Loaded<'_> {
+        Loaded {
+            design: &self.case.loaded.design,
+            table: self.case.loaded.air_table.as_deref(),
+        }
+    }
+}
+
+struct Loaded<'a> {
+    design: &'a crate::input::Design,
+    table: Option<&'a [[f64; 3]]>,
+}
+
+fn stroke(case: &Case) -> Result<Stroke, Failure> {
+    let flow = Flow::from_design(&case.loaded.design);
+    let flow = flow.ok_or_else(|| case.fault(LiftError::NotFlapping))?;
+    Stroke::from_flow(&flow).map_err(|error| case.fault(error))
+}
+
+/// Refuses a design without stroke, or with air that cannot be set up, before anything is solved.
+pub fn can_fly(case: &Case) -> Result<(), Failure> {
+    stroke(case)?;
+    air_law(case).map(|_| ())
+}
+
+/// Whether the shape follows the speed of the air alone, whatever the phase and the motion.
+fn follows_speed(case: &Case) -> Result<bool, Failure> {
+    let bound = bind(&case.loaded.design).map_err(|error| case.fault(error))?;
+    let is_free = |card: crate::effects::Card| {
+        let moves = |need: &Need| matches!(need, Need::Motion | Need::OffMidStroke);
+        let own = crate::effects::named(card.name).is_none();
+        !card.needs.iter().any(moves) && card.name != "phase-lag" && !own
+    };
+    Ok(bound.iter().all(|bound| is_free(bound.effect.card())))
+}
+
+/// Twist as solved at mid-stroke with these parts of the amplitude, from the largest down.
+fn at_speeds(case: &Case, parts: &[f64], progress: &Progress) -> Result<Vec<(f64, TwistAlongSpan)>, Failure> {
+    let mut parts: Vec<f64> = parts.iter().copied().filter(|part| *part > 0.0).collect();
+    parts.sort_by(|a, b| b.total_cmp(a));
+    parts.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+    let amplitude_deg = case.loaded.design.flapping.as_ref();
+    let amplitude_deg = amplitude_deg.map_or(0.0, |flapping| flapping.half_amplitude_deg.value());
+    let mut last: Option<Solution> = None;
+    let mut known = Vec::new();
+    for part in parts {
+        let name = &case.loaded.design.name;
+        progress.say(format_args!(
+            "solving {name} at {:.0} % of its speed",
+            100.0 * part
+        ));
+        let mut design = case.loaded.design.clone();
+        design.set("flapping.phase_deg", 0.0)?;
+        if part != 1.0 {
+            design.set("flapping.half_amplitude_deg", amplitude_deg * part)?;
+        }
+        let case = case.with(design).map_err(|error| case.fault(error))?;
+        let solution = case
+            .solve_from(last.as_ref(), progress)
+            .map_err(|source| Failure::Phase {
+                design: case.loaded.path.clone(),
+                phase_deg: part.min(1.0).acos().to_degrees(),
+                source,
+            })?;
+        known.push((part, twist_of(&case, &solution)?));
+        last = Some(solution);
+    }
+    Ok(known)
+}
+
+fn at_phases(case: &Case, count: u16, progress: &Progress) -> Result<TwistHistory, Failure> {
+    let mut phases = Vec::new();
+    let mut last: Option<Solution> = None;
+    for index in 0..count {
+        let phase = FRAC_PI_2 * f64::from(index) / f64::from(count);
+        let phase_deg = phase.to_degrees();
+        progress.say(format_args!(
+            "solving {} at phase {phase_deg:.0} deg",
+            case.loaded.design.name
+        ));
+        let mut design = case.loaded.design.clone();
+        design.set("flapping.phase_deg", phase_deg)?;
+        let case = case.with(design).map_err(|error| case.fault(error))?;
+        let solution = case
+            .solve_from(last.as_ref(), progress)
+            .map_err(|source| Failure::Phase {
+                design: case.loaded.path.clone(),
+                phase_deg,
+                source,
+            })?;
+        phases.push((phase, twist_of(&case, &solution)?));
+        last = Some(solution);
+    }
+    TwistHistory::solved(phases).map_err(|error| case.fault(error))
+}
+
+fn twist_of(case: &Case, solution: &Solution) -> Result<TwistAlongSpan, Failure> {
+    let stop = case.loaded.design.flapping.as_ref();
+    let stop_rad = stop.map_or(0.0, |flapping| flapping.stop_angle_deg.value().to_radians());
+    TwistAlongSpan::from_strips(&solution.strips, stop_rad).map_err(|error| case.fault(error))
+}
+
+fn at_full_speed(known: &[(f64, TwistAlongSpan)]) -> TwistAlongSpan {
+    let full = known.iter().find(|(part, _)| (part - 1.0).abs() < 1e-9);
+    full.map_or_else(TwistAlongSpan::flat, |(_, twist)| twist.clone())
+}
+
+/// The twist over the stroke at `part` of the amplitude, where each speed has its known twist.
+fn over_stroke(known: &[(f64, TwistAlongSpan)], part: f64) -> Result<TwistHistory, LiftError> {
+    let reached = known.iter().filter(|(speed, _)| *speed <= part * (1.0 + 1e-9));
+    let phases = reached.map(|(speed, twist)| ((speed / part).min(1.0).acos(), twist.clone()));
+    TwistHistory::solved(phases.collect())
+}
+
+/// A design file that is flown on its own terms.
+pub fn design_arguments(file: &Path, set: &[String], refine: Option<f64>) -> DesignArguments {
+    DesignArguments {
+        design: file.to_path_buf(),
+        set: set.to_vec(),
+        refine,
+        mesh: None,
+    }
+}

@@ -1,0 +1,403 @@
+//! `washout lift`: what a twist profile buys in lift, power and efficiency.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use rayon::prelude::*;
+
+use crate::export::lift::{
+    Inertial, LiftSummary, RatioSet, SpanCurve, StrokeCurve, SweepCurve, WingLift, WingRatios,
+};
+use crate::export::pictures;
+use crate::export::run::RunFolder;
+use crate::lift::{
+    Forces, InertialPower, LiftError, Ratios, StrokeMeans, departure_from_ellipse, mean_local_lift_to_drag,
+    span_distribution,
+};
+
+use super::case::Case;
+use super::flights::{Flown, TwistSource, can_fly, design_arguments, is_profile, of_design, of_profile};
+use super::lift_ratios::{measured, sensitivity, wing_ratios};
+use super::{Console, Failure};
+
+/// Points of a half-stroke at which forces are written.
+const INSTANTS: usize = 181;
+
+/// Arguments of `washout lift`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout lift designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml
+  washout lift designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml --twist measured --sensitivity
+  washout lift designs/rigid.toml my-profile.csv          a profile (r_mm, twist_deg) on the stroke of the first design
+  washout lift designs/twist-v2.toml --sweep 8            lift against power over the amplitude
+  washout lift designs/twist-v2.toml --with rotational-lift --with added-mass --inertial-power
+  washout lift designs/*.toml --json | jq '.ratios[].equal_rate'
+
+Ratios refer to the first wing, or to --reference. Writes output/lift/ (or output/NAME-lift/ for one wing): lift.csv,
+ratios.csv, span, stroke and sweep as pictures (SVG) with the numbers behind each (CSV), summary.json.")]
+pub struct Lift {
+    /// Designs, and twist profiles as CSV (r_mm, twist_deg, and phase_deg where there are several)
+    #[arg(required = true, value_name = "DESIGN|PROFILE")]
+    pub wings: Vec<PathBuf>,
+    /// Wing that ratios refer to [default: the first]
+    #[arg(long, value_name = "DESIGN|PROFILE")]
+    pub reference: Option<PathBuf>,
+    /// Design whose outline, air and stroke the profiles fly with [default: the first design]
+    #[arg(long, value_name = "DESIGN")]
+    pub on: Option<PathBuf>,
+    /// Where the twist of the designs comes from
+    #[arg(long, value_enum, default_value_t = TwistSource::Phases)]
+    pub twist: TwistSource,
+    /// Phases of the stroke that are solved, from mid-stroke to the reversal, for --twist phases
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u16).range(2..=99))]
+    pub phases: u16,
+    /// Flap at N amplitudes besides, from 70 % to 130 % of each wing's own, or over --amplitudes
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=99))]
+    pub sweep: Option<u16>,
+    /// Half amplitudes of the sweep, deg
+    #[arg(
+        long,
+        value_name = "FROM,TO",
+        value_delimiter = ',',
+        num_args = 2,
+        requires = "sweep"
+    )]
+    pub amplitudes: Option<Vec<f64>>,
+    /// Add an effect with strength 1, e.g. rotational-lift or added-mass; can be given many times
+    #[arg(long, value_name = "EFFECT")]
+    pub with: Vec<String>,
+    /// Power against the wing's own inertia besides
+    #[arg(long)]
+    pub inertial_power: bool,
+    /// How the ratios move with what is not known, the twist kept
+    #[arg(long)]
+    pub sensitivity: bool,
+    /// Set a key of every design, e.g. flapping.half_amplitude_deg=30; can be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Refine the mesh by this factor in both directions
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
+    pub refine: Option<f64>,
+    /// Folder to write into [default: output/lift, or output/NAME-lift for one wing]
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+impl Lift {
+    /// Flies the wings.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let parts = self.parts()?;
+        let (ready, reference) = self.ready()?;
+        let mut folder = RunFolder::create(&self.target())?;
+        let flown = self.flown(ready, &parts, console)?;
+        let means: Vec<StrokeMeans> = flown.iter().map(means).collect::<Result<_, Failure>>()?;
+        let mut summary = LiftSummary {
+            washout_version: env!("CARGO_PKG_VERSION").to_string(),
+            twist: self.words(&flown),
+            reference: flown[reference].name.clone(),
+            wings: Vec::new(),
+            ratios: Vec::new(),
+            span: Vec::new(),
+            stroke: Vec::new(),
+            sweep: Vec::new(),
+            sensitivity: Vec::new(),
+            warnings: Vec::new(),
+            files: Vec::new(),
+        };
+        for (index, (wing, mean)) in flown.iter().zip(&means).enumerate() {
+            let fault = |error: LiftError| Failure::design(&wing.file, error);
+            let instants = wing.flight.instants(INSTANTS).map_err(fault)?;
+            summary.stroke.push(StrokeCurve {
+                wing: wing.name.clone(),
+                phase_deg: instants.iter().map(|i| i.phase_rad.to_degrees()).collect(),
+                lift_mn: instants.iter().map(|i| i.lift_n * 1e3).collect(),
+                drag_mn: instants.iter().map(|i| i.drag_n * 1e3).collect(),
+                power_mw: instants.iter().map(|i| i.power_w * 1e3).collect(),
+            });
+            summary.span.push(curve(wing, mean, &means[reference]));
+            let inertia = if self.inertial_power {
+                wing.inertia_kg_m2()?
+            } else {
+                None
+            };
+            let inertial = inertia.map(|inertia| InertialPower::of(&wing.flight, inertia, &instants));
+            summary.wings.push(row(wing, mean, inertial));
+            if index != reference {
+                let ratios = Ratios::between(mean, &means[reference]).map_err(fault)?;
+                let frequency = wing.flight.stroke.frequency_hz / flown[reference].flight.stroke.frequency_hz;
+                let found: WingRatios =
+                    wing_ratios(&wing.name, &ratios, frequency, measured(wing)).map_err(fault)?;
+                summary.ratios.push(found);
+                if self.sensitivity {
+                    summary.sensitivity.extend(sensitivity(wing, &flown[reference])?);
+                }
+            }
+            if let Some(sweep) = self.swept(wing, &parts)? {
+                summary.sweep.push(sweep);
+            } else if !parts.is_empty() {
+                summary.warnings.push(format!(
+                    "{} is left out of the sweep: an effect on it knows the phase or the motion, so its twist does not follow \
+                     the speed alone.",
+                    wing.name
+                ));
+            }
+        }
+        summary.warnings.extend(self.warnings(&summary));
+        pictures::lift::add(&mut folder, &summary)?;
+        summary.files = folder.listed();
+        folder.add_summary(&summary)?;
+        console.progress().check()?;
+        let path = folder.commit()?;
+        console.result(&summary.page(&path.display().to_string()), &summary)
+    }
+
+    fn target(&self) -> PathBuf {
+        let name = match self.wings.as_slice() {
+            [only] if self.reference.is_none() => {
+                let stem = only.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+                format!("{}-lift", stem.unwrap_or_default())
+            }
+            _ => "lift".to_string(),
+        };
+        self.output
+            .clone()
+            .unwrap_or_else(|| PathBuf::from("output").join(name))
+    }
+
+    /// The wings as far as they can be had without solving, and which of them is the reference.
+    fn ready(&self) -> Result<(Vec<Ready>, usize), Failure> {
+        let mut files = self.wings.clone();
+        let reference = match &self.reference {
+            None => 0,
+            Some(file) => files.iter().position(|known| known == file).unwrap_or_else(|| {
+                files.insert(0, file.clone());
+                0
+            }),
+        };
+        let mut sets = self.set.clone();
+        sets.extend(
+            self.with
+                .iter()
+                .map(|name| format!("effects.{name}.strength=1.0")),
+        );
+        let case = |file: &PathBuf| -> Result<Case, Failure> {
+            let case = Case::new(design_arguments(file, &sets, self.refine).load(&[])?)?;
+            can_fly(&case)?;
+            Ok(case)
+        };
+        let designs: Vec<Option<Case>> = files
+            .iter()
+            .map(|file| (!is_profile(file)).then(|| case(file)).transpose())
+            .collect::<Result<_, Failure>>()?;
+        let on = match &self.on {
+            Some(file) => Some(case(file)?),
+            None => designs.iter().flatten().next().cloned(),
+        };
+        let ready = files
+            .iter()
+            .zip(designs)
+            .map(|(file, design)| match (design, &on) {
+                (Some(case), _) => Ok(Ready::Design(Box::new(case))),
+                (None, Some(on)) => Ok(Ready::Profile(Box::new(of_profile(file, on)?))),
+                (None, None) => Err(Failure::Option {
+                    option: "--on",
+                    reason: "a profile has no outline, air and stroke; name a design that gives them"
+                        .to_string(),
+                }),
+            });
+        let ready = ready.collect::<Result<Vec<Ready>, Failure>>()?;
+        let name = |ready: &Ready| match ready {
+            Ready::Design(case) => case.loaded.design.name.clone(),
+            Ready::Profile(flown) => flown.name.clone(),
+        };
+        let names: Vec<String> = ready.iter().map(name).collect();
+        if let Some(twice) = (1..names.len()).find(|&i| names[..i].contains(&names[i])) {
+            let reason = format!(
+                "two wings are called '{}'; give one of them another name",
+                names[twice]
+            );
+            let option = "DESIGN|PROFILE";
+            return Err(Failure::Option { option, reason });
+        }
+        Ok((ready, reference))
+    }
+
+    /// The wings with their twist.
+    fn flown(&self, ready: Vec<Ready>, parts: &[f64], console: &Console) -> Result<Vec<Flown>, Failure> {
+        console.progress().say("solving");
+        let (source, phases) = (self.twist, self.phases);
+        let unseen = console.progress().unseen();
+        let fly = |ready: Ready| match ready {
+            Ready::Design(case) => {
+                let own = self.own_parts(&case, parts);
+                of_design(*case, source, phases, &own, &unseen)
+            }
+            Ready::Profile(flown) => Ok(*flown),
+        };
+        let flown: Vec<Result<Flown, Failure>> = ready.into_par_iter().map(fly).collect();
+        flown.into_iter().collect()
+    }
+
+    /// Amplitudes of the sweep: parts of each wing's own, or degrees where --amplitudes is given.
+    fn parts(&self) -> Result<Vec<f64>, Failure> {
+        let Some(count) = self.sweep else {
+            return Ok(Vec::new());
+        };
+        let [from, to] = match self.amplitudes.as_deref() {
+            Some([from, to]) => [*from, *to],
+            _ => [0.7, 1.3],
+        };
+        let is_range = from > 0.0 && to > from && to <= 180.0;
+        if !is_range {
+            return Err(Failure::Option {
+                option: "--amplitudes",
+                reason: format!(
+                    "{from},{to} is no range; give a smaller and a larger half amplitude in degrees, e.g. 24,45"
+                ),
+            });
+        }
+        let step = (to - from) / f64::from(count - 1);
+        Ok((0..count).map(|k| from + f64::from(k) * step).collect())
+    }
+
+    /// The same as parts of the amplitude of a design.
+    fn own_parts(&self, case: &Case, parts: &[f64]) -> Vec<f64> {
+        let own_deg = case
+            .loaded
+            .design
+            .flapping
+            .as_ref()
+            .map(|f| f.half_amplitude_deg.value());
+        match (&self.amplitudes, own_deg) {
+            (Some(_), Some(own)) if own > 0.0 => parts.iter().map(|deg| deg / own).collect(),
+            _ => parts.to_vec(),
+        }
+    }
+
+    fn swept(&self, wing: &Flown, parts: &[f64]) -> Result<Option<SweepCurve>, Failure> {
+        if parts.is_empty() {
+            return Ok(None);
+        }
+        let mut curve = SweepCurve {
+            wing: wing.name.clone(),
+            half_amplitude_deg: Vec::new(),
+            lift_mn: Vec::new(),
+            drag_mn: Vec::new(),
+            power_mw: Vec::new(),
+        };
+        for part in self.own_parts(&wing.case, parts) {
+            let Some(flight) = wing.at_amplitude(part, self.twist) else {
+                return Ok(None);
+            };
+            let fault = |error: LiftError| Failure::design(&wing.file, error);
+            let flight = flight.map_err(fault)?;
+            let mean = flight.means().map_err(fault)?;
+            curve
+                .half_amplitude_deg
+                .push(flight.stroke.half_amplitude_rad.to_degrees());
+            curve.lift_mn.push(mean.lift_n * 1e3);
+            curve.drag_mn.push(mean.drag_n * 1e3);
+            curve.power_mw.push(mean.power_w * 1e3);
+        }
+        Ok(Some(curve))
+    }
+
+    fn words(&self, flown: &[Flown]) -> String {
+        let designs = match self.twist {
+            TwistSource::Phases => format!("twist solved at {} phases of the stroke", self.phases),
+            TwistSource::Ramp => "twist solved at mid-stroke, on the 20/60/20 ramp".to_string(),
+            TwistSource::Measured => "measured twist on the 20/60/20 ramp".to_string(),
+            TwistSource::Flat => "no twist".to_string(),
+        };
+        match flown.iter().filter(|wing| is_profile(&wing.file)).count() {
+            0 => designs,
+            count if count == flown.len() => "twist as given".to_string(),
+            _ => format!("{designs}; twist of profiles as given"),
+        }
+    }
+
+    fn warnings(&self, summary: &LiftSummary) -> Vec<String> {
+        let mut warnings = Vec::new();
+        let assumed: Vec<&WingLift> = summary
+            .wings
+            .iter()
+            .filter(|wing| wing.half_amplitude_is_assumed)
+            .collect();
+        if !assumed.is_empty() {
+            warnings.push(
+                "The amplitude is assumed: lift goes with its square and power with its cube. Ratios at equal frequency × \
+                 amplitude do not depend on it while the twist is kept."
+                    .to_string(),
+            );
+        }
+        if self.with.iter().any(|name| name == "added-mass") {
+            warnings.push(
+                "Added mass moves the force within the stroke; over a whole stroke with the same twist on both sides of \
+                 mid-stroke it gives no mean lift and takes no mean power."
+                    .to_string(),
+            );
+        }
+        warnings
+    }
+}
+
+/// A wing before its twist is known.
+enum Ready {
+    Design(Box<Case>),
+    Profile(Box<Flown>),
+}
+
+fn means(wing: &Flown) -> Result<StrokeMeans, Failure> {
+    wing.flight
+        .means()
+        .map_err(|error| Failure::design(&wing.file, error))
+}
+
+fn row(wing: &Flown, mean: &StrokeMeans, inertial: Option<InertialPower>) -> WingLift {
+    let (flight, design) = (&wing.flight, &wing.case.loaded.design);
+    let amplitude = design
+        .flapping
+        .as_ref()
+        .map(|flapping| &flapping.half_amplitude_deg);
+    let tip_m = flight.planform.tip_m();
+    let positive = |power_w: f64| (power_w > 0.0).then(|| mean.lift_n / power_w);
+    WingLift {
+        name: wing.name.clone(),
+        file: wing.file.display().to_string(),
+        frequency_hz: flight.stroke.frequency_hz,
+        half_amplitude_deg: flight.stroke.half_amplitude_rad.to_degrees(),
+        half_amplitude_is_assumed: amplitude.is_some_and(|amplitude| amplitude.assumption().is_some()),
+        stop_angle_deg: flight.stroke.stop_angle_rad.to_degrees(),
+        tip_twist_deg: flight.twist.twist_rad(tip_m, 0.0).to_degrees(),
+        effects: design.effects.keys().cloned().collect(),
+        mean: Forces::of_means("mean over the stroke", mean),
+        local_lift_to_drag: mean_local_lift_to_drag(mean),
+        departure_from_ellipse: departure_from_ellipse(mean),
+        inertial: inertial.map(|inertial| Inertial {
+            inertia_g_mm2: inertial.inertia_kg_m2 * 1e9,
+            largest_mw: inertial.largest_w * 1e3,
+            mean_without_recovery_mw: inertial.mean_without_recovery_w * 1e3,
+            lift_per_power_n_per_w: positive(inertial.mean_without_recovery_w),
+        }),
+    }
+}
+
+fn curve(wing: &Flown, mean: &StrokeMeans, reference: &StrokeMeans) -> SpanCurve {
+    let points = span_distribution(mean, reference);
+    SpanCurve {
+        wing: wing.name.clone(),
+        r_mm: points.iter().map(|p| p.r_m * 1e3).collect(),
+        twist_deg: mean.stations.iter().map(|s| s.twist_rad.to_degrees()).collect(),
+        // N/m is mN/mm
+        lift_mn_per_mm: points.iter().map(|p| p.lift_n_per_m).collect(),
+        drag_mn_per_mm: points.iter().map(|p| p.drag_n_per_m).collect(),
+        lift_to_drag: points.iter().map(|p| p.lift_to_drag).collect(),
+    }
+}
+
+impl RatioSet {
+    /// Of ratios at another multiple of the reference's frequency × amplitude.
+    pub fn at(ratios: &Ratios, rate_ratio: f64) -> Result<RatioSet, LiftError> {
+        Ok(RatioSet::from(&ratios.at_rate_ratio(rate_ratio)?))
+    }
+}

@@ -1,0 +1,195 @@
+//! The air on blade elements of given angle and speed, effects included: for a lift model that knows no deformed shape.
+
+use super::error::CouplingError;
+use crate::aero::{AeroError, AirLaw, Flow, SectionAir, SectionChange, SectionCoefficients};
+use crate::effects::{Bound, Dual, Motion, Need, Seam, StripMotion, StripPlace, bind};
+use crate::geometry::Planform;
+use crate::input::design::Design;
+use nalgebra::Vector3;
+
+/// The air of a design on blade elements: its laws, its effects at the seam of the air, and the mass of the moved air
+/// where the effect `added-mass` is on.
+#[derive(Debug, Clone)]
+pub struct BladeAir {
+    law: AirLaw,
+    design: Design,
+    effects: Vec<Bound>,
+    flow: Option<Flow>,
+    tip_m: f64,
+    mean_chord_m: f64,
+    moved_air: f64,
+    wants_motion: bool,
+}
+
+/// A blade element at a moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BladeSection {
+    /// Span position, m.
+    pub r_m: f64,
+    /// Chord, m.
+    pub chord_m: f64,
+    /// Angle between chord and stream, rad.
+    pub alpha_rad: f64,
+    /// Speed of the stream, m/s.
+    pub speed_m_s: f64,
+    /// Stroke phase, rad; 0 is mid-stroke.
+    pub phase_rad: f64,
+    /// Rate of the twist, rad/s, positive while it washes out more.
+    pub twist_rate_rad_s: f64,
+    /// Rate of the stream's component across the chord, m/s².
+    pub normal_acceleration_m_s2: f64,
+    /// Drag torque of the wing at mid-stroke over that of the untwisted wing.
+    pub drag_ratio: f64,
+}
+
+impl BladeAir {
+    /// The air of a design with its effects.
+    ///
+    /// # Errors
+    /// If its laws or effects cannot be set up.
+    pub fn new(
+        design: &Design,
+        planform: &Planform,
+        air_table: Option<&[[f64; 3]]>,
+    ) -> Result<Self, CouplingError> {
+        let bound = bind(design)?;
+        let moved_air = bound
+            .iter()
+            .find(|bound| bound.effect.card().name == "added-mass")
+            .map_or(0.0, |bound| bound.values.strength());
+        let effects: Vec<Bound> = bound
+            .into_iter()
+            .filter(|bound| bound.effect.card().seam == Seam::Air)
+            .collect();
+        let moves = |bound: &Bound| bound.effect.card().needs.contains(&Need::Motion);
+        Ok(BladeAir {
+            law: AirLaw::from_design(design, air_table)?,
+            design: design.clone(),
+            wants_motion: effects.iter().any(moves),
+            effects,
+            flow: Flow::from_design(design),
+            tip_m: planform.tip_m(),
+            mean_chord_m: planform.area_m2() / planform.tip_m(),
+            moved_air,
+        })
+    }
+
+    /// The laws without effects.
+    pub fn law(&self) -> &AirLaw {
+        &self.law
+    }
+
+    /// Whether an effect acts by the rates of the motion, so that a section needs them.
+    pub fn wants_motion(&self) -> bool {
+        self.wants_motion || self.moved_air != 0.0
+    }
+
+    /// Lift across the stream and drag along it, N/m.
+    ///
+    /// # Errors
+    /// [`AeroError::OutsideTable`] for an angle that a table of coefficients does not cover.
+    pub fn force(&self, section: &BladeSection) -> Result<[f64; 2], AeroError> {
+        let BladeSection {
+            alpha_rad,
+            speed_m_s,
+            chord_m,
+            ..
+        } = *section;
+        self.law.check(alpha_rad)?;
+        let half = 0.5 * self.law.density_kg_m3 * chord_m;
+        if self.effects.is_empty() && self.moved_air == 0.0 {
+            let (cl, cd) = self.law.coefficients.lift_and_drag(alpha_rad);
+            let load = half * speed_m_s * speed_m_s;
+            return Ok([load * cl, load * cd]);
+        }
+        let flow = self.flow.map(|flow| at_phase(flow, section.phase_rad));
+        let motion = self.wants_motion.then(|| still(section));
+        let acting = ActingOnBlade {
+            effects: &self.effects,
+            place: StripPlace {
+                design: &self.design,
+                flow: flow.as_ref(),
+                law: &self.law,
+                r_m: section.r_m,
+                tip_m: self.tip_m,
+                chord_m,
+                mean_chord_m: self.mean_chord_m,
+                density_kg_m3: self.law.density_kg_m3,
+                root_angle_rad: flow.map_or(0.0, |flow| flow.root_angle_rad()),
+                motion: motion.as_ref(),
+            },
+        };
+        let mut air = SectionAir {
+            alpha: Dual::from(alpha_rad),
+            speed_squared: Dual::from(speed_m_s * speed_m_s),
+            normal: Vector3::<f64>::z().map(|x| Dual::from(x)),
+            chord: Vector3::<f64>::y().map(|x| Dual::from(x)),
+        };
+        let now = self.law.section(&mut air, &acting);
+        let load = half * air.speed_squared.re;
+        // lift and drag of the section stand on the stream that the effects left
+        let (sin, cos) = (air.alpha.re - alpha_rad).sin_cos();
+        let (lift, drag) = (load * now.cl.re, load * now.cd.re);
+        let moved = std::f64::consts::FRAC_PI_4 * self.law.density_kg_m3 * chord_m * chord_m;
+        let normal = now.normal_n_per_m.re + self.moved_air * moved * section.normal_acceleration_m_s2;
+        let (sin_alpha, cos_alpha) = alpha_rad.sin_cos();
+        Ok([
+            lift * cos + drag * sin + normal * cos_alpha,
+            drag * cos - lift * sin + normal * sin_alpha,
+        ])
+    }
+}
+
+fn at_phase(flow: Flow, phase: f64) -> Flow {
+    match flow {
+        Flow::Flapping {
+            frequency_hz,
+            half_amplitude_rad,
+            stop_angle_rad,
+            root_offset_m,
+            ..
+        } => Flow::Flapping {
+            frequency_hz,
+            half_amplitude_rad,
+            stop_angle_rad,
+            root_offset_m,
+            phase_rad: phase,
+        },
+        steady => steady,
+    }
+}
+
+/// The motion as far as one blade element shows it.
+fn still(section: &BladeSection) -> Motion {
+    Motion {
+        inertia: Vec::new(),
+        moved_air: Vec::new(),
+        moved_air_of_stroke: Vec::new(),
+        strips: vec![StripMotion {
+            r_m: section.r_m,
+            twist_rate_rad_s: section.twist_rate_rad_s,
+            twist_acceleration_rad_s2: 0.0,
+        }],
+        drag_ratio: section.drag_ratio,
+    }
+}
+
+/// The effects that act on one blade element.
+struct ActingOnBlade<'a> {
+    effects: &'a [Bound],
+    place: StripPlace<'a>,
+}
+
+impl SectionChange<Dual> for ActingOnBlade<'_> {
+    fn flow(&self, air: &mut SectionAir<Dual>) {
+        for bound in self.effects {
+            bound.effect.flow(&bound.values, &self.place, air);
+        }
+    }
+
+    fn coefficients(&self, air: &SectionAir<Dual>, now: &mut SectionCoefficients<Dual>) {
+        for bound in self.effects {
+            bound.effect.coefficients(&bound.values, &self.place, air, now);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! Why a search gives nothing.
+
+use thiserror::Error;
+
+use crate::coupling::CouplingError;
+use crate::geometry::GeometryError;
+use crate::input::InputError;
+use crate::lift::LiftError;
+use crate::progress::Cancelled;
+
+/// A search that cannot be made.
+#[derive(Debug, Error)]
+pub enum ExploreError {
+    /// A setting out of its range.
+    #[error("{name} = {value}: {cure}")]
+    Setting {
+        /// What it is.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it may be.
+        cure: &'static str,
+    },
+    /// The lift model refuses a wing.
+    #[error(transparent)]
+    Lift(#[from] LiftError),
+    /// The air or a wing cannot be set up or solved.
+    #[error(transparent)]
+    Coupling(#[from] CouplingError),
+    /// A changed design is refused.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// A changed design has no outline.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// Nothing measured to fit to.
+    #[error(
+        "no wing has a measured effective lift coefficient to fit the shape factor to; name designs whose measurement has \
+         rows of channel effective_lift_ratio, or give its strength with --gain-strength"
+    )]
+    NothingToFit,
+    /// A gain of lift that a wing without twist has too, or that no twist makes.
+    #[error(
+        "{effect} does not change the lift of any of the measured wings; choose an effect that grows with twist"
+    )]
+    NoGain {
+        /// Name of the effect.
+        effect: String,
+    },
+    /// The user asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
