@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::blind::BlindError;
 use crate::coupling::CouplingError;
 use crate::diagnose::DiagnoseError;
+use crate::explore::ExploreError;
 use crate::export::ExportError;
 use crate::input::InputError;
 use crate::progress::Cancelled;
@@ -133,6 +134,14 @@ pub enum Failure {
         /// What they share.
         what: &'static str,
     },
+    /// A search that cannot be made.
+    #[error("{}: {source}", design.display())]
+    Explore {
+        /// The design file.
+        design: PathBuf,
+        /// Why.
+        source: ExploreError,
+    },
     /// An option that this design does not allow.
     #[error("{option}: {reason}")]
     Option {
@@ -219,6 +228,12 @@ impl Failure {
             },
             Failure::Synthesis { source, .. } => match source {
                 SynthesizeError::Study(source) => source.exit_code(),
+                _ => 2,
+            },
+            Failure::Explore { source, .. } => match source {
+                ExploreError::Cancelled(_) => 130,
+                ExploreError::Coupling(source) if source.is_not_converged() => 3,
+                ExploreError::Coupling(CouplingError::Interrupted(_)) => 130,
                 _ => 2,
             },
             Failure::OwnWord { .. } | Failure::Blind { .. } => 2,

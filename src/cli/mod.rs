@@ -27,6 +27,8 @@ pub mod lift;
 
 pub mod lift_ratios;
 
+pub mod pareto;
+
 pub mod divergence;
 
 pub mod modes;
@@ -102,6 +104,8 @@ pub enum Verb {
     Compare(compare::Compare),
     /// What twist buys: lift, power and efficiency over the stroke, wings side by side
     Lift(lift::Lift),
+    /// The front between lift and efficiency over twist profiles
+    Pareto(pareto::Pareto),
     /// Raise the speed or the amplitude until the wing has no equilibrium any more
     Divergence(divergence::Divergence),
     /// Natural frequencies and mode shapes, unloaded or in flight
@@ -144,6 +148,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Solve(verb) => verb.run(&console),
         Verb::Compare(verb) => verb.run(&console),
         Verb::Lift(verb) => verb.run(&console),
+        Verb::Pareto(verb) => verb.run(&console),
         Verb::Divergence(verb) => verb.run(&console),
         Verb::Modes(verb) => verb.run(&console),
         Verb::Mesh(verb) => verb.run(&console),

@@ -50,6 +50,8 @@ pub enum Output {
     Compare,
     /// `washout lift --json`
     Lift,
+    /// `washout pareto --json`
+    Pareto,
     /// `washout divergence --json`
     Divergence,
     /// `washout diff --json`
@@ -95,6 +97,7 @@ impl Schema {
             Some(Output::Solve) => schemars::schema_for!(RunSummary),
             Some(Output::Compare) => schemars::schema_for!(super::compare::CompareReport),
             Some(Output::Lift) => schemars::schema_for!(crate::export::lift::LiftSummary),
+            Some(Output::Pareto) => schemars::schema_for!(crate::export::pareto::ParetoSummary),
             Some(Output::Divergence) => schemars::schema_for!(super::divergence::DivergenceReport),
             Some(Output::Diff) => schemars::schema_for!(Difference),
             Some(Output::Modes) => schemars::schema_for!(ModesSummary),

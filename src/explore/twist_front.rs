@@ -49,8 +49,8 @@ impl Efficiency {
 pub struct TwistFront {
     /// Lift: with every effect.
     lifting: Blades,
-    /// Efficiency: without the shape factor, unless it counts there too.
-    efficient: Blades,
+    /// Efficiency: without the shape factor; none where there is no such factor.
+    efficient: Option<Blades>,
     efficiency: Efficiency,
     /// Lift and efficiency of the wing without twist at its own stop.
     base: [f64; 2],
@@ -76,6 +76,7 @@ impl TwistFront {
     ///
     /// # Errors
     /// If the air cannot be set up.
+    #[allow(clippy::too_many_arguments)]
     pub fn new(
         design: &Design,
         with_gain: &Design,
@@ -96,7 +97,9 @@ impl TwistFront {
         };
         let mut front = TwistFront {
             lifting: blades(with_gain)?,
-            efficient: blades(design)?,
+            efficient: (design.effects != with_gain.effects)
+                .then(|| blades(design))
+                .transpose()?,
             efficiency,
             base: [1.0, 1.0],
             family,
@@ -110,9 +113,12 @@ impl TwistFront {
     /// # Errors
     /// If the lift cannot be computed.
     pub fn aims(&self, twist: &TwistAlongSpan) -> Result<[f64; 2], ExploreError> {
-        let lift = self.lifting.totals(twist)?.lift_n;
-        let efficiency = self.efficiency.of(&self.efficient.totals(twist)?);
-        Ok([lift / self.base[0], efficiency / self.base[1]])
+        let lifting = self.lifting.totals(twist)?;
+        let efficiency = match &self.efficient {
+            Some(efficient) => self.efficiency.of(&efficient.totals(twist)?),
+            None => self.efficiency.of(&lifting),
+        };
+        Ok([lifting.lift_n / self.base[0], efficiency / self.base[1]])
     }
 
     /// The front as an evolving population finds it, by rising lift.

@@ -12,6 +12,8 @@ pub mod measurement;
 
 pub mod modes;
 
+pub mod pareto;
+
 pub mod lift;
 
 pub mod plan;

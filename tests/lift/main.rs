@@ -1,6 +1,10 @@
 //! What twist buys: the paper's own results from its profiles, and the program that prints them.
 
+mod front;
+
 mod paper;
+
+mod pareto;
 
 mod verb;
 

@@ -12,6 +12,8 @@ pub mod lift;
 
 pub mod panels;
 
+pub mod pareto;
+
 pub mod residuals;
 
 pub mod tables;

@@ -1,0 +1,409 @@
+//! `washout pareto`: the front between lift and efficiency over twist profiles.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use crate::effects::acting;
+use crate::explore::shape_factor::{Gained, with_strength};
+use crate::explore::twist_front::{area, efficiency_at, other_stops};
+use crate::explore::{Efficiency, ExploreError, FrontPoint, Nsga2, ShapeFactor, StagedTwist, TwistFront};
+use crate::export::pareto::{
+    Algorithm, Exhaustive, FittedFactor, FittedWing, Front, Gap, Marked, ParetoSummary, Profile,
+    UntwistedPoint,
+};
+use crate::export::pictures;
+use crate::export::run::RunFolder;
+use crate::input::Design;
+use crate::lift::{Stroke, TwistAlongSpan, TwistHistory};
+use crate::progress::Progress;
+
+use super::case::Case;
+use super::flights::{TwistSource, can_fly, design_arguments, is_profile, of_design, of_profile};
+use super::lift_ratios::measured;
+use super::{Console, Failure};
+
+/// Arguments of `washout pareto`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout pareto designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml
+  washout pareto designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml --rates 0.001,0.83 --exhaustive
+  washout pareto designs/rigid.toml --no-gain --ramp 0      blade elements alone, the twist held over the stroke
+  washout pareto designs/rigid.toml my-profile.csv --gain lift-gain-saturating --gain-strength 0.5
+
+The first design gives outline, air and stroke; the others, with their measured twist, and profiles (CSV: r_mm, twist_deg)
+are marked at that stroke, and the shape factor is fitted to the effective lift coefficients that were measured of them.
+Writes output/NAME-pareto/: front.svg, front.csv, profiles.svg, untwisted.csv, summary.json. The same seed gives the same
+front at any number of threads.")]
+pub struct Pareto {
+    /// Design that gives outline, air and stroke
+    pub design: PathBuf,
+    /// Designs with a measured twist, and profiles, to mark
+    #[arg(value_name = "DESIGN|PROFILE")]
+    pub marks: Vec<PathBuf>,
+    /// Straight stages of a profile
+    #[arg(long, value_name = "N", default_value_t = 3)]
+    pub stages: usize,
+    /// Least and largest twist rate of a stage, deg/mm
+    #[arg(long, value_name = "LEAST,LARGEST", value_delimiter = ',', num_args = 2, default_values_t = [0.001, 1.4])]
+    pub rates: Vec<f64>,
+    /// What counts as efficiency
+    #[arg(long, value_enum, default_value_t = EfficiencyName::LocalLiftToDrag)]
+    pub efficiency: EfficiencyName,
+    /// Effect whose strength is the shape factor, fitted to the marked wings
+    #[arg(long, value_name = "EFFECT", default_value = "lift-gain-linear")]
+    pub gain: String,
+    /// Strength of the shape factor, instead of a fit
+    #[arg(long, value_name = "STRENGTH")]
+    pub gain_strength: Option<f64>,
+    /// No shape factor
+    #[arg(long, conflicts_with_all = ["gain", "gain_strength"])]
+    pub no_gain: bool,
+    /// Share of each half-stroke over which the twist is ramped up, and down; 0 holds it
+    #[arg(long, value_name = "SHARE", default_value_t = 0.2)]
+    pub ramp: f64,
+    /// Profiles of a generation
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    pub population: usize,
+    /// Generations
+    #[arg(long, value_name = "N", default_value_t = 150)]
+    pub generations: usize,
+    /// Seed of the random numbers
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Try every profile of a coarse family besides, and compare the areas of the fronts
+    #[arg(long)]
+    pub exhaustive: bool,
+    /// Set a key of every design; can be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Folder to write into [default: output/NAME-pareto]
+    #[arg(long, short, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+/// What counts as efficiency.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum EfficiencyName {
+    /// Local lift over drag, mean along the span: the paper's
+    LocalLiftToDrag,
+    /// Mean lift over mean drag
+    LiftToDrag,
+    /// Mean lift per mean aerodynamic power
+    LiftPerPower,
+}
+
+/// A wing that is marked, with what was measured of it.
+struct Named {
+    name: String,
+    twist: TwistAlongSpan,
+    gained: Option<Gained>,
+}
+
+impl Pareto {
+    /// Finds the fronts.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        if !(0.0..=0.5).contains(&self.ramp) {
+            return Err(Failure::Option {
+                option: "--ramp",
+                reason: format!("{} is no share of a half-stroke; give 0 to 0.5", self.ramp),
+            });
+        }
+        let case = Case::new(design_arguments(&self.design, &self.set, None).load(&[])?)?;
+        can_fly(&case)?;
+        let marks = self.named(&case, console.progress())?;
+        let stroke = stroke(&case)?;
+        let family = self.family(&case, &stroke)?;
+        let factor = self.factor(&case, stroke, &marks)?;
+        let name = &case.loaded.design.name;
+        let target = self.output.clone();
+        let target = target.unwrap_or_else(|| PathBuf::from("output").join(format!("{name}-pareto")));
+        let mut folder = RunFolder::create(&target)?;
+        let mut summary = self.searched(&case, stroke, &family, factor, &marks, console)?;
+        pictures::pareto::add(&mut folder, &summary)?;
+        summary.files = folder.listed();
+        folder.add_summary(&summary)?;
+        console.progress().check()?;
+        let path = folder.commit()?;
+        console.result(&summary.page(&path.display().to_string()), &summary)
+    }
+
+    fn family(&self, case: &Case, stroke: &Stroke) -> Result<StagedTwist, Failure> {
+        let rates = [self.rates[0], self.rates[1]];
+        let (length_mm, stop_deg) = (case.planform.length_m() * 1e3, stroke.stop_angle_rad.to_degrees());
+        StagedTwist::new(self.stages, length_mm, rates, stop_deg).map_err(|source| refused(case, source))
+    }
+
+    /// The marked wings with their twist at mid-stroke.
+    fn named(&self, base: &Case, progress: &Progress) -> Result<Vec<Named>, Failure> {
+        let mut marks = Vec::new();
+        for file in &self.marks {
+            let flown = if is_profile(file) {
+                of_profile(file, base)?
+            } else {
+                let case = Case::new(design_arguments(file, &self.set, None).load(&[])?)?;
+                of_design(case, TwistSource::Measured, 2, &[], progress)?
+            };
+            let twist = match &flown.flight.twist {
+                TwistHistory::Ramp { full, .. } => full.clone(),
+                TwistHistory::Solved(phases) => {
+                    phases.first().map_or_else(TwistAlongSpan::flat, |p| p.1.clone())
+                }
+            };
+            let effective = measured(&flown).and_then(|measured| measured.effective_lift);
+            marks.push(Named {
+                gained: effective.map(|[effective, sigma]| Gained {
+                    name: flown.name.clone(),
+                    twist: twist.clone(),
+                    effective,
+                    sigma,
+                }),
+                name: flown.name,
+                twist,
+            });
+        }
+        Ok(marks)
+    }
+
+    fn factor(&self, case: &Case, stroke: Stroke, marks: &[Named]) -> Result<Option<ShapeFactor>, Failure> {
+        if self.no_gain {
+            return Ok(None);
+        }
+        let design = &case.loaded.design;
+        let effect = &self.gain;
+        if let Some(strength) = self.gain_strength {
+            crate::effects::bind(&with_strength(design, effect, strength))
+                .map_err(|error| case.fault(error))?;
+            return Ok(Some(ShapeFactor {
+                effect: effect.clone(),
+                strength,
+                sigma: 0.0,
+                chi_squared: 0.0,
+                freedom: 0,
+                fitted: Vec::new(),
+            }));
+        }
+        let wings: Vec<Gained> = marks.iter().filter_map(|mark| mark.gained.clone()).collect();
+        let table = case.loaded.air_table.as_deref();
+        ShapeFactor::fit(design, &case.planform, stroke, table, effect, &wings)
+            .map(Some)
+            .map_err(|source| refused(case, source))
+    }
+
+    fn searched(
+        &self,
+        case: &Case,
+        stroke: Stroke,
+        family: &StagedTwist,
+        factor: Option<ShapeFactor>,
+        marks: &[Named],
+        console: &Console,
+    ) -> Result<ParetoSummary, Failure> {
+        let design = &case.loaded.design;
+        let efficiency = self.efficiency();
+        let fault = |source: ExploreError| refused(case, source);
+        let table = case.loaded.air_table.as_deref();
+        let mut models: Vec<(&str, Design)> = vec![("without shape factor", design.clone())];
+        if let Some(factor) = &factor {
+            models.push((
+                "with shape factor",
+                with_strength(design, &factor.effect, factor.strength),
+            ));
+        }
+        let mut fronts = Vec::new();
+        let mut named: Vec<Marked> = Vec::new();
+        for (name, gained) in &models {
+            let share = self.ramp;
+            let wing = TwistFront::new(
+                design,
+                gained,
+                &case.planform,
+                stroke,
+                table,
+                efficiency,
+                family.clone(),
+                share,
+            );
+            let wing = wing.map_err(fault)?;
+            fronts.push(self.front(name, &wing, console.progress()).map_err(fault)?);
+            for (index, mark) in marks.iter().enumerate() {
+                let [lift, efficiency] = wing.aims(&mark.twist).map_err(fault)?;
+                match named.get_mut(index) {
+                    Some(marked) => marked.lift.push(lift),
+                    None => named.push(marked(mark, lift, efficiency, case.planform.length_m())),
+                }
+            }
+        }
+        let stops: Vec<f64> = (2..=120).map(|half| 0.5 * f64::from(half)).collect();
+        let curve = other_stops(design, &case.planform, stroke, table, efficiency, &stops).map_err(fault)?;
+        let below: Vec<[f64; 3]> = curve.iter().copied().filter(|p| p[0] <= 60.0).collect();
+        let largest_gap = fronts.first().and_then(|front| gap(front, &below));
+        let mut warnings = Vec::new();
+        if let Some(factor) = &factor
+            && factor.freedom > 0
+            && factor.chi_squared > 4.0 * factor.freedom as f64
+        {
+            warnings.push(format!(
+                "No single strength of {} explains all measured wings (chi² {:.1} with {} degree(s) of freedom): its form is an \
+                 assumption, and the front with it follows that form.",
+                factor.effect, factor.chi_squared, factor.freedom
+            ));
+        }
+        Ok(ParetoSummary {
+            washout_version: env!("CARGO_PKG_VERSION").to_string(),
+            name: design.name.clone(),
+            frequency_hz: stroke.frequency_hz,
+            half_amplitude_deg: stroke.half_amplitude_rad.to_degrees(),
+            stop_angle_deg: stroke.stop_angle_rad.to_degrees(),
+            ramp: self.ramp,
+            efficiency: efficiency.words().to_string(),
+            stages: self.stages,
+            rates_deg_per_mm: family.rates_deg_per_mm,
+            shortest_stage_mm: family.shortest_mm,
+            algorithm: Algorithm {
+                population: self.population,
+                generations: self.generations,
+                seed: self.seed,
+            },
+            fronts,
+            untwisted: curve
+                .iter()
+                .map(|&[stop_deg, lift, efficiency]| UntwistedPoint {
+                    stop_deg,
+                    lift,
+                    efficiency,
+                })
+                .collect(),
+            largest_gap,
+            marks: named,
+            shape_factor: factor.map(|factor| self.fitted(case, factor)).transpose()?,
+            warnings,
+            files: Vec::new(),
+        })
+    }
+
+    fn efficiency(&self) -> Efficiency {
+        match self.efficiency {
+            EfficiencyName::LocalLiftToDrag => Efficiency::LocalLiftToDrag,
+            EfficiencyName::LiftToDrag => Efficiency::LiftToDrag,
+            EfficiencyName::LiftPerPower => Efficiency::LiftPerPower,
+        }
+    }
+
+    fn front(&self, name: &str, wing: &TwistFront, progress: &Progress) -> Result<Front, ExploreError> {
+        let algorithm = Nsga2 {
+            population: self.population,
+            generations: self.generations,
+            seed: self.seed,
+            ..Nsga2::default()
+        };
+        let found = wing.search(&algorithm, progress)?;
+        let least = |of: fn(&FrontPoint) -> f64| found.iter().map(of).fold(f64::INFINITY, f64::min);
+        let corner = [least(|p| p.lift), least(|p| p.efficiency)];
+        let hypervolume = area(&found, corner);
+        let exhaustive = if self.exhaustive {
+            let (all, profiles) = wing.exhaust(7, 9, progress)?;
+            let theirs = area(&all, corner);
+            Some(Exhaustive {
+                profiles,
+                hypervolume: theirs,
+                found_over_exhaustive: hypervolume / theirs,
+            })
+        } else {
+            None
+        };
+        Ok(Front {
+            name: name.to_string(),
+            points: found.into_iter().map(profile).collect(),
+            hypervolume,
+            corner,
+            exhaustive,
+        })
+    }
+
+    fn fitted(&self, case: &Case, factor: ShapeFactor) -> Result<FittedFactor, Failure> {
+        let design = with_strength(&case.loaded.design, &factor.effect, factor.strength);
+        let effect = acting(&factor.effect, &design.effects[&factor.effect], &design);
+        let effect = effect.map_err(|error| case.fault(error))?;
+        let card = effect.card();
+        let is_fitted = !factor.fitted.is_empty();
+        Ok(FittedFactor {
+            formula: card.formula.to_string(),
+            unit: card
+                .parameters
+                .first()
+                .map_or(String::new(), |parameter| parameter.unit.to_string()),
+            strength: factor.strength,
+            sigma: is_fitted.then_some(factor.sigma),
+            chi_squared: is_fitted.then_some(factor.chi_squared),
+            freedom: factor.freedom,
+            wings: factor
+                .fitted
+                .into_iter()
+                .map(|(wing, fitted)| FittedWing {
+                    name: wing.name,
+                    measured: wing.effective,
+                    sigma: wing.sigma,
+                    fitted,
+                })
+                .collect(),
+            effect: factor.effect,
+        })
+    }
+}
+
+fn stroke(case: &Case) -> Result<Stroke, Failure> {
+    let flow = crate::aero::Flow::from_design(&case.loaded.design);
+    let flow = flow.ok_or_else(|| case.fault(crate::lift::LiftError::NotFlapping))?;
+    Stroke::from_flow(&flow).map_err(|error| case.fault(error))
+}
+
+fn refused(case: &Case, source: ExploreError) -> Failure {
+    Failure::Explore {
+        design: case.loaded.path.clone(),
+        source,
+    }
+}
+
+fn profile(point: FrontPoint) -> Profile {
+    Profile {
+        lift: point.lift,
+        efficiency: point.efficiency,
+        tip_deg: point.tip_deg,
+        length_mm: point.stages.iter().map(|stage| stage[0]).collect(),
+        rate_deg_per_mm: point.stages.iter().map(|stage| stage[1]).collect(),
+    }
+}
+
+fn marked(mark: &Named, lift: f64, efficiency: f64, length_m: f64) -> Marked {
+    let mut profile: Vec<[f64; 2]> = mark.twist.points().to_vec();
+    if profile.last().is_some_and(|[r, _]| *r < length_m) {
+        profile.push([length_m, mark.twist.twist_rad(length_m)]);
+    }
+    Marked {
+        name: mark.name.clone(),
+        efficiency,
+        lift: vec![lift],
+        tip_deg: mark.twist.twist_rad(length_m).to_degrees(),
+        profile: profile
+            .into_iter()
+            .map(|[r, twist]| [r * 1e3, twist.to_degrees()])
+            .collect(),
+    }
+}
+
+/// How far a front is from the wing without twist at other stops.
+fn gap(front: &Front, curve: &[[f64; 3]]) -> Option<Gap> {
+    let gaps: Vec<[f64; 2]> = front
+        .points
+        .iter()
+        .filter_map(|p| Some([p.lift, p.efficiency / efficiency_at(curve, p.lift)? - 1.0]))
+        .collect();
+    let largest = gaps.iter().max_by(|a, b| a[1].abs().total_cmp(&b[1].abs()))?;
+    let square: f64 = gaps.iter().map(|[_, gap]| gap * gap).sum();
+    Some(Gap {
+        lift: largest[0],
+        largest: largest[1],
+        rms: (square / gaps.len() as f64).sqrt(),
+    })
+}
