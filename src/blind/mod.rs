@@ -28,6 +28,7 @@ use std::time::Instant;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::diagnose::baseline::Shared;
 use crate::diagnose::plan::Outlook;
 use crate::diagnose::{self, Settings, judged};
 use crate::input::study::LoadedStudy;
@@ -131,6 +132,8 @@ pub struct Blind<'a> {
     pub outlook: Outlook,
     /// Settings of every diagnosis.
     pub settings: Settings,
+    /// Derivatives where its unknowns start, which all cases share.
+    pub shared: Shared,
     /// Effects that would be seen but are not hidden: a small error of the wing turns their signature.
     pub turned: Vec<Turned>,
 }
@@ -154,12 +157,14 @@ impl<'a> Blind<'a> {
             ..Settings::default()
         };
         let outlook = Outlook::new(&campaign, &settings, progress)?;
+        let shared = Shared::new(&campaign, &settings, progress)?;
         let mut blind = Blind {
             study,
             candidates,
             campaign,
             outlook,
             settings,
+            shared,
             turned: Vec::new(),
         };
         blind.turned = match known {
@@ -180,8 +185,11 @@ impl<'a> Blind<'a> {
         let recipe = draw::recipe(self, kind, seed, progress)?;
         let made = synthesize(self.study, &recipe, progress)?;
         let started = Instant::now();
-        let campaign = Campaign::new(&made.study, &self.candidates, progress)?;
-        let (baseline, judgement) = judged(&campaign, &self.settings, progress)?;
+        let (campaign, shared) = match self.campaign.with_readings_of(&made.study) {
+            Some(campaign) => (campaign, Some(&self.shared)),
+            None => (Campaign::new(&made.study, &self.candidates, progress)?, None),
+        };
+        let (baseline, judgement) = judged(&campaign, &self.settings, shared, progress)?;
         let said = diagnose::report::report(&baseline, &judgement, None, progress)?;
         let rivals = baselines::answers(&baseline, &judgement);
         Ok(outcome::judge(

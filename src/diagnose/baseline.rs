@@ -62,13 +62,14 @@ pub struct Baseline<'a> {
 }
 
 impl<'a> Baseline<'a> {
-    /// Fits the model and looks around.
+    /// Fits the model and looks around; `shared`: how another diagnosis found it to answer nearby, which is taken over.
     ///
     /// # Errors
     /// If there is nothing to fit, a result is not finite, or the user asked to stop.
     pub fn new(
         forward: &'a dyn Forward,
         settings: &'a Settings,
+        shared: Option<&Shared>,
         progress: &Progress,
     ) -> Result<Baseline<'a>, DiagnoseError> {
         settings.check()?;
@@ -84,15 +85,29 @@ impl<'a> Baseline<'a> {
         }
         let glanced = AdmittedError::of_predictions(settings.slop, &raw);
         let stated = Scatter::new(forward, &data, &glanced, 1.0, vec![1.0; size])?;
-        let first = stated.fit(forward, &data, &data.model, &start, None)?;
+        let footing = shared.and_then(|shared| shared.slopes.footing.as_ref());
+        let first = stated.fit(forward, &data, &data.model, &start, footing)?;
         progress.check()?;
-        progress.say("derivatives with every effect");
-        let Slopes {
-            missing: slopes,
-            admitted,
-            footing,
-        } = slopes_of_missing(forward, &data, &first.at, settings, first.footing.as_ref())?;
-        let mut moment = forward.moment_response_from(footing.as_ref(), &first.at, settings.stations)?;
+        let Shared {
+            slopes:
+                Slopes {
+                    missing: slopes,
+                    mut admitted,
+                    footing,
+                },
+            mut moment,
+        } = match shared {
+            Some(shared) => shared.clone(),
+            None => Shared::at(
+                forward,
+                &data,
+                &first.at,
+                settings,
+                first.footing.as_ref(),
+                progress,
+            )?,
+        };
+        admitted.value = first.predicted.clone();
         let kept = data.kept_bounds(forward, &first.predicted);
         for &row in &kept {
             moment.row_mut(row).fill(0.0);
@@ -250,6 +265,44 @@ fn side_by_side(parts: &[DMatrix<f64>]) -> DMatrix<f64> {
         return DMatrix::zeros(rows, 0);
     }
     DMatrix::from_columns(&columns)
+}
+
+/// How a model answers about one point: to every effect, and to a moment at each station.
+#[derive(Debug, Clone)]
+pub struct Shared {
+    slopes: Slopes,
+    moment: DMatrix<f64>,
+}
+
+impl Shared {
+    /// Where the unknowns start: for many diagnoses of one campaign with other readings.
+    ///
+    /// # Errors
+    /// As [`Baseline::new`].
+    pub fn new(
+        forward: &dyn Forward,
+        settings: &Settings,
+        progress: &Progress,
+    ) -> Result<Shared, DiagnoseError> {
+        settings.check()?;
+        let start = start(forward, settings)?;
+        let data = Data::new(forward, &start)?;
+        Shared::at(forward, &data, &start, settings, None, progress)
+    }
+
+    fn at(
+        forward: &dyn Forward,
+        data: &Data,
+        at: &[f64],
+        settings: &Settings,
+        footing: Option<&Footing>,
+        progress: &Progress,
+    ) -> Result<Shared, DiagnoseError> {
+        progress.say("derivatives with every effect");
+        let slopes = slopes_of_missing(forward, data, at, settings, footing)?;
+        let moment = forward.moment_response_from(slopes.footing.as_ref(), at, settings.stations)?;
+        Ok(Shared { slopes, moment })
+    }
 }
 
 /// The first fit and all that could be wrong with it, before the scatter is known.

@@ -26,6 +26,8 @@ pub mod misfit;
 
 pub mod next;
 
+pub mod notes;
+
 pub mod novel;
 
 pub mod novel_words;
@@ -66,7 +68,7 @@ pub use verdict::{Diagnosis, Verdict};
 use crate::progress::Progress;
 use crate::study::Forward;
 
-use baseline::Baseline;
+use baseline::{Baseline, Shared};
 use judge::Judgement;
 
 /// Finds what the model lacks.
@@ -92,20 +94,22 @@ pub fn diagnose_with(
     settings: &Settings,
     progress: &Progress,
 ) -> Result<Diagnosis, DiagnoseError> {
-    let (baseline, judgement) = judged(forward, settings, progress)?;
+    let (baseline, judgement) = judged(forward, settings, None, progress)?;
     report::report(&baseline, &judgement, candidates, progress)
 }
 
-/// The model as it is, and everything that was weighed against it: what a report is made of.
+/// The model as it is, and everything that was weighed against it: what a report is made of; `shared`: derivatives of another
+/// diagnosis of the same campaign.
 ///
 /// # Errors
 /// As [`diagnose`].
 pub fn judged<'a>(
     forward: &'a dyn Forward,
     settings: &'a Settings,
+    shared: Option<&Shared>,
     progress: &Progress,
 ) -> Result<(Baseline<'a>, Judgement), DiagnoseError> {
-    let mut baseline = Baseline::new(forward, settings, progress)?;
+    let mut baseline = Baseline::new(forward, settings, shared, progress)?;
     let mut judgement = judge::judge(&baseline, progress)?;
     if let Some(best) = judgement.best_explanation()
         && let Some(calmed) = baseline.calmed(best, progress)?

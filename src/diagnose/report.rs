@@ -12,11 +12,11 @@ use super::judge::Judgement;
 use super::ladder::ladder;
 use super::misfit;
 use super::next::{NextExperiment, Rival, next_experiment};
+use super::notes::notes;
 use super::novel::{Reconstruction, reconstruct};
 use super::novel_words::draft;
 use super::posterior::{Case, SEPARATE};
 use super::refit::Explanation;
-use super::robust::stability;
 use super::rows::{LOOK_ALIKES, case_families, effect_rows, hypothesis, name, probability, unseen};
 use super::screening::ENOUGH_POWER;
 use super::verdict::{
@@ -292,45 +292,4 @@ fn next(
         return Ok(None);
     }
     next_experiment(baseline.forward, candidates, &rivals, progress).map(Some)
-}
-
-fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, DiagnoseError> {
-    let mut notes = Vec::new();
-    let numbers = baseline.data.rows.len();
-    if baseline.on_trust() {
-        notes.push(format!(
-            "Only {numbers} numbers: the noise level is taken on trust, and trusted little."
-        ));
-    } else if (baseline.scatter.scale - 1.0).abs() > 0.2 {
-        let scale = baseline.scatter.scale;
-        notes.push(format!(
-            "The data scatter {scale:.2} times as much as stated; that is what was used."
-        ));
-    }
-    let beliefs = judgement.beliefs.iter().filter_map(|belief| match belief.case {
-        Case::One(family) => {
-            let (index, explanation) = judgement.best_of(&[family])?;
-            Some((explanation?, judgement.trial(index).ln_prior))
-        }
-        _ => None,
-    });
-    let explanations: Vec<(&Explanation, f64)> = beliefs.collect();
-    let is_null = judgement.significance.p_null > baseline.settings.significance;
-    if !is_null {
-        let share = stability(
-            baseline.forward,
-            &baseline.data,
-            baseline.settings,
-            &baseline.scatter,
-            &baseline.admitted,
-            &explanations,
-        )?;
-        if let Some(share) = share {
-            notes.push(format!(
-                "Without any one condition, the best single effect keeps its place in {:.0} % of the cases.",
-                100.0 * share
-            ));
-        }
-    }
-    Ok(notes)
 }

@@ -139,6 +139,39 @@ impl Campaign {
         Campaign::new(&next, candidates, progress).map(Some)
     }
 
+    /// The same campaign with the readings of `study`; none if that does not hold just its rows.
+    pub fn with_readings_of(&self, study: &LoadedStudy) -> Option<Campaign> {
+        let rows = || study.cases.iter().enumerate();
+        let read: Vec<Observable> = rows()
+            .flat_map(|(index, case)| case.rows.iter().map(move |row| Observable::of(row, index)))
+            .collect();
+        let is_same = |a: &Observable, b: &Observable| {
+            let value = a.value;
+            Observable { value, ..b.clone() } == *a
+        };
+        let alike = read.len() == self.observables.len()
+            && self.observables.iter().zip(&read).all(|(a, b)| is_same(a, b));
+        if !alike {
+            return None;
+        }
+        let mut cases = self.cases.clone();
+        for (case, (_, read)) in cases.iter_mut().zip(rows()) {
+            case.rows = read.rows.clone();
+        }
+        Some(Campaign {
+            name: self.name.clone(),
+            slop: self.slop,
+            skipped: self.skipped.clone(),
+            cases,
+            targets: self.targets.clone(),
+            observables: read,
+            conditions: self.conditions.clone(),
+            progress: self.progress.unseen(),
+            asked: AtomicUsize::new(0),
+            tally: Tally::default(),
+        })
+    }
+
     /// Values with which the unknowns start.
     pub fn start(&self) -> Vec<f64> {
         self.targets.start.clone()

@@ -184,8 +184,8 @@ fn shuffled_signs_of_the_residual_read_as_nothing_missing() {
     for seed in 0..12 {
         let mut toy = study(vec![Hidden::Known("film_tension", 1.0)], 7);
         let settings = Settings::default();
-        let baseline =
-            washout::diagnose::baseline::Baseline::new(&toy, &settings, &Progress::quiet()).expect("a fit");
+        let baseline = washout::diagnose::baseline::Baseline::new(&toy, &settings, None, &Progress::quiet())
+            .expect("a fit");
         let predicted = baseline.fit.predicted.clone();
         let draws = Draws::new(100 + seed);
         for (row, observable) in toy.observables.iter_mut().enumerate() {

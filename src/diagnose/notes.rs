@@ -1,0 +1,77 @@
+//! What a reader must know besides the verdict.
+
+use crate::effects::{Need, named};
+
+use super::baseline::Baseline;
+use super::error::DiagnoseError;
+use super::judge::Judgement;
+use super::posterior::{Case, SEPARATE};
+use super::refit::Explanation;
+use super::robust::stability;
+use super::screening::effect_of;
+
+/// The notes of a diagnosis.
+///
+/// # Errors
+/// If a scatter is not positive.
+pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, DiagnoseError> {
+    let mut notes = Vec::new();
+    let numbers = baseline.data.rows.len();
+    if baseline.on_trust() {
+        notes.push(format!(
+            "Only {numbers} numbers: the noise level is taken on trust, and trusted little."
+        ));
+    } else if (baseline.scatter.scale - 1.0).abs() > 0.2 {
+        let scale = baseline.scatter.scale;
+        notes.push(format!(
+            "The data scatter {scale:.2} times as much as stated; that is what was used."
+        ));
+    }
+    let is_null = judgement.significance.p_null > baseline.settings.significance;
+    let of_motion = of_motion(baseline);
+    if !is_null && !of_motion.is_empty() {
+        notes.push(format!(
+            "{} rest on the motion of the wing over the stroke; near a resonance errors of a percent turn their signatures, \
+             so that they can be missed or taken for another there.",
+            of_motion.join(", ")
+        ));
+    }
+    let beliefs = judgement.beliefs.iter().filter_map(|belief| match belief.case {
+        Case::One(family) => {
+            let (index, explanation) = judgement.best_of(&[family])?;
+            Some((explanation?, judgement.trial(index).ln_prior))
+        }
+        _ => None,
+    });
+    let explanations: Vec<(&Explanation, f64)> = beliefs.collect();
+    if !is_null {
+        let share = stability(
+            baseline.forward,
+            &baseline.data,
+            baseline.settings,
+            &baseline.scatter,
+            &baseline.admitted,
+            &explanations,
+        )?;
+        if let Some(share) = share {
+            notes.push(format!(
+                "Without any one condition, the best single effect keeps its place in {:.0} % of the cases.",
+                100.0 * share
+            ));
+        }
+    }
+    Ok(notes)
+}
+
+/// Effects that are tried and need the motion over the stroke, as far as this campaign could see them.
+fn of_motion<'a>(baseline: &'a Baseline) -> Vec<&'a str> {
+    let (data, directions) = (&baseline.data, &baseline.directions);
+    let effects = (0..data.missing.len()).filter_map(|k| {
+        let unknown = &baseline.forward.unknowns()[data.missing[k]];
+        let (effect, _, scale, _) = effect_of(unknown)?;
+        let moves = named(effect).is_some_and(|known| known.card().needs.contains(&Need::Motion));
+        let is_seen = scale / unknown.sigma * directions.lengths[k] > SEPARATE;
+        (moves && is_seen).then_some(effect)
+    });
+    effects.collect()
+}
