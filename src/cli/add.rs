@@ -30,6 +30,7 @@ const LADDER: &str = "ladder.json";
 #[command(after_help = "Examples:
   washout add skin-bending --to studies/pre-pazy-skin.toml --output with-skin.toml
   washout add skin-bending --to with-skin.toml --remove
+  washout add rod-split --number from=0.53 --to my-study.toml
   washout add glue-seam --own examples/effect_of_ones_own.toml --to my-study.toml
 
 The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of
@@ -44,6 +45,9 @@ pub struct Add {
     /// An effect of your own: the file with its table [effects.NAME], kind = "custom"
     #[arg(long, value_name = "FILE", conflicts_with = "remove")]
     pub own: Option<PathBuf>,
+    /// Another number of the effect, e.g. from=0.53; can be given many times
+    #[arg(long, value_name = "NAME=VALUE", conflicts_with_all = ["remove", "own"])]
+    pub number: Vec<String>,
     /// Take the effect out instead
     #[arg(long)]
     pub remove: bool,
@@ -89,6 +93,19 @@ pub struct AddRung {
     pub after: f64,
     /// Root mean square sigma of the measurement.
     pub noise: f64,
+    /// The same errors as χ² per number: each counts by its own sigma and by what the study admits to the model.
+    pub chi_squared: ChiSquared,
+}
+
+/// χ² per number, step by step.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ChiSquared {
+    /// The model as stated.
+    pub stated: f64,
+    /// Calibrated, before.
+    pub before: f64,
+    /// Calibrated, after.
+    pub after: f64,
 }
 
 impl Add {
@@ -153,13 +170,34 @@ impl Add {
             return Ok((1.0, table));
         }
         match named(&self.effect) {
-            Some(effect) => Ok((effect.card().parameters[0].scale(), toml::Table::new())),
+            Some(effect) => Ok((effect.card().parameters[0].scale(), self.numbers()?)),
             None if self.remove => Ok((1.0, toml::Table::new())),
             None => Err(unknown(format!(
                 "there is no effect {} (washout effects); one of your own comes with --own FILE",
                 self.effect
             ))),
         }
+    }
+
+    /// The effect's numbers besides its strength.
+    fn numbers(&self) -> Result<toml::Table, Failure> {
+        let number = |text: &String| {
+            let (name, value) = text.split_once('=')?;
+            Some((
+                name.trim().to_string(),
+                toml::Value::Float(value.trim().parse().ok()?),
+            ))
+        };
+        let all = self.number.iter().map(|text| {
+            number(text).ok_or_else(|| Failure::Option {
+                option: "--number",
+                reason: format!(
+                    "{text} is not NAME=VALUE, such as from=0.53 (washout effects {})",
+                    self.effect
+                ),
+            })
+        });
+        all.collect()
     }
 
     fn compared(&self, study: &LoadedStudy, console: &Console) -> Result<StudyComparison, Failure> {
@@ -202,6 +240,11 @@ impl Add {
             tables.retain(|table| !is_it(table));
         } else if let Some(table) = tables.iter_mut().find(|table| is_it(table)) {
             table["strength"] = value(strength);
+            for (name, number) in numbers {
+                if let (Some(number), Some(own)) = (number.as_float(), table.get_mut("numbers")) {
+                    own[name.as_str()] = value(number);
+                }
+            }
         } else {
             let mut table = toml_edit::Table::new();
             table["name"] = value(self.effect.as_str());
@@ -257,6 +300,11 @@ fn ladder(before: &StudyComparison, after: &StudyComparison) -> Vec<AddRung> {
         before: old.rmse[1],
         after: new.rmse[1],
         noise: old.sigma_of_measurement,
+        chi_squared: ChiSquared {
+            stated: old.chi_square_per_row[0],
+            before: old.chi_square_per_row[1],
+            after: new.chi_square_per_row[1],
+        },
     });
     rungs.collect()
 }
@@ -279,6 +327,9 @@ fn page(report: &AddReport) -> String {
         "now",
         "noise",
         "unit",
+        "chi2_stated",
+        "chi2_calibrated",
+        "chi2_now",
         "use",
     ]);
     for rung in &report.ladder {
@@ -290,11 +341,14 @@ fn page(report: &AddReport) -> String {
             significant(rung.after, 3),
             significant(rung.noise, 3),
             rung.unit.clone(),
+            significant(rung.chi_squared.stated, 3),
+            significant(rung.chi_squared.before, 3),
+            significant(rung.chi_squared.after, 3),
             if rung.is_held_out { "held out" } else { "fit" }.to_string(),
         ]);
     }
     format!(
-        "{}: {what}\n\nRoot mean square error\n{}",
+        "{}: {what}\n\nRoot mean square error, and chi-square per number (1: the noise)\n{}",
         report.written.display(),
         table.render()
     )

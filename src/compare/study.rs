@@ -108,6 +108,9 @@ pub struct GroupMisfit {
     pub count: usize,
     /// Root mean square error before and after calibration.
     pub rmse: [f64; 2],
+    /// Mean square error over its variance (sigma of the measurement, and the error that the study admits to the model)
+    /// before and after: unlike the root mean square it counts each number by what it is worth.
+    pub chi_square_per_row: [f64; 2],
     /// Mean error (measured minus modelled) before and after.
     pub bias: [f64; 2],
     /// Root mean square standard deviation of the measurement.
@@ -186,7 +189,7 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
     let mut comparison = StudyComparison {
         study: campaign.name.clone(),
         title: title.to_string(),
-        groups: groups(&study_rows),
+        groups: groups(&study_rows, campaign.slop),
         unknowns: fit.as_ref().map_or_else(Vec::new, |fit| unknowns(campaign, fit)),
         correlations: fit
             .as_ref()
@@ -269,7 +272,7 @@ impl StudyRow {
     }
 }
 
-fn groups(rows: &[StudyRow]) -> Vec<GroupMisfit> {
+fn groups(rows: &[StudyRow], slop: f64) -> Vec<GroupMisfit> {
     let mut keys: Vec<(&str, Channel, bool)> = Vec::new();
     for row in rows {
         let key = (row.wing.as_str(), row.channel, row.is_held_out);
@@ -286,6 +289,8 @@ fn groups(rows: &[StudyRow]) -> Vec<GroupMisfit> {
             members.iter().map(|row| of(row)).sum::<f64>() / members.len() as f64
         };
         let square = |k: usize| mean(&|row| row.errors()[k].powi(2));
+        let variance = |row: &StudyRow| row.sigma.powi(2) + (slop * row.before).powi(2);
+        let chi_square = |k: usize| mean(&|row| row.errors()[k].powi(2) / variance(row));
         let measurement = mean(&|row| row.sigma.powi(2));
         let inputs = mean(&|row| row.sigma_of_inputs.powi(2));
         GroupMisfit {
@@ -295,6 +300,7 @@ fn groups(rows: &[StudyRow]) -> Vec<GroupMisfit> {
             is_held_out,
             count: members.len(),
             rmse: [square(0).sqrt(), square(1).sqrt()],
+            chi_square_per_row: [chi_square(0), chi_square(1)],
             bias: [mean(&|row| row.errors()[0]), mean(&|row| row.errors()[1])],
             sigma_of_measurement: measurement.sqrt(),
             sigma_of_inputs: inputs.sqrt(),

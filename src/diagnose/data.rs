@@ -67,6 +67,7 @@ impl Data {
             (0..unknowns.len()).partition(|&i| unknowns[i].kind == UnknownKind::Admitted);
         let (missing, model): (Vec<usize>, Vec<usize>) = others
             .into_iter()
+            .filter(|&i| !matches!(unknowns[i].kind, UnknownKind::Place { .. }))
             .partition(|&i| is_missing(&unknowns[i], start[i]));
         if rows.is_empty() {
             return Err(DiagnoseError::NoData);

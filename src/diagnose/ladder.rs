@@ -19,6 +19,8 @@ pub struct Rung {
     pub name: String,
     /// Channel of the root mean squares: the one with the most numbers.
     pub channel: Channel,
+    /// χ² per number of all that was fitted, with the scatter found and what the study admits to the model; none for `noise`.
+    pub chi_square_per_number: Option<f64>,
     /// Root mean square error of what was fitted, in the unit of the channel.
     pub in_sample: f64,
     /// The same for each condition predicted from the others.
@@ -52,9 +54,18 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
             });
         root_mean_square(errors.collect())
     };
+    let chi_square = |predicted: &DVector<f64>| {
+        let errors = data
+            .rows
+            .iter()
+            .map(|&row| misfit(&forward.observables()[row], predicted[row]));
+        let errors = DVector::from_iterator(data.rows.len(), errors);
+        baseline.scatter.noise.whiten(&errors).norm_squared() / data.rows.len().max(1) as f64
+    };
     let rung = |name: &str, predicted: &DVector<f64>, local: Option<&Local>| Rung {
         name: name.to_string(),
         channel,
+        chi_square_per_number: Some(chi_square(predicted)),
         in_sample: rms(&data.rows, predicted).unwrap_or(0.0),
         left_out: local.and_then(left_out),
         held_out: rms(&data.held_out, predicted),
@@ -82,6 +93,7 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
     rungs.push(Rung {
         name: "noise".into(),
         channel,
+        chi_square_per_number: None,
         in_sample: noise(&data.rows).unwrap_or(0.0),
         left_out: noise(&data.rows),
         held_out: noise(&data.held_out),

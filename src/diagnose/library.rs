@@ -4,7 +4,7 @@ use crate::study::Forward;
 
 use super::data::Data;
 use super::evidence::{Likelihood, LinearEvidence, of_one, of_two};
-use super::screening::{Directions, effect_of, is_one_sided};
+use super::screening::{Directions, effect_of, is_one_sided, place_of};
 
 /// Effects whose prior standard deviation moves the data by less than this, in standard deviations, explain nothing: if
 /// they are missing, nothing detectable is.
@@ -46,7 +46,12 @@ pub fn families(forward: &dyn Forward, data: &Data, lengths: &[f64]) -> Vec<Fami
             .members
             .iter()
             .all(|&k| is_one_sided(&forward.unknowns()[data.missing[k]]));
-        family.is_located = all_one_sided && family.members.len() > 2;
+        // members that move to their place need none between two
+        let all_fixed = family
+            .members
+            .iter()
+            .all(|&k| place_of(forward.unknowns(), data.missing[k]).is_none());
+        family.is_located = all_one_sided && all_fixed && family.members.len() > 2;
     }
     found
 }

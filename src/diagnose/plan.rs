@@ -133,6 +133,13 @@ impl Outlook {
             })
             .collect();
         effects.sort_by(|a, b| b.detectability.total_cmp(&a.detectability));
+        // of an effect that may sit anywhere, its most visible place
+        let mut names: Vec<String> = Vec::new();
+        effects.retain(|effect| {
+            let is_new = !names.contains(&effect.effect);
+            names.push(effect.effect.clone());
+            is_new
+        });
         Ok(Outlook {
             plan: Plan {
                 sentence: sentence(&effects),

@@ -8,7 +8,7 @@ use crate::study::{Fit, Footing, Forward};
 use super::data::{Data, Scatter};
 use super::error::DiagnoseError;
 use super::evidence::{Likelihood, one_sided};
-use super::screening::is_one_sided;
+use super::screening::{is_one_sided, place_of};
 use super::whitened::Local;
 
 /// Largest step from zero at which a refit starts, in prior standard deviations.
@@ -27,6 +27,8 @@ pub struct Explanation {
     pub strength: Vec<f64>,
     /// Their standard errors.
     pub standard_error: Vec<f64>,
+    /// Where each sits and the standard error of that, if it could move.
+    pub places: Vec<Option<[f64; 2]>>,
     /// The fit; none if only the linear model was asked.
     pub fit: Option<Fit>,
     /// The data about the fit.
@@ -61,6 +63,7 @@ impl Refits<'_> {
         let effects: Vec<usize> = members.iter().map(|&k| self.data.missing[k]).collect();
         let mut free = self.data.model.clone();
         free.extend(&effects);
+        free.extend(self.places(&effects));
         let most = self.baseline.q + 1e-6 * (1.0 + self.baseline.q);
         for start in [
             self.start(members, estimates),
@@ -81,6 +84,15 @@ impl Refits<'_> {
         Ok(None)
     }
 
+    /// Where the effects sit, as far as that is free.
+    fn places(&self, effects: &[usize]) -> Vec<usize> {
+        let unknowns = self.forward.unknowns();
+        effects
+            .iter()
+            .filter_map(|&effect| place_of(unknowns, effect))
+            .collect()
+    }
+
     /// The explanation by a fit in which `members` were free.
     fn explanation(&self, members: &[usize], fit: Fit) -> Explanation {
         let unknowns = self.forward.unknowns();
@@ -99,12 +111,19 @@ impl Refits<'_> {
             strength.push(fit.at[unknown]);
             standard_error.push(error);
         }
+        let place = |position: usize| {
+            let own = place_of(unknowns, fit.free[first + position])?;
+            let column = fit.free.iter().position(|&i| i == own)?;
+            Some([fit.at[own], (variance * fit.covariance[(column, column)]).sqrt()])
+        };
+        let places = (0..members.len()).map(place).collect();
         Explanation {
             members: members.to_vec(),
             ln_evidence,
             q: fit.q,
             strength,
             standard_error,
+            places,
             local: Some(Local::about(&fit, self.forward, &self.scatter.noise)),
             fit: Some(fit),
         }

@@ -216,6 +216,12 @@ fn novel(baseline: &Baseline, judgement: &Judgement) -> Novel {
         })
         .collect();
     nearest.sort_by(|a, b| b.cosine.abs().total_cmp(&a.cosine.abs()));
+    let mut names: Vec<String> = Vec::new();
+    nearest.retain(|near| {
+        let is_new = !names.contains(&near.effect);
+        names.push(near.effect.clone());
+        is_new
+    });
     nearest.truncate(LOOK_ALIKES);
     Novel {
         probability: probability(judgement, &Case::Novel),

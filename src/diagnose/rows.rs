@@ -1,13 +1,13 @@
 //! The rows of the report: hypotheses with their strengths, effects with their look-alikes.
 
-use crate::study::Unknown;
+use crate::study::{Unknown, UnknownKind};
 
 use super::baseline::Baseline;
 use super::held_out::{by_condition, by_wing, ln_density};
 use super::judge::Judgement;
 use super::posterior::{Belief, Case};
-use super::screening::{ENOUGH_POWER, effect_of, family_wise};
-use super::verdict::{EffectRow, Hypothesis, LookAlike, Second, Strength};
+use super::screening::{ENOUGH_POWER, effect_of, family_wise, place_of};
+use super::verdict::{EffectRow, Hypothesis, LookAlike, PlaceFound, Second, Strength};
 
 /// Strengths beyond this many scales are implausible.
 const PLAUSIBLE: f64 = 3.0;
@@ -66,6 +66,7 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -
                 value,
                 standard_error: explanation.map_or(error, |e| e.standard_error[position]),
                 unit: own.unit.clone(),
+                place: place(baseline, k, explanation.and_then(|e| e.places[position])),
             });
             plausible &= is_plausible(own, value);
         }
@@ -118,6 +119,24 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -
     }
 }
 
+/// Where the missing effect at position `k` sits, if that is not known; `found`: as fitted.
+fn place(baseline: &Baseline, k: usize, found: Option<[f64; 2]>) -> Option<PlaceFound> {
+    let unknowns = baseline.forward.unknowns();
+    let own = &unknowns[place_of(unknowns, baseline.data.missing[k])?];
+    let UnknownKind::Place {
+        parameter, numbers, ..
+    } = &own.kind
+    else {
+        return None;
+    };
+    Some(PlaceFound {
+        parameter: parameter.clone(),
+        value: found.map_or(own.mean, |[value, _]| value),
+        standard_error: found.map(|[_, error]| error),
+        numbers: numbers.clone(),
+    })
+}
+
 fn is_plausible(unknown: &Unknown, value: f64) -> bool {
     let scale = effect_of(unknown).map_or(f64::INFINITY, |(_, _, scale, _)| scale);
     let [low, high] = unknown.range;
@@ -125,12 +144,17 @@ fn is_plausible(unknown: &Unknown, value: f64) -> bool {
     value.abs() <= PLAUSIBLE * scale && ends_free
 }
 
-/// A row for every missing effect.
+/// What makes one place of an effect better than another.
+fn weight(row: &EffectRow) -> f64 {
+    row.ln_evidence + 1e-6 * row.detectability.min(1e6)
+}
+
+/// A row for every missing effect; of those that could sit elsewhere, for their best place.
 pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow> {
     let directions = &baseline.directions;
     let significance = family_wise(baseline.settings.significance, baseline.data.missing.len());
     let base = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
-    let mut rows = Vec::new();
+    let mut rows: Vec<EffectRow> = Vec::new();
     for (k, &i) in baseline.data.missing.iter().enumerate() {
         let own = &baseline.forward.unknowns()[i];
         let Some((effect, family, scale, _)) = effect_of(own) else {
@@ -150,7 +174,7 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
         };
         let family_index = judgement.families.iter().position(|f| f.name == family);
         let refitted = refit.map(|e| e.strength[0]);
-        rows.push(EffectRow {
+        let row = EffectRow {
             effect: effect.to_string(),
             family: family.to_string(),
             unknown: own.name.clone(),
@@ -167,8 +191,15 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
             sight: directions.sight(k, own, significance),
             ln_evidence: single.map_or(0.0, |index| judgement.ln_evidence[index] - base),
             probability: family_index.map_or(0.0, |f| probability(judgement, &Case::One(f))),
+            place: place(baseline, k, refit.and_then(|e| e.places[0])),
             look_alikes: look_alikes(baseline, judgement, k),
-        });
+        };
+        let elsewhere = rows.iter_mut().find(|other| other.effect == row.effect);
+        match elsewhere.filter(|_| row.place.is_some()) {
+            Some(other) if weight(&row) > weight(other) => *other = row,
+            Some(_) => {}
+            None => rows.push(row),
+        }
     }
     rows
 }

@@ -61,6 +61,14 @@ pub fn effect_of(unknown: &Unknown) -> Option<(&str, &str, f64, bool)> {
     }
 }
 
+/// The unknown that says where an effect sits, if that is not known: its index, for the index of its strength.
+pub fn place_of(unknowns: &[Unknown], strength: usize) -> Option<usize> {
+    let name = &unknowns[strength].name;
+    unknowns
+        .iter()
+        .position(|unknown| matches!(&unknown.kind, UnknownKind::Place { of, .. } if of == name))
+}
+
 /// Whether only strengths of one sign make sense.
 pub fn is_one_sided(unknown: &Unknown) -> bool {
     effect_of(unknown).is_some_and(|(_, _, _, one_sided)| one_sided)

@@ -1,5 +1,7 @@
 //! What a diagnosis says, for people and programs.
 
+use std::collections::BTreeMap;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -141,6 +143,21 @@ pub struct Strength {
     pub standard_error: f64,
     /// Its unit.
     pub unit: String,
+    /// Where it sits, if that was not known.
+    pub place: Option<PlaceFound>,
+}
+
+/// Where an effect sits.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PlaceFound {
+    /// The parameter of the effect that it is a value of.
+    pub parameter: String,
+    /// Its value.
+    pub value: f64,
+    /// Its standard error; none if it was not fitted.
+    pub standard_error: Option<f64>,
+    /// Other numbers that the effect needs, such as which spar.
+    pub numbers: BTreeMap<String, f64>,
 }
 
 /// None that is known.
@@ -194,6 +211,8 @@ pub struct EffectRow {
     pub refitted: Option<f64>,
     /// Its standard error.
     pub refitted_error: Option<f64>,
+    /// Where it sits, if that was not known: the row is that of its best place.
+    pub place: Option<PlaceFound>,
     /// Whether that strength (by one step, if not refitted) is plausible.
     pub plausible: bool,
     /// Distance from none, in standard deviations, that its plausible size would have; `length` times the scale.

@@ -1,6 +1,6 @@
 //! The answer in one plain sentence.
 
-use super::verdict::{Diagnosis, Hypothesis, Verdict};
+use super::verdict::{Diagnosis, Hypothesis, PlaceFound, Verdict};
 
 /// Names listed before "and others".
 const LISTED: usize = 6;
@@ -47,10 +47,11 @@ fn with_strength(hypothesis: &Hypothesis) -> String {
                 format!(" {}", strength.unit)
             };
             format!(
-                "{} = {} ± {}{unit}",
+                "{} = {} ± {}{unit}{}",
                 strength.effect,
                 short(strength.value),
-                short(strength.standard_error)
+                short(strength.standard_error),
+                strength.place.as_ref().map_or(String::new(), place)
             )
         })
         .collect();
@@ -60,6 +61,16 @@ fn with_strength(hypothesis: &Hypothesis) -> String {
         ", an implausible size"
     };
     format!("{}{plausible}", parts.join(" and "))
+}
+
+/// Where an effect sits, as the end of a phrase.
+fn place(place: &PlaceFound) -> String {
+    let numbers = place.numbers.iter();
+    let numbers: String = numbers.map(|(name, value)| format!(", {name} {value}")).collect();
+    let error = place
+        .standard_error
+        .map_or(String::new(), |error| format!(" ± {}", short(error)));
+    format!("{numbers}, {} {}{error}", place.parameter, short(place.value))
 }
 
 fn pair(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> String {

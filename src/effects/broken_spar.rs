@@ -1,6 +1,6 @@
 //! A spar that is cracked or broken at one place.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Places, Seam};
 use super::{Effect, Structure, Values};
 use crate::input::measurement::Channel;
 use crate::structure::StructureError;
@@ -63,6 +63,15 @@ const CARD: Card = Card {
 impl Effect for BrokenSpar {
     fn card(&self) -> Card<'_> {
         CARD
+    }
+
+    fn places(&self) -> Option<Places> {
+        Some(Places {
+            parameter: 2,
+            at: &[0.4],
+            reach: 0.2,
+            spar: Some(1),
+        })
     }
 
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {

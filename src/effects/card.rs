@@ -65,6 +65,19 @@ impl Parameter<'_> {
     }
 }
 
+/// Where along the wing an effect may sit: at a parameter of its own, which a diagnosis moves to where the data have it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Places {
+    /// Position of the parameter on the card.
+    pub parameter: usize,
+    /// Places that are looked at first.
+    pub at: &'static [f64],
+    /// How far from such a place the effect may be, as a standard deviation; twice that at most.
+    pub reach: f64,
+    /// Position of the parameter that counts spars, each of which is looked at.
+    pub spar: Option<usize>,
+}
+
 /// What a change of the air load changes in a coupled wing.
 pub const AIR_CHANNELS: &[Channel] = &[
     Channel::Twist,

@@ -104,7 +104,7 @@ pub mod tip_loss_exponential;
 pub mod air_density;
 
 pub use bind::{Acting, Bound, Values, acting, bind, is_applicable};
-pub use card::{Card, Need, Parameter, Seam};
+pub use card::{Card, Need, Parameter, Places, Seam};
 pub use error::EffectError;
 pub use seam::{Dual, Motion, NodeLoad, StripMotion, StripPlace, Structure};
 
@@ -115,6 +115,11 @@ use crate::structure::{Loads, StructureError};
 pub trait Effect: Sync + Send + std::fmt::Debug {
     /// What it says about itself.
     fn card(&self) -> Card<'_>;
+
+    /// Where it may sit, if that is not known.
+    fn places(&self) -> Option<Places> {
+        None
+    }
 
     /// Changes sections, sheets, joints or supports.
     ///

@@ -1,6 +1,6 @@
 //! A rod that ends, or is much thinner, before the tip.
 
-use super::card::{Card, Parameter, Seam};
+use super::card::{Card, Parameter, Places, Seam};
 use super::{Effect, Structure, Values};
 use crate::input::measurement::Channel;
 use crate::structure::StructureError;
@@ -52,6 +52,15 @@ const CARD: Card = Card {
 impl Effect for RodEndsEarly {
     fn card(&self) -> Card<'_> {
         CARD
+    }
+
+    fn places(&self) -> Option<Places> {
+        Some(Places {
+            parameter: 1,
+            at: &[0.2, 0.4, 0.6, 0.8],
+            reach: 0.1,
+            spar: None,
+        })
     }
 
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::card::{Card, Parameter, Seam};
+use super::card::{Card, Parameter, Places, Seam};
 use super::{Effect, Structure, Values};
 use crate::input::measurement::Channel;
 use crate::structure::StructureError;
@@ -61,6 +61,15 @@ const CARD: Card = Card {
 impl Effect for RodSplit {
     fn card(&self) -> Card<'_> {
         CARD
+    }
+
+    fn places(&self) -> Option<Places> {
+        Some(Places {
+            parameter: 1,
+            at: &[0.2, 0.4, 0.6, 0.8],
+            reach: 0.1,
+            spar: None,
+        })
     }
 
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {

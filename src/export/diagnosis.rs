@@ -175,8 +175,16 @@ fn effects(effects: &[EffectRow]) -> String {
                 String::new()
             }
         };
+        let place = row.place.as_ref().map_or(String::new(), |place| {
+            let numbers = place.numbers.values().map(|value| format!(" {value}"));
+            format!(
+                "{} @ {}",
+                numbers.collect::<String>(),
+                significant(place.value, 2)
+            )
+        });
         table.row([
-            row.effect.clone(),
+            row.effect.clone() + &place,
             number(row.score, 1),
             significant(row.one_step, 3),
             error(row.one_step_error),
@@ -246,7 +254,15 @@ fn misfit(diagnosis: &Diagnosis) -> String {
 
 /// The ladder of the error.
 pub fn ladder(rungs: &[Rung]) -> String {
-    let mut table = Table::new(["model", "channel", "in_sample", "left_out", "held_out", "unit"]);
+    let mut table = Table::new([
+        "model",
+        "channel",
+        "in_sample",
+        "left_out",
+        "held_out",
+        "unit",
+        "chi2_all",
+    ]);
     for rung in rungs {
         let shown = |value: Option<f64>| value.map_or(String::new(), |value| significant(value, 3));
         table.row([
@@ -256,6 +272,7 @@ pub fn ladder(rungs: &[Rung]) -> String {
             shown(rung.left_out),
             shown(rung.held_out),
             rung.channel.unit().to_string(),
+            shown(rung.chi_square_per_number),
         ]);
     }
     table.render()

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use nalgebra::{DMatrix, DVector};
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use super::case::{PreparedCase, Solved};
+use super::case::{Asked, PreparedCase, Solved};
 use super::error::StudyError;
 use super::footing::{Ground, Stand};
 use super::forward::{Condition, Footing, Forward, Linear, Observable, Unknown, UnknownKind};
@@ -214,11 +214,10 @@ impl Campaign {
         let prepared = &self.cases[case];
         let mut design = prepared.design.clone();
         for (target, &value) in self.targets.targets.iter().zip(at) {
-            if let Target::Key { key, cases } = target
-                && cases.contains(&case)
-                && design.get(key) != Some(value)
-            {
-                design.set(key, value).map_err(|error| prepared.failed(error))?;
+            for (key, number) in target.sets(case, value, at) {
+                if design.get(&key) != Some(number) {
+                    design.set(&key, number).map_err(|error| prepared.failed(error))?;
+                }
             }
         }
         Ok(design)
@@ -254,7 +253,7 @@ impl Campaign {
         ground: Option<&Ground>,
         at: &[f64],
     ) -> Result<(Stand, Option<Tangent>), StudyError> {
-        let touches = |unknown: usize| matches!(&self.targets.targets[unknown], Target::Key { cases, .. } if cases.contains(&index));
+        let touches = |unknown: usize| self.targets.targets[unknown].touches(index, at);
         if let Some(ground) = ground.filter(|ground| ground.is_same(at, touches)) {
             return Ok((ground.cases[index].clone(), None));
         }
@@ -286,15 +285,37 @@ impl Campaign {
         at: &[f64],
         wanted: &[bool],
     ) -> Result<Stand, StudyError> {
-        let mut asked: Vec<(usize, String, Option<f64>)> = Vec::new();
+        let design = &stand.solved.at.design;
+        let mut asked: Vec<Asked> = Vec::new();
         for (k, target) in self.targets.targets.iter().enumerate() {
-            if let Target::Key { key, cases } = target
-                && wanted[k]
-                && cases.contains(&index)
-                && !stand.columns.contains_key(&k)
-            {
-                asked.push((k, key.clone(), self.switch_step(k, at[k])));
+            if !wanted[k] || !target.touches(index, at) || stand.columns.contains_key(&k) {
+                continue;
             }
+            let (key, placed) = match target {
+                Target::Key { key, .. } | Target::Place { key, .. } => (key, None),
+                Target::Placed {
+                    key,
+                    place,
+                    at: unknown,
+                    fixed,
+                    ..
+                } => {
+                    // elsewhere at work already: one place at a time
+                    if at[k] == 0.0 && design.get(key) != Some(0.0) {
+                        continue;
+                    }
+                    let mut sets = fixed.clone();
+                    sets.push((place.clone(), at[*unknown]));
+                    (key, (at[k] == 0.0).then_some(sets))
+                }
+                Target::Ruler { .. } => continue,
+            };
+            asked.push(Asked {
+                index: k,
+                key: key.clone(),
+                switch: self.switch_step(k, at[k]),
+                placed,
+            });
         }
         let progress = self.progress.unseen();
         let (columns, work) = self.cases[index].rates(&stand.solved, tangent, &asked, &progress)?;

@@ -52,6 +52,19 @@ pub struct PreparedCase {
 /// How a case answers, for the index of a column.
 pub type Columns = Vec<(usize, Column)>;
 
+/// A derivative that is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Asked {
+    /// Index of the column.
+    pub index: usize,
+    /// Dotted key of the design.
+    pub key: String,
+    /// Finite step, if the response has a kink at zero.
+    pub switch: Option<f64>,
+    /// Numbers of an effect that is off, with which it would act: dotted key, value.
+    pub placed: Option<Vec<(String, f64)>>,
+}
+
 /// Where a solve starts.
 #[derive(Debug)]
 pub struct Near<'a> {
@@ -294,8 +307,8 @@ impl PreparedCase {
         Ok(whole)
     }
 
-    /// Derivatives of the readings with keys of the design: (index, values per row) for each of `columns`
-    /// (index, key, finite step if the response has a kink at zero); and what it took. `tangent`: what the solve has left.
+    /// Derivatives of the readings with keys of the design: (index, values per row) for each of `columns`; and what it took.
+    /// `tangent`: what the solve has left.
     ///
     /// # Errors
     /// If the coupled tangent is singular, or a key is none.
@@ -303,7 +316,7 @@ impl PreparedCase {
         &self,
         solved: &Solved,
         tangent: Option<Tangent>,
-        columns: &[(usize, String, Option<f64>)],
+        columns: &[Asked],
         progress: &Progress,
     ) -> Result<(Columns, Work), StudyError> {
         let mut work = Work::default();
@@ -322,8 +335,27 @@ impl PreparedCase {
                 .map_err(|error| self.failed(error))?,
         };
         let mut rates = Vec::new();
-        for (index, key, switch) in columns {
+        for Asked {
+            index,
+            key,
+            switch,
+            placed,
+        } in columns
+        {
             progress.check()?;
+            if let Some(sets) = placed {
+                let mut design = solved.design.clone();
+                for (key, number) in sets {
+                    design.set(key, *number).map_err(|error| self.failed(error))?;
+                }
+                let mut placed = Sensitivity::new(&design, wing, table, solution, &remesh)
+                    .map_err(|error| self.failed(error))?;
+                work.derivatives += 1;
+                work.factorizations += 1;
+                let column = self.column(&mut placed, key, &here)?;
+                rates.push((*index, column));
+                continue;
+            }
             let column = match switch {
                 Some(step) => {
                     let mut design = solved.design.clone();
@@ -346,27 +378,32 @@ impl PreparedCase {
                 }
                 None => {
                     work.derivatives += 1;
-                    let fault = |error| self.failed(format!("{key}: {error}"));
-                    let rate = sensitivity.rate(key).map_err(fault)?;
-                    let unread = OnceCell::new();
-                    let column = sensitivity.read(&rate, |near| {
-                        self.read(near).unwrap_or_else(|error| {
-                            let _ = unread.set(error);
-                            here.clone()
-                        })
-                    });
-                    if let Some(error) = unread.into_inner() {
-                        return Err(error);
-                    }
-                    Column {
-                        rates: column.map_err(|error| self.failed(error))?,
-                        shape: (!rate.moves_mesh).then_some(rate.state),
-                    }
+                    self.column(&mut sensitivity, key, &here)?
                 }
             };
             rates.push((*index, column));
         }
         Ok((rates, work))
+    }
+
+    /// Derivative of the readings, which are `here`, with a key.
+    fn column(&self, sensitivity: &mut Sensitivity, key: &str, here: &[f64]) -> Result<Column, StudyError> {
+        let fault = |error| self.failed(format!("{key}: {error}"));
+        let rate = sensitivity.rate(key).map_err(fault)?;
+        let unread = OnceCell::new();
+        let column = sensitivity.read(&rate, |near| {
+            self.read(near).unwrap_or_else(|error| {
+                let _ = unread.set(error);
+                here.to_vec()
+            })
+        });
+        if let Some(error) = unread.into_inner() {
+            return Err(error);
+        }
+        Ok(Column {
+            rates: column.map_err(|error| self.failed(error))?,
+            shape: (!rate.moves_mesh).then_some(rate.state),
+        })
     }
 
     /// Response of the readings to a unit moment per length about the span axis (N·m/m), spread as a hat around each of

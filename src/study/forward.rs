@@ -1,6 +1,7 @@
 //! What a fit needs of a model: its unknowns, its observables, its predictions and how they answer to the unknowns.
 
 use std::any::Any;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
@@ -40,6 +41,15 @@ pub enum UnknownKind {
     /// An error of the model that is admitted ([`super::admitted`]): never fitted, part of the scatter. Its sigma is for an admitted
     /// share of 1.
     Admitted,
+    /// Where an effect sits; it counts while that effect has a strength.
+    Place {
+        /// Name of the unknown that is the strength.
+        of: String,
+        /// The effect's parameter.
+        parameter: String,
+        /// Other numbers with which it acts there, such as which spar.
+        numbers: BTreeMap<String, f64>,
+    },
     /// The strength of an effect.
     Effect {
         /// Name of the effect.

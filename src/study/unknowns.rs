@@ -4,7 +4,7 @@ use super::admitted::{ADMITTED, CHORD};
 use super::case::PreparedCase;
 use super::error::StudyError;
 use super::forward::{Observable, Unknown, UnknownKind};
-use crate::effects::{Card, acting, named};
+use crate::effects::{Card, Effect, Places, acting, named};
 use crate::input::study::{LoadedStudy, Ruler, RulerKind, Uncertain};
 
 /// Half-width of the range of an unknown that states none, in standard deviations.
@@ -17,6 +17,28 @@ pub enum Target {
     Key {
         /// Dotted key.
         key: String,
+        /// Indices of the cases.
+        cases: Vec<usize>,
+    },
+    /// On the strength of an effect that the designs lack, at a place of its own.
+    Placed {
+        /// Dotted key of the strength.
+        key: String,
+        /// Dotted key of the place.
+        place: String,
+        /// Index of the unknown that is the place.
+        at: usize,
+        /// Other numbers of the effect: dotted key, value.
+        fixed: Vec<(String, f64)>,
+        /// Indices of the cases.
+        cases: Vec<usize>,
+    },
+    /// On the place of an effect.
+    Place {
+        /// Dotted key.
+        key: String,
+        /// Index of the unknown that is the effect's strength.
+        strength: usize,
         /// Indices of the cases.
         cases: Vec<usize>,
     },
@@ -38,6 +60,36 @@ pub struct Targets {
     pub targets: Vec<Target>,
     /// Where each starts.
     pub start: Vec<f64>,
+}
+
+impl Target {
+    /// Whether it acts on a case when the unknowns stand at `at`; the ruler acts on none.
+    pub fn touches(&self, case: usize, at: &[f64]) -> bool {
+        match self {
+            Target::Key { cases, .. } | Target::Placed { cases, .. } => cases.contains(&case),
+            Target::Place { cases, strength, .. } => at[*strength] != 0.0 && cases.contains(&case),
+            Target::Ruler { .. } => false,
+        }
+    }
+
+    /// The numbers of the design of a case that it sets to act with `value`: dotted key, number.
+    pub fn sets(&self, case: usize, value: f64, at: &[f64]) -> Vec<(String, f64)> {
+        match self {
+            Target::Key { key, cases } if cases.contains(&case) => vec![(key.clone(), value)],
+            Target::Placed {
+                key,
+                place,
+                at: unknown,
+                fixed,
+                cases,
+            } if cases.contains(&case) && value != 0.0 => {
+                let mut sets = fixed.clone();
+                sets.extend([(place.clone(), at[*unknown]), (key.clone(), value)]);
+                sets
+            }
+            _ => Vec::new(),
+        }
+    }
 }
 
 impl Targets {
@@ -73,8 +125,13 @@ impl Targets {
             if !study.study.effect.iter().any(|effect| effect.name == *name)
                 && let Some(effect) = named(name)
             {
-                let card = effect.card();
-                found.add_effect(&card, cases, 0.0, 1.5 * card.parameters[0].scale());
+                match effect.places() {
+                    Some(places) => found.add_places(effect, &places, cases),
+                    None => {
+                        let card = effect.card();
+                        found.add_effect(&card, cases, 0.0, 1.5 * card.parameters[0].scale());
+                    }
+                }
             }
         }
         if !candidates.is_empty() {
@@ -225,23 +282,100 @@ impl Targets {
         if touched.is_empty() || sigma == 0.0 {
             return;
         }
-        let parameter = &card.parameters[0];
         let key = format!("effects.{}.strength", card.name);
-        let unknown = Unknown {
-            name: key.clone(),
-            unit: parameter.unit.to_string(),
-            kind: UnknownKind::Effect {
-                effect: card.name.to_string(),
-                family: card.family.to_string(),
-                scale: parameter.scale(),
-                one_sided: parameter.is_one_sided(),
-                has_switch: card.has_switch,
-            },
-            mean: 0.0,
-            sigma,
-            range: parameter.range,
-        };
+        let unknown = strength_of(card, key.clone(), sigma);
         self.add(unknown, Target::Key { key, cases: touched }, strength);
+    }
+
+    /// An effect that the designs lack, at each of its places: a strength, and where it sits, for each.
+    fn add_places(&mut self, effect: &dyn Effect, places: &Places, cases: &[PreparedCase]) {
+        let card = effect.card();
+        let has = |index: &usize| cases[*index].design.effects.contains_key(card.name);
+        let all: Vec<usize> = (0..cases.len()).filter(has).collect();
+        let key = |parameter: usize| format!("effects.{}.{}", card.name, card.parameters[parameter].name);
+        let spars_of = |index: usize| cases[index].design.spar.len();
+        let spars = all.iter().map(|&index| spars_of(index)).max().unwrap_or(0);
+        let spars = match places.spar {
+            Some(counts) => (0..spars).map(|spar| Some((counts, spar))).collect(),
+            None => vec![None],
+        };
+        for spar in spars {
+            let touched = all.iter().copied();
+            let touched: Vec<usize> = match spar {
+                Some((_, spar)) => touched.filter(|&index| spar < spars_of(index)).collect(),
+                None => touched.collect(),
+            };
+            if touched.is_empty() {
+                continue;
+            }
+            for &place in places.at {
+                let parameter = &card.parameters[places.parameter];
+                let fixed: Vec<(String, f64)> = spar
+                    .iter()
+                    .map(|&(counts, spar)| (key(counts), spar as f64))
+                    .collect();
+                let of_spar = spar.map_or(String::new(), |(_, spar)| format!(" spar {spar}"));
+                let name = format!("{},{of_spar} {} {place}", key(0), parameter.name);
+                let (strength, at) = (self.unknowns.len(), self.unknowns.len() + 1);
+                let unknown = strength_of(&card, name.clone(), 1.5 * card.parameters[0].scale());
+                let target = Target::Placed {
+                    key: key(0),
+                    place: key(places.parameter),
+                    at,
+                    fixed,
+                    cases: touched.clone(),
+                };
+                self.add(unknown, target, 0.0);
+                let [low, high] = parameter.plausible;
+                let unknown = Unknown {
+                    name: format!("{},{of_spar} near {place}", key(places.parameter)),
+                    unit: parameter.unit.to_string(),
+                    kind: UnknownKind::Place {
+                        of: name,
+                        parameter: parameter.name.to_string(),
+                        numbers: spar
+                            .iter()
+                            .map(|&(counts, spar)| (card.parameters[counts].name.to_string(), spar as f64))
+                            .collect(),
+                    },
+                    mean: place,
+                    sigma: places.reach,
+                    range: [
+                        (place - 2.0 * places.reach).max(low.min(place)),
+                        (place + 2.0 * places.reach).min(high.max(place)),
+                    ],
+                };
+                let key = key(places.parameter);
+                self.add(
+                    unknown,
+                    Target::Place {
+                        key,
+                        strength,
+                        cases: touched.clone(),
+                    },
+                    place,
+                );
+            }
+        }
+    }
+}
+
+/// The strength of an effect, as an unknown of that name.
+fn strength_of(card: &Card, name: String, sigma: f64) -> Unknown {
+    let parameter = &card.parameters[0];
+    Unknown {
+        name,
+        unit: parameter.unit.to_string(),
+        kind: UnknownKind::Effect {
+            effect: card.name.to_string(),
+            family: card.family.to_string(),
+            scale: parameter.scale(),
+            one_sided: parameter.is_one_sided(),
+            has_switch: card.has_switch,
+        },
+        mean: 0.0,
+        sigma,
+        range: parameter.range,
     }
 }
 

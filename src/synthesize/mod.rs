@@ -118,7 +118,7 @@ pub fn synthesize(
         .zip(campaign.start())
         .enumerate()
         .map(|(index, (unknown, start))| match unknown.kind {
-            UnknownKind::Effect { .. } => start,
+            UnknownKind::Effect { .. } | UnknownKind::Place { .. } => start,
             _ => {
                 let [low, high] = unknown.range;
                 // what its range excludes is drawn again

@@ -91,6 +91,67 @@ fn a_campaign_without_values_can_be_judged_but_not_compared() {
     );
 }
 
+/// θ = T/GJ (r + 1.640 s (r − from)) outboard of the split; half split from 53 mm on, which is no place that is looked at first.
+#[test]
+fn a_rod_that_is_split_from_somewhere_on_is_named_with_the_place() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), &MANY);
+    let gj = 80e9 * std::f64::consts::PI / 32.0 * 1e-12;
+    let mut rows =
+        String::from("case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound\n");
+    for moment in 1..=3 {
+        for (index, r_mm) in MANY.into_iter().enumerate() {
+            let r_m = 1e-3 * f64::from(r_mm);
+            let split_m = (r_m - 0.053).max(0.0);
+            let twist = 1e-3 * f64::from(moment) / gj * (r_m + 1.640 * 0.5 * split_m);
+            // up and down by the sigma or half of it, in no order that the model has
+            let scatter = [0.01, -0.005, -0.01, 0.005][(7 * index + 3 * moment as usize) % 4];
+            let twist = twist.to_degrees() + scatter;
+            rows += &format!(
+                "m-{moment},twist,chord_rotation,deg,washout,,{r_mm},,{twist:.5},0.01,stated,none\n"
+            );
+        }
+    }
+    fs::write(folder.path().join("m.csv"), rows).unwrap();
+    let study = fs::read_to_string(folder.path().join("study.toml")).unwrap();
+    let study = study.replace("'root-flexure']", "'root-flexure', 'rod-split']");
+    fs::write(folder.path().join("study.toml"), study).unwrap();
+    let said = json(&washout(folder.path(), &["diagnose", "study.toml", "--json"]));
+    assert_eq!(said["verdict"], "effect", "{}", said["sentence"]);
+    let strength = &said["hypotheses"][0]["strengths"][0];
+    assert_eq!(strength["effect"], "rod-split");
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let place = &strength["place"];
+    assert_eq!(place["parameter"], "from");
+    let (from, error) = (number(&place["value"]), number(&place["standard_error"]));
+    assert!((from - 0.53).abs() < 3.0 * error && error < 0.02, "{place}");
+    assert!(
+        (number(&strength["value"]) - 0.5).abs() < 3.0 * number(&strength["standard_error"]),
+        "{strength}"
+    );
+    // joined to the model where it was found, it leaves nothing
+    let add = [
+        "add",
+        "rod-split",
+        "--to",
+        "study.toml",
+        "--number",
+        "from=0.53",
+        "--output",
+        "with.toml",
+    ];
+    let added = json(&washout(folder.path(), &[&add[..], &["--json"]].concat()));
+    let rung = &added["ladder"][0];
+    assert!(number(&rung["after"]) < 0.1 * number(&rung["before"]), "{added}");
+    let chi = &rung["chi_squared"];
+    assert!(
+        number(&chi["before"]) > 100.0 && number(&chi["after"]) < 1.5,
+        "{added}"
+    );
+    let after = json(&washout(folder.path(), &["diagnose", "with.toml", "--json"]));
+    assert_eq!(after["verdict"], "nothing", "{}", after["sentence"]);
+}
+
 #[test]
 fn what_was_hidden_is_found_and_data_of_the_same_making_are_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -120,7 +120,7 @@ fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_
     );
     let ladder = fs::read_to_string(folder.path().join("output/bench-ladder/ladder.csv")).unwrap();
     assert!(
-        ladder.contains("rod,twist,deg,+ rod-shear-modulus,held out,0.0"),
+        ladder.contains("rod,twist,root_mean_square,deg,+ rod-shear-modulus,held out,0.0"),
         "{ladder}"
     );
     assert!(

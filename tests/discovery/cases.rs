@@ -1,6 +1,9 @@
 //! Cases with a hidden cause, made by nature's solver from seeds.
 
+use std::collections::BTreeMap;
+
 use washout::study::draws::Draws;
+use washout::study::{Unknown, UnknownKind};
 
 use crate::effects::EFFECTS;
 use crate::rod::{Toy, Wing};
@@ -28,6 +31,26 @@ pub struct Case {
     pub toy: Toy,
     pub nature: Nature,
     pub families: Vec<&'static str>,
+}
+
+/// The same with damage that moves to where the data have it, from each place that the library knows.
+pub fn with_places(mut toy: Toy) -> Toy {
+    let places = EFFECTS
+        .iter()
+        .filter_map(|effect| Some((effect.name, effect.place?)));
+    toy.unknowns.extend(places.map(|(name, place)| Unknown {
+        name: format!("place of {name}"),
+        unit: "1".into(),
+        kind: UnknownKind::Place {
+            of: name.into(),
+            parameter: "place".into(),
+            numbers: BTreeMap::new(),
+        },
+        mean: place,
+        sigma: 0.05,
+        range: [place - 0.1, place + 0.1],
+    }));
+    toy
 }
 
 pub const WINGS: [Wing; 3] = [

@@ -8,7 +8,7 @@ use washout::progress::Progress;
 use washout::study::draws::Draws;
 use washout::study::{Condition, Forward, Linear, Observable, StudyError, Unknown, UnknownKind};
 
-use crate::cases::{Kind, case, good_campaign, measure, poor_campaign};
+use crate::cases::{Kind, case, good_campaign, measure, poor_campaign, with_places};
 use crate::rod::Toy;
 use crate::scoreboard::{Share, run};
 use crate::truth::{Hidden, Nature};
@@ -110,6 +110,30 @@ fn damage_between_two_places_is_found_as_damage() {
     let said = said(&study(vec![Hidden::Damage(0.365, 200.0)], 4));
     assert_eq!(said.hypotheses[0].families, ["damage"], "{}", said.sentence);
     assert_ne!(said.verdict, Verdict::Novel);
+}
+
+#[test]
+fn damage_moves_to_where_it_is() {
+    for (place, seed) in [(0.365, 4), (0.47, 5)] {
+        let draws = Draws::new(seed);
+        let mut toy = with_places(good_campaign(0.1));
+        let nature = Nature::drawn(draws, vec![Hidden::Damage(place, 200.0)]);
+        measure(&mut toy, &nature, draws, 1.0);
+        let said = said(&toy);
+        let best = &said.hypotheses[0];
+        assert_eq!(best.families, ["damage"], "{}", said.sentence);
+        assert_ne!(said.verdict, Verdict::Novel);
+        let strength = &best.strengths[0];
+        let found = strength.place.as_ref().expect("a place");
+        let error = found.standard_error.expect("an error");
+        println!(
+            "{} ± {} at {} ± {error}",
+            strength.value, strength.standard_error, found.value
+        );
+        assert!((found.value - place).abs() < 3.0 * error, "{found:?}");
+        let off = (strength.value - 200.0).abs();
+        assert!(off < 3.0 * strength.standard_error && off < 40.0, "{strength:?}");
+    }
 }
 
 #[test]

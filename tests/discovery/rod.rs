@@ -303,11 +303,7 @@ impl At {
             gravity: get("gravity"),
             inertia: get("inertia"),
             rotational_damping: get("rotational_damping"),
-            damages: EFFECTS
-                .iter()
-                .zip(&values[NUISANCES.len()..])
-                .filter_map(|(effect, value)| Some((effect.place?, *value)))
-                .collect(),
+            damages: damages(values),
         }
     }
 
@@ -320,11 +316,11 @@ impl At {
     }
 
     fn damage(&self, xi: f64) -> f64 {
-        let here = self
-            .damages
+        let share = |place: f64| (1.0 - (place - xi).abs() * CELLS as f64).max(0.0);
+        self.damages
             .iter()
-            .filter(|(place, _)| (place - xi).abs() < 0.5 / CELLS as f64);
-        here.map(|(_, value)| value).sum()
+            .map(|(place, value)| value * share(*place))
+            .sum()
     }
 
     /// Moment per length about the span, N m/m.
@@ -351,6 +347,16 @@ impl At {
             + self.inertia * 2e-3 * rates * rates * phi * c / 0.02
             + self.rotational_damping * 2e-3 * rates * phi * (c / 0.02).powi(3) * xi
     }
+}
+
+/// Places and strengths of damage; places that move stand behind all other values.
+fn damages(values: &[f64]) -> Vec<(f64, f64)> {
+    let strengths = EFFECTS.iter().zip(&values[NUISANCES.len()..]);
+    let known = strengths.filter_map(|(effect, value)| Some((effect.place?, *value)));
+    let mut places = values[NUISANCES.len() + EFFECTS.len()..].iter();
+    known
+        .map(|(place, value)| (places.next().copied().unwrap_or(place), value))
+        .collect()
 }
 
 fn unknowns() -> Vec<Unknown> {

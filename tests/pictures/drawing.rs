@@ -1,6 +1,6 @@
 //! The SVG itself: the right places, the same bytes, nothing that is no number, nothing off the sheet.
 
-use washout::export::pictures::ladder::{self, Fall};
+use washout::export::pictures::ladder::{self, Fall, Measure};
 use washout::export::pictures::{compared as picture, in_sigma};
 use washout::input::measurement::Channel;
 use washout::plot::{
@@ -258,6 +258,7 @@ fn bars_of_a_waterfall_are_as_high_as_their_levels() {
 #[test]
 fn a_ladder_shows_the_groups_that_it_has() {
     let fall = Fall {
+        measure: Measure::RootMeanSquare,
         wing: String::new(),
         channel: Channel::Deflection,
         groups: vec!["fitted".to_string(), "held out".to_string()],

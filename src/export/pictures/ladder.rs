@@ -8,9 +8,20 @@ use crate::plot::{Figure, Ink, Key, Panel, Sample, Step, Waterfall};
 use super::panels::distinct;
 use super::{with_unit, words};
 
-/// Root mean square errors of one channel, step by step.
+/// How errors are summed up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// Root mean square, in the unit of the channel.
+    RootMeanSquare,
+    /// χ² per number: each counts by its variance.
+    ChiSquare,
+}
+
+/// Errors of one channel, step by step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fall {
+    /// What they are.
+    pub measure: Measure,
     /// Name of the wing; empty if it is of all.
     pub wing: String,
     /// What was measured.
@@ -40,6 +51,7 @@ impl Fall {
             .filter(|(_, of)| rungs.iter().any(|rung| of(rung).is_some()))
             .collect();
         vec![Fall {
+            measure: Measure::RootMeanSquare,
             wing: String::new(),
             channel: first.channel,
             groups: kept.iter().map(|(name, _)| name.to_string()).collect(),
@@ -80,22 +92,39 @@ impl Fall {
                 let names = kept
                     .iter()
                     .map(|held| if *held { "held out" } else { "fitted" }.to_string());
-                Fall {
-                    groups: names.collect(),
+                let groups: Vec<String> = names.collect();
+                let fall = |measure: Measure, of: [fn(&GroupMisfit) -> f64; 3]| Fall {
+                    measure,
+                    groups: groups.clone(),
                     steps: vec![
-                        ("as stated".to_string(), levels(before, |group| group.rmse[0])),
-                        ("calibrated".to_string(), levels(before, |group| group.rmse[1])),
-                        (change.to_string(), levels(after, |group| group.rmse[1])),
-                        (
-                            "noise".to_string(),
-                            levels(before, |group| group.sigma_of_measurement),
-                        ),
+                        ("as stated".to_string(), levels(before, of[0])),
+                        ("calibrated".to_string(), levels(before, of[1])),
+                        (change.to_string(), levels(after, of[1])),
+                        ("noise".to_string(), levels(before, of[2])),
                     ],
-                    wing,
+                    wing: wing.clone(),
                     channel,
-                }
+                };
+                [
+                    fall(
+                        Measure::RootMeanSquare,
+                        [
+                            |group| group.rmse[0],
+                            |group| group.rmse[1],
+                            |group| group.sigma_of_measurement,
+                        ],
+                    ),
+                    fall(
+                        Measure::ChiSquare,
+                        [
+                            |group| group.chi_square_per_row[0],
+                            |group| group.chi_square_per_row[1],
+                            |_| 1.0,
+                        ],
+                    ),
+                ]
             });
-        falls.collect()
+        falls.flatten().collect()
     }
 }
 
@@ -137,7 +166,10 @@ fn panel(fall: &Fall) -> Panel {
     };
     Panel::Waterfall(Waterfall {
         title,
-        y_label: with_unit("root mean square error", fall.channel.unit()),
+        y_label: match fall.measure {
+            Measure::RootMeanSquare => with_unit("root mean square error", fall.channel.unit()),
+            Measure::ChiSquare => "chi-square per number".to_string(),
+        },
         groups: fall.groups.clone(),
         steps: fall.steps.iter().enumerate().map(step).collect(),
     })

@@ -7,6 +7,7 @@ use crate::diagnose::novel::Reconstruction;
 use crate::export::{ExportError, csv};
 use crate::input::measurement::Channel;
 
+use super::ladder::{Fall, Measure};
 use super::panels::{Compared, Profiles, panels};
 
 const COMPARED_HEAD: [&str; 21] = [
@@ -211,14 +212,18 @@ pub fn field(found: &Reconstruction) -> Result<Vec<u8>, ExportError> {
 }
 
 /// Errors that fall step by step, in long form: one line for each step and group of data.
-pub fn falls(falls: &[super::ladder::Fall]) -> Result<Vec<u8>, ExportError> {
-    let head = ["wing", "channel", "unit", "step", "group", "rms_error"];
+pub fn falls(falls: &[Fall]) -> Result<Vec<u8>, ExportError> {
+    let head = ["wing", "channel", "measure", "unit", "step", "group", "error"];
     let mut lines = Vec::new();
     for fall in falls {
         for (step, levels) in &fall.steps {
             for (group, level) in fall.groups.iter().zip(levels) {
                 let channel: Channel = fall.channel;
-                lines.push((&fall.wing, channel.name(), channel.unit(), step, group, level));
+                let (measure, unit) = match fall.measure {
+                    Measure::RootMeanSquare => ("root_mean_square", channel.unit()),
+                    Measure::ChiSquare => ("chi_square_per_number", "1"),
+                };
+                lines.push((&fall.wing, channel.name(), measure, unit, step, group, level));
             }
         }
     }
