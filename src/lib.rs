@@ -46,6 +46,8 @@ pub mod synthesize;
 
 pub mod compare;
 
+pub mod sweep;
+
 pub mod diagnose;
 
 pub mod blind;

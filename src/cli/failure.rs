@@ -12,6 +12,7 @@ use crate::export::ExportError;
 use crate::input::InputError;
 use crate::progress::Cancelled;
 use crate::study::StudyError;
+use crate::sweep::SweepError;
 use crate::synthesize::SynthesizeError;
 
 /// Why a verb did not do what it should.
@@ -142,6 +143,30 @@ pub enum Failure {
         /// Why.
         source: ExploreError,
     },
+    /// A sweep that cannot be made.
+    #[error("{}: {source}", base.display())]
+    Sweep {
+        /// The design or study.
+        base: PathBuf,
+        /// Why.
+        source: SweepError,
+    },
+    /// A sweep of which no case gave anything.
+    #[error("none of the {cases} cases gave a result; {} says why", table.display())]
+    EmptySweep {
+        /// Its cases.
+        cases: usize,
+        /// Its table.
+        table: PathBuf,
+    },
+    /// The scheduler does not do what it should.
+    #[error("{command}: {reason}")]
+    Scheduler {
+        /// What was called.
+        command: String,
+        /// What it said.
+        reason: String,
+    },
     /// An option that this design does not allow.
     #[error("{option}: {reason}")]
     Option {
@@ -237,6 +262,12 @@ impl Failure {
                 _ => 2,
             },
             Failure::OwnWord { .. } | Failure::Blind { .. } => 2,
+            Failure::Sweep { source, .. } => match source {
+                SweepError::Cancelled(_) => 130,
+                _ => 2,
+            },
+            Failure::EmptySweep { .. } => 3,
+            Failure::Scheduler { .. } => 1,
             Failure::Study(source) | Failure::OfStudy { source, .. } => source.exit_code(),
             Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } | Failure::NoMeasurement { .. } => 2,

@@ -29,6 +29,10 @@ pub mod lift_ratios;
 
 pub mod pareto;
 
+pub mod slurm;
+
+pub mod sweep;
+
 pub mod divergence;
 
 pub mod modes;
@@ -106,6 +110,8 @@ pub enum Verb {
     Lift(lift::Lift),
     /// The front between lift and efficiency over twist profiles
     Pareto(pareto::Pareto),
+    /// Many cases: keys of a design or study over values, in one table; on one machine or on a cluster
+    Sweep(sweep::Sweep),
     /// Raise the speed or the amplitude until the wing has no equilibrium any more
     Divergence(divergence::Divergence),
     /// Natural frequencies and mode shapes, unloaded or in flight
@@ -149,6 +155,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Compare(verb) => verb.run(&console),
         Verb::Lift(verb) => verb.run(&console),
         Verb::Pareto(verb) => verb.run(&console),
+        Verb::Sweep(verb) => verb.run(&console),
         Verb::Divergence(verb) => verb.run(&console),
         Verb::Modes(verb) => verb.run(&console),
         Verb::Mesh(verb) => verb.run(&console),

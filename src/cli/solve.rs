@@ -132,24 +132,13 @@ pub fn solve(case: &Case, progress: &Progress) -> Result<Solution, Failure> {
         design: case.loaded.path.clone(),
         source,
     })?;
-    check_stop(case, &solution)?;
-    Ok(solution)
-}
-
-/// The stop of a flapping wing holds it against washout only.
-fn check_stop(case: &Case, solution: &Solution) -> Result<(), Failure> {
-    let design = &case.loaded.design;
-    let has_stop = design.flapping.is_some() && design.root.pitch_stiffness_n_m_per_rad.is_none();
-    let moment = solution.report.reaction_moment_n_m;
-    // Next to no load, rounding decides the sign.
-    let size = moment.iter().map(|part| part * part).sum::<f64>().sqrt();
-    if has_stop && moment[0] > 1e-6 * size {
-        return Err(Failure::StopPulls {
+    match solution.pull_of_stop(&case.loaded.design) {
+        None => Ok(solution),
+        Some(moment_n_m) => Err(Failure::StopPulls {
             design: case.loaded.path.clone(),
-            moment_mn_mm: moment[0] * 1e6,
-        });
+            moment_mn_mm: moment_n_m * 1e6,
+        }),
     }
-    Ok(())
 }
 
 fn band(

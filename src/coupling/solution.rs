@@ -1,5 +1,6 @@
 //! What a coupled solve gives: shape, strips, forces and how well the equations are met.
 
+use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::structure::state::State;
 
@@ -24,6 +25,18 @@ pub struct Solution {
     pub membrane_force_n_per_m: Vec<[f64; 3]>,
     /// How the equations are met and what it took.
     pub report: SolveReport,
+}
+
+impl Solution {
+    /// Moment (N·m) with which the pitch stop of a flapping wing would have to pull, which only pushes against washout; none where it
+    /// pushes, or the design has none.
+    pub fn pull_of_stop(&self, design: &Design) -> Option<f64> {
+        let has_stop = design.flapping.is_some() && design.root.pitch_stiffness_n_m_per_rad.is_none();
+        let moment = self.report.reaction_moment_n_m;
+        // next to no load, rounding decides the sign
+        let size = moment.iter().map(|part| part * part).sum::<f64>().sqrt();
+        (has_stop && moment[0] > 1e-6 * size).then_some(moment[0])
+    }
 }
 
 /// One strip of air on the deformed wing.

@@ -14,6 +14,9 @@ pub mod modes;
 
 pub mod pareto;
 
+#[cfg(feature = "parquet")]
+pub mod parquet;
+
 pub mod lift;
 
 pub mod plan;
@@ -31,6 +34,8 @@ pub mod kratos;
 pub mod nodal_loads;
 
 pub mod stroke;
+
+pub mod sweep;
 
 pub mod summary;
 

@@ -71,6 +71,23 @@ impl Progress {
         }
     }
 
+    /// Says how many of `total` are done, and about how much time the others take.
+    pub fn count(&self, done: usize, total: usize, what: &str) {
+        let Some(bar) = &self.bar else { return };
+        let rest = total.saturating_sub(done);
+        if done == 0 || rest == 0 {
+            self.say(format_args!("{done} of {total} {what}"));
+            return;
+        }
+        let left = bar.elapsed().mul_f64(rest as f64 / done as f64).as_secs();
+        let left = match left {
+            0..120 => format!("{left} s"),
+            120..7200 => format!("{} min", left / 60),
+            _ => format!("{:.1} h", left as f64 / 3600.0),
+        };
+        self.say(format_args!("{done} of {total} {what}, about {left} left"));
+    }
+
     /// Asks everything that holds a clone of this handle to stop.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::SeqCst);

@@ -11,6 +11,7 @@ mod export;
 mod help;
 
 mod hidden;
+
 mod init;
 
 mod interrupt;
@@ -26,6 +27,8 @@ mod schema;
 mod solve;
 
 mod study;
+
+mod sweep;
 
 mod verify;
 

@@ -86,6 +86,21 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("synthesize", &["progress", "input", "effects", "study"]),
     ("compare", &["progress", "input", "observation", "study"]),
     (
+        "sweep",
+        &[
+            "progress",
+            "input",
+            "geometry",
+            "mesh",
+            "aero",
+            "coupling",
+            "observation",
+            "lift",
+            "study",
+            "compare",
+        ],
+    ),
+    (
         "diagnose",
         &[
             "progress",
@@ -120,6 +135,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "explore",
             "synthesize",
             "compare",
+            "sweep",
             "diagnose",
             "plot",
             "blind",
@@ -143,6 +159,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "explore",
             "synthesize",
             "compare",
+            "sweep",
             "diagnose",
             "blind",
             "export",

@@ -16,6 +16,8 @@ pub mod pareto;
 
 pub mod residuals;
 
+pub mod sweep;
+
 pub mod tables;
 
 pub mod wing;

@@ -1,0 +1,93 @@
+#!/usr/bin/env bash
+# A sweep on a cluster of Slurm with two nodes, both on this machine, one of which dies half-way: the table is that of one
+# machine, nothing is lost, and nothing is done twice but what the dead node had begun.
+#
+#   sudo apt-get install slurm-wlm munge && cargo build --release && sudo examples/slurm/two_nodes.sh
+#
+# Needs root, for munge and slurmd. Everything that it starts is ended again; what it writes is in output/slurm.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+here=$PWD/output/slurm
+rm -rf "$here"
+mkdir -p "$here"/state "$here"/spool1 "$here"/spool2
+host=$(hostname -s)
+conf=$here/slurm.conf
+cat >"$conf" <<CONF
+ClusterName=try
+SlurmctldHost=$host
+SlurmUser=root
+SlurmctldPort=16817
+AuthType=auth/munge
+CryptoType=crypto/munge
+StateSaveLocation=$here/state
+SlurmdSpoolDir=$here/spool%n
+SlurmctldPidFile=$here/slurmctld.pid
+SlurmdPidFile=$here/slurmd-%n.pid
+SlurmctldLogFile=$here/slurmctld.log
+SlurmdLogFile=$here/slurmd-%n.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+ReturnToService=2
+SlurmdTimeout=20
+MpiDefault=none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+NodeName=n1 NodeHostname=$host Port=17001 CPUs=1 State=UNKNOWN
+NodeName=n2 NodeHostname=$host Port=17002 CPUs=1 State=UNKNOWN
+PartitionName=try Nodes=n1,n2 Default=YES MaxTime=60 State=UP
+CONF
+mkdir -p "$here/spooln1" "$here/spooln2"
+export SLURM_CONF=$conf
+stop() {
+    scancel --user=root 2>/dev/null || true
+    for pid in "$here"/*.pid; do [ -f "$pid" ] && kill "$(cat "$pid")" 2>/dev/null; done
+    [ -n "${munge:-}" ] && kill "$munge" 2>/dev/null
+    true
+}
+trap stop EXIT
+
+# munge, which tells the daemons from strangers, runs as its own user
+[ -f /etc/munge/munge.key ] || { command -v mungekey >/dev/null && mungekey --create || create-munge-key -f; }
+mkdir -p /run/munge
+chown munge:munge /run/munge /etc/munge/munge.key
+if ! munge -n >/dev/null 2>&1; then
+    setpriv --reuid=munge --regid=munge --clear-groups munged --foreground >"$here/munged.log" 2>&1 &
+    munge=$!
+    for _ in $(seq 50); do munge -n >/dev/null 2>&1 && break; sleep 0.1; done
+fi
+slurmctld -f "$conf"
+slurmd -f "$conf" -N n1
+slurmd -f "$conf" -N n2
+for _ in $(seq 100); do [ "$(sinfo -h -t idle -o %D)" = 2 ] && break; sleep 0.2; done
+sinfo
+
+cases=${1:-120}
+sweep=(designs/twist-v2.toml --vary "flapping.frequency_hz=15..26:$cases" --task-size 4)
+washout() { target/release/washout "$@"; }
+echo "== on one machine, without Slurm"
+washout --quiet sweep "${sweep[@]}" --output "$here/alone"
+
+echo "== on two nodes; n2 dies when a third of the tasks is done"
+washout sweep "${sweep[@]}" --output "$here/cluster" --slurm --partition try --minutes 10 >"$here/washout.log" 2>&1 &
+waiting=$!
+tasks=$(((cases + 3) / 4))
+done_() { find "$here/cluster/tasks" -name '*.json' 2>/dev/null | wc -l; }
+while [ "$(done_)" -lt $((tasks / 3)) ]; do sleep 0.2; done
+squeue -o "%i %j %T %N"
+find "$here/cluster/tasks" -name '*.json' -printf '%f %T@\n' | sort >"$here/before.txt"
+echo "killing n2 with what it runs, $(done_) of $tasks tasks done"
+pkill -9 -F "$here/slurmd-n2.pid"
+pkill -9 -f "spooln2" || true
+wait $waiting || { cat "$here/washout.log"; exit 1; }
+cat "$here/washout.log"
+
+echo "== what came of it"
+cmp "$here/alone/sweep.csv" "$here/cluster/sweep.csv" && echo "the table is the same, bit for bit: $cases cases"
+find "$here/cluster/tasks" -name '*.json' -printf '%f %T@\n' | sort >"$here/after.txt"
+again=$(comm -23 "$here/before.txt" "$here/after.txt" | wc -l)
+echo "tasks that were done before n2 died and done again: $again"
+[ "$again" = 0 ]
+starts=$(find "$here/cluster/slurm" -name 'task-*.log' | wc -l)
+echo "tasks $tasks, started $starts times by the array jobs (a requeued task keeps its log)"

@@ -1,0 +1,229 @@
+//! A job array of Slurm for tasks that are independent of each other, and the job that puts their results together.
+//!
+//! Nothing of a scheduler is written here: `sbatch` takes the jobs, `squeue` says whether they are still there, and what is missing
+//! after an array is submitted again.
+
+use std::fmt::Write;
+use std::path::Path;
+use std::process::Command;
+use std::thread::sleep;
+use std::time::Duration;
+
+use clap::Args;
+
+use crate::export::ExportError;
+use crate::export::file::write_whole;
+
+use super::{Console, Failure};
+
+/// Rounds of tasks that have no result: the first, and what it left.
+const ROUNDS: u8 = 3;
+/// Between two looks at the jobs.
+const LOOK: Duration = Duration::from_secs(2);
+
+/// What a scheduler is to be told.
+#[derive(Debug, Clone, Args)]
+pub struct Slurm {
+    /// Run the tasks as a job array of Slurm, wait for them and put their results together
+    #[arg(long)]
+    pub slurm: bool,
+    /// Partition of the cluster
+    #[arg(long, value_name = "NAME", requires = "slurm")]
+    pub partition: Option<String>,
+    /// Longest time of a task, minutes
+    #[arg(long, value_name = "MIN", requires = "slurm", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=43_200))]
+    pub minutes: u32,
+    /// Cores of a task
+    #[arg(long, value_name = "N", requires = "slurm", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub cores: u16,
+    /// Come back at once: the jobs go on, and the last one writes the table
+    #[arg(long, requires = "slurm")]
+    pub no_wait: bool,
+    /// Round of the merge that this job is
+    #[arg(long, value_name = "N", hide = true, requires = "resume")]
+    pub merge_round: Option<u8>,
+}
+
+impl Slurm {
+    /// Whether a scheduler has a part in it.
+    pub fn is_wanted(&self) -> bool {
+        self.slurm || self.merge_round.is_some()
+    }
+
+    /// Whether this process is a job itself.
+    pub fn is_of_a_job(&self) -> bool {
+        self.merge_round.is_some() || self.no_wait
+    }
+}
+
+/// Submits the `missing` tasks of a folder; unless this is a job itself or need not wait, waits until `left` says that none is missing.
+///
+/// # Errors
+/// If the scheduler refuses a job, its jobs end with tasks missing, or the user asked to stop waiting.
+pub fn run(
+    options: &Slurm,
+    folder: &Path,
+    missing: Vec<usize>,
+    left: &dyn Fn() -> Result<usize, Failure>,
+    console: &Console,
+) -> Result<(), Failure> {
+    let round = options.merge_round.map_or(0, |round| round + 1);
+    if round >= ROUNDS {
+        return Err(Failure::Scheduler {
+            command: "sbatch".to_string(),
+            reason: format!(
+                "{} tasks have no result after {ROUNDS} rounds; their logs are in {}",
+                missing.len(),
+                folder.join("slurm").display()
+            ),
+        });
+    }
+    let folder = std::path::absolute(folder).map_err(ExportError::file("find", folder))?;
+    let total = missing.len();
+    let last = submit(options, &folder, &missing, round)?;
+    console.note(format_args!(
+        "{total} tasks submitted; job {last} puts their results together"
+    ));
+    if options.is_of_a_job() {
+        return Ok(());
+    }
+    loop {
+        sleep(LOOK);
+        let open = left()?;
+        console.progress().count(total - open.min(total), total, "tasks");
+        if open == 0 {
+            return Ok(());
+        }
+        if let Err(cancelled) = console.progress().check() {
+            console.note("the jobs go on; the same command waits for them again");
+            return Err(cancelled.into());
+        }
+        if !is_any_job_left(&folder)? && left()? > 0 {
+            return Err(Failure::Scheduler {
+                command: "squeue".to_string(),
+                reason: format!(
+                    "no job of this folder is left, but {open} tasks have no result; their logs are in {}",
+                    folder.join("slurm").display()
+                ),
+            });
+        }
+    }
+}
+
+/// Name by which the jobs of a folder are known.
+fn job_name(folder: &Path) -> String {
+    let name = folder.file_name().unwrap_or_default().to_string_lossy();
+    let plain = |letter: char| {
+        if letter.is_ascii_alphanumeric() {
+            letter
+        } else {
+            '-'
+        }
+    };
+    format!("washout-{}", name.chars().map(plain).collect::<String>())
+}
+
+/// Submits the array and the job that follows it; gives that job's number.
+fn submit(options: &Slurm, folder: &Path, missing: &[usize], round: u8) -> Result<String, Failure> {
+    let logs = folder.join("slurm");
+    std::fs::create_dir_all(&logs).map_err(ExportError::file("create", &logs))?;
+    let program = std::env::current_exe().map_err(ExportError::file("find", Path::new("washout")))?;
+    let (program, here) = (quoted(&program), quoted(folder));
+    let cores = options.cores;
+    let mut head = format!(
+        "#!/bin/bash\n#SBATCH --job-name={}\n#SBATCH --cpus-per-task={cores}\n#SBATCH --time={}\n#SBATCH --requeue\n",
+        job_name(folder),
+        options.minutes
+    );
+    if let Some(partition) = &options.partition {
+        let _ = writeln!(head, "#SBATCH --partition={partition}");
+    }
+    let array = format!(
+        "{head}#SBATCH --array={}\n#SBATCH --output={}\nexec {program} --quiet --threads {cores} sweep --resume {here} --task \
+         \"$SLURM_ARRAY_TASK_ID\"\n",
+        ranges(missing),
+        quoted(&logs.join("task-%a-%A.log")),
+    );
+    let mut more = format!(" --minutes {} --cores {cores}", options.minutes);
+    if let Some(partition) = &options.partition {
+        let _ = write!(more, " --partition {partition}");
+    }
+    let merge = format!(
+        "{head}#SBATCH --output={}\nexec {program} --quiet --threads {cores} sweep --resume {here} --slurm --merge-round {round}{more}\n",
+        quoted(&logs.join("merge-%j.log")),
+    );
+    let (array_file, merge_file) = (logs.join("array.sh"), logs.join("merge.sh"));
+    write_whole(&array_file, array.as_bytes())?;
+    write_whole(&merge_file, merge.as_bytes())?;
+    let first = sbatch(&[], &array_file)?;
+    sbatch(&[format!("--dependency=afterany:{first}")], &merge_file)
+}
+
+fn sbatch(options: &[String], script: &Path) -> Result<String, Failure> {
+    let output = Command::new("sbatch")
+        .arg("--parsable")
+        .args(options)
+        .arg(script)
+        .output();
+    let output = output.map_err(|error| Failure::Scheduler {
+        command: "sbatch".to_string(),
+        reason: format!("{error}; --slurm needs Slurm's commands on this machine"),
+    })?;
+    if !output.status.success() {
+        return Err(Failure::Scheduler {
+            command: format!("sbatch {}", script.display()),
+            reason: String::from_utf8_lossy(&output.stderr).trim().to_string(),
+        });
+    }
+    let said = String::from_utf8_lossy(&output.stdout);
+    Ok(said.trim().split(';').next().unwrap_or_default().to_string())
+}
+
+fn is_any_job_left(folder: &Path) -> Result<bool, Failure> {
+    let name = job_name(folder);
+    let output = Command::new("squeue")
+        .args(["--noheader", "--name", &name])
+        .output();
+    let output = output.map_err(|error| Failure::Scheduler {
+        command: "squeue".to_string(),
+        reason: error.to_string(),
+    })?;
+    // a controller that does not answer for a moment is no end of the jobs
+    Ok(!output.status.success() || !String::from_utf8_lossy(&output.stdout).trim().is_empty())
+}
+
+fn quoted(path: &Path) -> String {
+    format!("'{}'", path.display().to_string().replace('\'', "'\\''"))
+}
+
+/// `0,3-7` for 0, 3, 4, 5, 6, 7.
+fn ranges(numbers: &[usize]) -> String {
+    let mut parts: Vec<(usize, usize)> = Vec::new();
+    for &number in numbers {
+        match parts.last_mut() {
+            Some((_, end)) if *end + 1 == number => *end = number,
+            _ => parts.push((number, number)),
+        }
+    }
+    let shown = parts.iter().map(|(start, end)| match start == end {
+        true => start.to_string(),
+        false => format!("{start}-{end}"),
+    });
+    shown.collect::<Vec<_>>().join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_that_follow_each_other_are_a_range() {
+        assert_eq!(ranges(&[0, 3, 4, 5, 9, 10, 12]), "0,3-5,9-10,12");
+        assert_eq!(ranges(&[]), "");
+    }
+
+    #[test]
+    fn a_path_with_spaces_and_quotes_is_one_word_of_the_shell() {
+        assert_eq!(quoted(Path::new("/a b/it's")), "'/a b/it'\\''s'");
+    }
+}

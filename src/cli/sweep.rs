@@ -1,0 +1,318 @@
+//! `washout sweep`: many cases in one table.
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use clap::Args;
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+
+use crate::export::file::write_whole;
+use crate::export::pictures::sweep::scatter;
+use crate::export::sweep::{SweepSummary, read_plan, read_task, table, write_plan, write_task};
+use crate::progress::Progress;
+use crate::sweep::points::MOST_CASES;
+use crate::sweep::{Axis, Base, Method, Row, SweepError, SweepPlan, Task, TaskResult, sensitivities, tasks};
+
+use super::slurm::{self, Slurm};
+use super::{Console, Failure};
+
+/// Most tasks that a job array is given.
+const MOST_TASKS: usize = 1000;
+
+/// Arguments of `washout sweep`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=15..27:13
+  washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=18..26 --vary rod[0].section.diameter_mm=0.9..1.1 --samples 64
+  washout sweep studies/paper-wings.toml --vary material.carbon-rod.g_gpa=3..6:7      what a study says of each
+  washout sweep --resume output/twist-v2-sweep            after an interruption: only what is missing is done
+  washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=15..27:500 --slurm --partition night
+
+Writes output/NAME-sweep/: sweep.csv (one row a case; a case that fails keeps its row and says why), scatter.svg, summary.json,
+and tasks/, the finished parts, from which an interrupted sweep goes on. The table is the same bit for bit for any number of
+threads, tasks and machines.")]
+pub struct Sweep {
+    /// The design or study
+    #[arg(required_unless_present = "resume")]
+    pub base: Option<PathBuf>,
+    /// Vary this key: LOW..HIGH:COUNT evenly, A,B,C one after the other, or LOW..HIGH with --samples; can be given many times
+    #[arg(long, value_name = "KEY=VALUES", required_unless_present = "resume")]
+    pub vary: Vec<String>,
+    /// Change a key for all cases; can be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Take N samples of the ranges instead of every combination
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65536))]
+    pub samples: Option<u32>,
+    /// How samples are taken [default: sobol with --samples, else grid]
+    #[arg(long, value_enum, requires = "samples")]
+    pub method: Option<Method>,
+    /// Seed of the samples
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u32,
+    /// Cases in one task: what is done at a stretch, kept, and never done again
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub task_size: u32,
+    /// Folder to write into [default: output/NAME-sweep]
+    #[arg(long, short, value_name = "DIR", conflicts_with = "resume")]
+    pub output: Option<PathBuf>,
+    /// Go on with the sweep of this folder
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["base", "vary", "set", "samples", "method"])]
+    pub resume: Option<PathBuf>,
+    /// Do this task alone and write no table; for a scheduler
+    #[arg(long, value_name = "N", requires = "resume")]
+    pub task: Option<usize>,
+    /// On a cluster
+    #[command(flatten)]
+    pub slurm: Slurm,
+}
+
+/// A sweep that is ready to run.
+struct Ready {
+    plan: SweepPlan,
+    folder: PathBuf,
+    base: Base,
+    points: Vec<Vec<String>>,
+    tasks: Vec<Task>,
+}
+
+impl Sweep {
+    /// Does what is missing and writes the table.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let progress = console.progress();
+        let mut ready = self.ready()?;
+        if let Some(number) = self.task {
+            let last = ready.tasks.len().saturating_sub(1);
+            let Some(task) = ready.tasks.get(number).cloned() else {
+                return Err(Failure::Option {
+                    option: "--task",
+                    reason: format!("there is no task {number}; they go from 0 to {last}"),
+                });
+            };
+            return ready.run(&[task], progress);
+        }
+        let missing = ready.missing()?;
+        if self.slurm.is_wanted() && !missing.is_empty() {
+            let numbers = missing.iter().map(|task| task.number).collect();
+            let left = || Ok(ready.missing()?.len());
+            slurm::run(&self.slurm, &ready.folder, numbers, &left, console)?;
+            if self.slurm.is_of_a_job() && !ready.missing()?.is_empty() {
+                return Ok(());
+            }
+        } else if let Err(failure) = ready.run(&missing, progress) {
+            if matches!(failure, Failure::Interrupted(_)) {
+                let kept = ready.tasks.len() - ready.missing()?.len();
+                console.note(format_args!(
+                    "{kept} of {} tasks are kept; go on with: washout sweep --resume {}",
+                    ready.tasks.len(),
+                    ready.folder.display()
+                ));
+            }
+            return Err(failure);
+        }
+        ready.merge(console)
+    }
+
+    /// The sweep of the folder, or that of the command line, checked.
+    fn ready(&self) -> Result<Ready, Failure> {
+        let (plan, folder) = match (&self.resume, &self.base) {
+            (Some(folder), _) => match read_plan(folder)? {
+                Some(plan) => (plan, folder.clone()),
+                None => {
+                    return Err(Failure::Option {
+                        option: "--resume",
+                        reason: format!("{} holds no sweep", folder.display()),
+                    });
+                }
+            },
+            (None, Some(base)) => self.planned(base)?,
+            (None, None) => {
+                return Err(Failure::Option {
+                    option: "--resume",
+                    reason: "give a design, a study, or the folder of a sweep".to_string(),
+                });
+            }
+        };
+        let fault = |source: SweepError| Failure::Sweep {
+            base: plan.base.clone(),
+            source,
+        };
+        let points = plan.points().map_err(fault)?;
+        let base = Base::load(&plan.base, &plan.set).map_err(fault)?;
+        // a key that nothing has fails everywhere: better said now
+        if let (Some(first), Some(last)) = (points.first(), points.last())
+            && let Err(error) = Base::load(&plan.base, &plan.sets(first))
+            && Base::load(&plan.base, &plan.sets(last)).is_err()
+        {
+            return Err(fault(error));
+        }
+        let content = base.content().map_err(fault)?;
+        let tasks = tasks(&plan, &points, &content);
+        write_plan(&folder, &plan)?;
+        Ok(Ready {
+            plan,
+            folder,
+            base,
+            points,
+            tasks,
+        })
+    }
+
+    fn planned(&self, base: &std::path::Path) -> Result<(SweepPlan, PathBuf), Failure> {
+        let fault = |source: SweepError| Failure::Sweep {
+            base: base.to_path_buf(),
+            source,
+        };
+        let axes = self
+            .vary
+            .iter()
+            .map(|text| Axis::parse(text))
+            .collect::<Result<Vec<_>, _>>();
+        let samples = self.samples.map_or(0, |samples| samples as usize);
+        let method = self
+            .method
+            .unwrap_or(if samples > 0 { Method::Sobol } else { Method::Grid });
+        let path = std::path::absolute(base).map_err(|error| Failure::Option {
+            option: "BASE",
+            reason: format!("{}: {error}", base.display()),
+        })?;
+        let mut plan = SweepPlan {
+            base: path,
+            set: self.set.clone(),
+            axes: axes.map_err(fault)?,
+            method,
+            samples,
+            seed: self.seed,
+            task_size: self.task_size as usize,
+        };
+        let twice =
+            (1..plan.axes.len()).find(|&k| plan.axes[..k].iter().any(|axis| axis.key == plan.axes[k].key));
+        if let Some(k) = twice {
+            return Err(Failure::Option {
+                option: "--vary",
+                reason: format!(
+                    "{} is varied twice; give all its values at once",
+                    plan.axes[k].key
+                ),
+            });
+        }
+        if self.slurm.is_wanted() {
+            let cases = plan.points().map_err(fault)?.len().min(MOST_CASES);
+            plan.task_size = plan.task_size.max(cases.div_ceil(MOST_TASKS));
+        }
+        let name = base
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        let folder = self
+            .output
+            .clone()
+            .unwrap_or_else(|| PathBuf::from("output").join(format!("{name}-sweep")));
+        match read_plan(&folder)? {
+            Some(other) if other != plan => Err(Failure::Option {
+                option: "--output",
+                reason: format!(
+                    "{} holds another sweep; give another folder, remove it, or go on with it by --resume",
+                    folder.display()
+                ),
+            }),
+            _ => Ok((plan, folder)),
+        }
+    }
+}
+
+impl Ready {
+    /// Tasks without a result.
+    fn missing(&self) -> Result<Vec<Task>, Failure> {
+        let mut missing = Vec::new();
+        for task in &self.tasks {
+            if read_task(&self.folder, task)?.is_none() {
+                missing.push(task.clone());
+            }
+        }
+        Ok(missing)
+    }
+
+    /// Does tasks, side by side, and keeps each result as it comes.
+    fn run(&mut self, tasks: &[Task], progress: &Progress) -> Result<(), Failure> {
+        if tasks.is_empty() {
+            return Ok(());
+        }
+        let fault = |source: SweepError| match source {
+            SweepError::Cancelled(cancelled) => Failure::Interrupted(cancelled),
+            source => Failure::Sweep {
+                base: self.plan.base.clone(),
+                source,
+            },
+        };
+        self.base.prepare(progress).map_err(fault)?;
+        let total: usize = tasks.iter().map(|task| task.cases.len()).sum();
+        let done = AtomicUsize::new(0);
+        let this: &Ready = self;
+        tasks.par_iter().try_for_each(|task| {
+            let rows = task.cases.clone().into_par_iter().map(|case| {
+                let point = &this.points[case];
+                let sets = this.plan.sets(point);
+                let row = this
+                    .base
+                    .row(&this.plan.base, (case, point, &sets), &progress.unseen())?;
+                let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+                progress.count(count, total, "cases");
+                Ok(row)
+            });
+            let result = TaskResult {
+                key: task.key.clone(),
+                rows: rows.collect::<Result<Vec<Row>, Failure>>()?,
+            };
+            Ok(write_task(&this.folder, task, &result)?)
+        })
+    }
+
+    /// The table from all results, in the order of the cases.
+    fn merge(&self, console: &Console) -> Result<(), Failure> {
+        let mut rows = Vec::new();
+        for task in &self.tasks {
+            match read_task(&self.folder, task)? {
+                Some(result) => rows.extend(result.rows),
+                None => {
+                    return Err(Failure::Option {
+                        option: "--resume",
+                        reason: format!("task {} has no result yet", task.number),
+                    });
+                }
+            }
+        }
+        let summary = SweepSummary::new(&self.plan, &rows, sensitivities(&self.plan, &rows));
+        let table_file = self.folder.join("sweep.csv");
+        write_whole(&table_file, &table(&self.plan, &rows)?)?;
+        #[cfg(feature = "parquet")]
+        write_whole(
+            &self.folder.join("sweep.parquet"),
+            &crate::export::parquet::sweep(&self.plan, &rows)?,
+        )?;
+        if let Some(picture) = scatter(&self.plan, &rows) {
+            write_whole(
+                &self.folder.join("scatter.svg"),
+                picture
+                    .to_svg()
+                    .map_err(crate::export::ExportError::from)?
+                    .as_bytes(),
+            )?;
+        }
+        let json = serde_json::to_string_pretty(&summary).map_err(|error| Failure::Output(error.into()))?;
+        write_whole(&self.folder.join("summary.json"), json.as_bytes())?;
+        if summary.failures == summary.cases {
+            return Err(Failure::EmptySweep {
+                cases: summary.cases,
+                table: table_file,
+            });
+        }
+        let page = format!(
+            "{}\nFiles in {}: sweep.csv scatter.svg summary.json tasks\n",
+            summary.page(&rows),
+            self.folder.display()
+        );
+        console.result(&page, &summary)
+    }
+}

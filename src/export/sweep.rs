@@ -1,0 +1,209 @@
+//! Files of a sweep: what it is, results of its tasks, the table, its summary as text.
+
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::ExportError;
+use super::csv::table as csv_table;
+use super::file::write_whole;
+use super::text::Table;
+use crate::sweep::{Row, Sensitivity, SweepPlan, Task, TaskResult};
+
+/// Failures that the page lists.
+const LISTED: usize = 8;
+
+/// What a sweep gave.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SweepSummary {
+    /// What it is.
+    pub plan: SweepPlan,
+    /// Its cases.
+    pub cases: usize,
+    /// Cases that gave nothing; the table says why.
+    pub failures: usize,
+    /// Figures of the table with their least and largest value.
+    pub figures: Vec<Span>,
+    /// Shares of the axes in the variance of every figure.
+    pub sensitivities: Vec<Sensitivity>,
+}
+
+/// Least and largest value of a figure.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Span {
+    /// The figure.
+    pub figure: String,
+    /// Its least value.
+    pub least: f64,
+    /// Its largest value.
+    pub largest: f64,
+}
+
+impl SweepSummary {
+    /// Of all rows.
+    pub fn new(plan: &SweepPlan, rows: &[Row], sensitivities: Vec<Sensitivity>) -> SweepSummary {
+        let span = |figure: String| {
+            let values = || rows.iter().filter_map(|row| row.figure(&figure));
+            Span {
+                least: values().fold(f64::INFINITY, f64::min),
+                largest: values().fold(f64::NEG_INFINITY, f64::max),
+                figure,
+            }
+        };
+        SweepSummary {
+            plan: plan.clone(),
+            cases: rows.len(),
+            failures: rows.iter().filter(|row| row.failure.is_some()).count(),
+            figures: figures(rows).into_iter().map(span).collect(),
+            sensitivities,
+        }
+    }
+
+    /// The summary as text; `rows`: for the reasons of failures.
+    pub fn page(&self, rows: &[Row]) -> String {
+        let mut page = format!("{}: {} cases", self.plan.base.display(), self.cases);
+        if self.failures > 0 {
+            page += &format!(", {} of which gave nothing", self.failures);
+        }
+        page += "\n\n";
+        let mut spans = Table::new(["figure", "least", "largest", "moved by (share of its variance)"]);
+        for span in &self.figures {
+            let own = self
+                .sensitivities
+                .iter()
+                .find(|known| known.figure == span.figure);
+            let shares = own.map_or(String::new(), |own| {
+                let shares = own.shares.iter().filter(|share| share.total > 0.01);
+                let shown = shares.map(|share| format!("{} {:.0} %", share.key, 100.0 * share.total));
+                shown.collect::<Vec<_>>().join(", ")
+            });
+            spans.row([
+                span.figure.clone(),
+                format!("{:.5}", span.least),
+                format!("{:.5}", span.largest),
+                shares,
+            ]);
+        }
+        page += &spans.render();
+        let failed: Vec<&Row> = rows.iter().filter(|row| row.failure.is_some()).collect();
+        if !failed.is_empty() {
+            page += "\nCases that gave nothing\n";
+        }
+        for row in failed.iter().take(LISTED) {
+            let at = self.plan.axes.iter().zip(&row.values);
+            let at: Vec<String> = at.map(|(axis, value)| format!("{}={value}", axis.key)).collect();
+            let reason = row.failure.as_deref().unwrap_or_default();
+            page += &format!("  {}: {reason}\n", at.join(" "));
+        }
+        if failed.len() > LISTED {
+            page += &format!("  … and {} more (sweep.csv)\n", failed.len() - LISTED);
+        }
+        page
+    }
+}
+
+/// Names of all figures, in the order in which they first come.
+pub fn figures(rows: &[Row]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for figure in rows.iter().flat_map(|row| &row.figures) {
+        if !names.contains(&figure.name) {
+            names.push(figure.name.clone());
+        }
+    }
+    names
+}
+
+/// `sweep.csv`: number, values of the axes, figures with unit, why a case gave nothing.
+///
+/// # Errors
+/// If a row cannot be written.
+pub fn table(plan: &SweepPlan, rows: &[Row]) -> Result<Vec<u8>, ExportError> {
+    let names = figures(rows);
+    let keys = plan.axes.iter().map(|axis| axis.key.as_str());
+    let head: Vec<&str> = std::iter::once("case")
+        .chain(keys)
+        .chain(names.iter().map(String::as_str))
+        .chain(["failure"])
+        .collect();
+    let record = |row: &Row| -> Vec<String> {
+        let shown = |name: &String| {
+            row.figure(name)
+                .map_or(String::new(), |value| format!("{value:?}"))
+        };
+        std::iter::once(row.case.to_string())
+            .chain(row.values.iter().cloned())
+            .chain(names.iter().map(shown))
+            .chain([row.failure.clone().unwrap_or_default().replace('\n', " ")])
+            .collect()
+    };
+    let records: Vec<Vec<String>> = rows.iter().map(record).collect();
+    csv_table(&head, &records)
+}
+
+/// Notes in a folder what its sweep is.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn write_plan(folder: &Path, plan: &SweepPlan) -> Result<(), ExportError> {
+    let tasks = folder.join("tasks");
+    std::fs::create_dir_all(&tasks).map_err(ExportError::file("create", &tasks))?;
+    write_json(&folder.join("sweep.json"), plan)
+}
+
+/// What the sweep of a folder is; none if it holds none.
+///
+/// # Errors
+/// If the file is there but no plan of a sweep.
+pub fn read_plan(folder: &Path) -> Result<Option<SweepPlan>, ExportError> {
+    let path = folder.join("sweep.json");
+    match std::fs::read_to_string(&path) {
+        Ok(text) => serde_json::from_str(&text)
+            .map(Some)
+            .map_err(|error| ExportError::Encoding {
+                format: "sweep.json",
+                reason: format!("{}: {error}", path.display()),
+            }),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(ExportError::file("read", &path)(error)),
+    }
+}
+
+/// The result of a task; none if it was not done, or of something else.
+///
+/// # Errors
+/// If it is there but cannot be read.
+pub fn read_task(folder: &Path, task: &Task) -> Result<Option<TaskResult>, ExportError> {
+    let path = task_file(folder, task);
+    match std::fs::read_to_string(&path) {
+        Ok(text) => {
+            let found = serde_json::from_str::<TaskResult>(&text).ok();
+            Ok(found.filter(|found| found.key == task.key && found.rows.len() == task.cases.len()))
+        }
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(ExportError::file("read", &path)(error)),
+    }
+}
+
+/// Keeps the result of a task.
+///
+/// # Errors
+/// If it cannot be written.
+pub fn write_task(folder: &Path, task: &Task, result: &TaskResult) -> Result<(), ExportError> {
+    write_json(&task_file(folder, task), result)
+}
+
+fn task_file(folder: &Path, task: &Task) -> PathBuf {
+    folder
+        .join("tasks")
+        .join(format!("{:06}-{}.json", task.number, task.key))
+}
+
+fn write_json(path: &Path, value: &impl Serialize) -> Result<(), ExportError> {
+    let text = serde_json::to_string_pretty(value).map_err(|error| ExportError::Encoding {
+        format: "JSON",
+        reason: error.to_string(),
+    })?;
+    write_whole(path, text.as_bytes())
+}

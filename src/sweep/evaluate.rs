@@ -1,0 +1,249 @@
+//! What one case of a sweep gives.
+
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::error::SweepError;
+use crate::aero::{AirLaw, Flow};
+use crate::compare::study::compare_study;
+use crate::coupling::solution::Solution;
+use crate::coupling::{CouplingError, solve_from};
+use crate::input::study::LoadedStudy;
+use crate::input::{Design, Loaded};
+use crate::lift::LiftReport;
+use crate::mesh::{MeshFile, for_design};
+use crate::observation::{Place, read_profile};
+use crate::progress::{Cancelled, Progress};
+use crate::study::{Campaign, StudyError};
+
+/// One number that a case gives.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Figure {
+    /// Its name, with unit.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+}
+
+/// One case.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Row {
+    /// Its number, from 0.
+    pub case: usize,
+    /// Values of the axes.
+    pub values: Vec<String>,
+    /// What it gives; nothing where it failed.
+    pub figures: Vec<Figure>,
+    /// Why it gives nothing.
+    pub failure: Option<String>,
+}
+
+impl Row {
+    /// A figure by its name.
+    pub fn figure(&self, name: &str) -> Option<f64> {
+        let own = self.figures.iter().find(|figure| figure.name == name)?;
+        Some(own.value)
+    }
+}
+
+/// What is varied, as it stands.
+#[derive(Debug)]
+pub enum Base {
+    /// A design, with its loaded shape, from which all others are solved; none if it has no equilibrium itself.
+    Design(Box<Loaded>, Option<Box<Solution>>),
+    /// A study.
+    Study(Box<LoadedStudy>),
+}
+
+impl Base {
+    /// Reads a design, or a study, with changes for all cases.
+    ///
+    /// # Errors
+    /// If it is refused.
+    pub fn load(path: &Path, sets: &[String]) -> Result<Base, SweepError> {
+        if LoadedStudy::is_study(path)? {
+            let study = LoadedStudy::load(path, sets)?;
+            return Ok(Base::Study(Box::new(study)));
+        }
+        let loaded = Design::load(path, sets)?;
+        Ok(Base::Design(Box::new(loaded), None))
+    }
+
+    /// All that a result hangs on besides the values of its case: what the files hold, not where they stand.
+    ///
+    /// # Errors
+    /// If a mesh file cannot be read.
+    pub fn content(&self) -> Result<String, SweepError> {
+        let of = |loaded: &Loaded| -> Result<String, SweepError> {
+            let mesh = loaded.read_mesh_file()?.map(|(_, bytes)| bytes);
+            Ok(format!(
+                "{}{:?}{mesh:?}",
+                loaded.design.to_toml(),
+                loaded.air_table
+            ))
+        };
+        match self {
+            Base::Design(loaded, _) => of(loaded),
+            Base::Study(study) => {
+                let mut all = format!("{:?}", study.study);
+                for case in study.cases.iter().chain(&study.experiments) {
+                    all += &of(&case.loaded)?;
+                    all += &format!("{:?}{}", case.rows, case.is_held_out);
+                }
+                Ok(all)
+            }
+        }
+    }
+
+    /// Solves the base itself, so that its cases are found sooner; one that has no equilibrium is left as it is.
+    ///
+    /// # Errors
+    /// If the user asked to stop.
+    pub fn prepare(&mut self, progress: &Progress) -> Result<(), SweepError> {
+        if let Base::Design(loaded, solution) = self {
+            progress.say("the base as it stands");
+            let found = solve(loaded, None, progress);
+            progress.check()?;
+            *solution = found.ok().map(|(solved, _)| Box::new(solved));
+        }
+        Ok(())
+    }
+
+    /// The case with the changes `sets` (which hold those for all cases).
+    ///
+    /// # Errors
+    /// If the user asked to stop; whatever else goes wrong is told in the row.
+    pub fn row(
+        &self,
+        path: &Path,
+        (case, values, sets): (usize, &[String], &[String]),
+        progress: &Progress,
+    ) -> Result<Row, Cancelled> {
+        let found = match self {
+            Base::Design(_, near) => of_design(path, sets, near.as_deref(), progress),
+            Base::Study(_) => of_study(path, sets, progress),
+        };
+        progress.check()?;
+        let found = found.and_then(finite);
+        let (figures, failure) = match found {
+            Ok(figures) => (figures, None),
+            Err(reason) => (Vec::new(), Some(reason)),
+        };
+        Ok(Row {
+            case,
+            values: values.to_vec(),
+            figures,
+            failure,
+        })
+    }
+}
+
+fn finite(figures: Vec<Figure>) -> Result<Vec<Figure>, String> {
+    match figures.iter().find(|figure| !figure.value.is_finite()) {
+        Some(figure) => Err(format!("{} is not a finite number", figure.name)),
+        None => Ok(figures),
+    }
+}
+
+fn solve(
+    loaded: &Loaded,
+    near: Option<&Solution>,
+    progress: &Progress,
+) -> Result<(Solution, crate::geometry::Planform), String> {
+    let mesh_file = loaded.read_mesh_file().map_err(|error| error.to_string())?;
+    let file = mesh_file.as_ref().map(|(name, bytes)| MeshFile { name, bytes });
+    let (planform, mesh) = for_design(&loaded.design, file).map_err(|error| error.to_string())?;
+    let table = loaded.air_table.as_deref();
+    let solution = solve_from(&loaded.design, &planform, &mesh, table, near, progress);
+    let solution = solution.map_err(|error: CouplingError| error.to_string())?;
+    if let Some(moment_n_m) = solution.pull_of_stop(&loaded.design) {
+        return Err(format!(
+            "the pitch stop would have to pull with {:.3} mN mm, but it only pushes",
+            moment_n_m * 1e6
+        ));
+    }
+    Ok((solution, planform))
+}
+
+fn of_design(
+    path: &Path,
+    sets: &[String],
+    near: Option<&Solution>,
+    progress: &Progress,
+) -> Result<Vec<Figure>, String> {
+    let loaded = Design::load(path, sets).map_err(|error| error.to_string())?;
+    let (solution, planform) = solve(&loaded, near, &progress.unseen())?;
+    let design = &loaded.design;
+    let mut figures = Vec::new();
+    let mut add = |name: &str, value: f64| {
+        figures.push(Figure {
+            name: name.to_string(),
+            value,
+        });
+    };
+    let profile = read_profile(design, &planform, &solution).map_err(|error| error.to_string())?;
+    let tip = profile
+        .readings
+        .iter()
+        .find(|reading| reading.place == Place::Tip);
+    if let Some(tip) = tip {
+        add("tip_twist_deg", tip.twist_rad.to_degrees());
+        add(
+            "mean_twist_rate_deg_per_mm",
+            tip.twist_rad.to_degrees() / (tip.r_m * 1e3),
+        );
+        add("tip_deflection_mm", tip.le_deflection_m * 1e3);
+        if let Some(alpha) = tip.alpha_rad {
+            add("tip_alpha_deg", alpha.to_degrees());
+        }
+    }
+    if let Some(flow) = Flow::from_design(design) {
+        let law = AirLaw::from_design(design, loaded.air_table.as_deref());
+        let law = law.map_err(|error| error.to_string())?;
+        let report = LiftReport::new(&planform, &law, &flow, &solution.strips);
+        let report = report.map_err(|error| error.to_string())?;
+        let forces = report.stroke_mean.as_ref().unwrap_or(&report.solved);
+        add("lift_mn", forces.lift_mn);
+        add("drag_mn", forces.drag_mn);
+        add("power_mw", forces.power_mw);
+        if let Some(ratio) = forces.lift_to_drag {
+            add("lift_to_drag", ratio);
+        }
+        if let Some(ratio) = forces.lift_per_power_n_per_w {
+            add("lift_per_power_n_per_w", ratio);
+        }
+    }
+    let report = &solution.report;
+    add("root_pitch_moment_mn_mm", report.reaction_moment_n_m[0] * 1e6);
+    add("newton_steps", report.newton_steps as f64);
+    Ok(figures)
+}
+
+fn of_study(path: &Path, sets: &[String], progress: &Progress) -> Result<Vec<Figure>, String> {
+    let text = |error: StudyError| error.to_string();
+    let study = LoadedStudy::load(path, sets).map_err(|error| error.to_string())?;
+    let campaign = Campaign::new(&study, &[], &progress.unseen()).map_err(text)?;
+    let found = compare_study(&campaign, &study.study.title).map_err(text)?;
+    let mut figures = Vec::new();
+    let mut add = |name: String, value: f64| figures.push(Figure { name, value });
+    for (when, value) in ["stated", "calibrated"].iter().zip(found.chi_square_per_row) {
+        add(format!("chi_square_per_number_{when}"), value);
+    }
+    for group in &found.groups {
+        let part = if group.is_held_out { "held_out" } else { "fitted" };
+        let unit = group.unit.replace('/', "_per_");
+        for (when, value) in ["stated", "calibrated"].iter().zip(group.rmse) {
+            add(
+                format!(
+                    "rmse_{}_{}_{part}_{when}_{unit}",
+                    group.wing,
+                    group.channel.name()
+                ),
+                value,
+            );
+        }
+    }
+    Ok(figures)
+}

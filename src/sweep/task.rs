@@ -1,0 +1,96 @@
+//! Parts of a sweep that can be done anywhere, in any order, twice without harm.
+
+use std::ops::Range;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::evaluate::Row;
+use super::plan::SweepPlan;
+
+/// Some cases of a sweep.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Task {
+    /// Its number, from 0.
+    pub number: usize,
+    /// Its cases.
+    pub cases: Range<usize>,
+    /// What its result hangs on: content of the base, values of its cases, version of the program; 32 hexadecimal digits.
+    pub key: String,
+}
+
+/// What a task gave.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TaskResult {
+    /// Key of the task.
+    pub key: String,
+    /// Rows of its cases.
+    pub rows: Vec<Row>,
+}
+
+/// The tasks of a sweep whose base has this `content`.
+pub fn tasks(plan: &SweepPlan, points: &[Vec<String>], content: &str) -> Vec<Task> {
+    let size = plan.task_size.max(1);
+    let starts = (0..points.len()).step_by(size).enumerate();
+    starts
+        .map(|(number, start)| {
+            let cases = start..(start + size).min(points.len());
+            let mut hash = Sha256::new();
+            for part in [env!("CARGO_PKG_VERSION"), content] {
+                hash.update(part.as_bytes());
+                hash.update([0]);
+            }
+            for point in &points[cases.clone()] {
+                for set in plan.sets(point) {
+                    hash.update(set.as_bytes());
+                    hash.update([0]);
+                }
+                hash.update([1]);
+            }
+            let digest = hash.finalize();
+            let key: String = digest.iter().take(16).map(|byte| format!("{byte:02x}")).collect();
+            Task { number, cases, key }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use super::*;
+    use crate::sweep::{Axis, Method};
+
+    #[test]
+    fn tasks_hold_every_case_once_and_their_keys_change_with_what_they_hang_on() {
+        let plan = SweepPlan {
+            base: PathBuf::from("a.toml"),
+            set: vec!["film.law=full".to_string()],
+            axes: vec![Axis::parse("a=1..2:25").unwrap()],
+            method: Method::Grid,
+            samples: 0,
+            seed: 1,
+            task_size: 10,
+        };
+        let points = plan.points().unwrap();
+        let found = tasks(&plan, &points, "wing");
+        let cases: Vec<usize> = found.iter().flat_map(|task| task.cases.clone()).collect();
+        assert_eq!(cases, (0..25).collect::<Vec<_>>());
+        assert_eq!(found, tasks(&plan, &points, "wing"));
+        let mut keys: Vec<String> = found.iter().map(|task| task.key.clone()).collect();
+        keys.extend(
+            tasks(&plan, &points, "another wing")
+                .into_iter()
+                .map(|task| task.key),
+        );
+        let other = SweepPlan {
+            set: Vec::new(),
+            ..plan.clone()
+        };
+        keys.extend(tasks(&other, &points, "wing").into_iter().map(|task| task.key));
+        keys.sort();
+        keys.dedup();
+        assert_eq!(keys.len(), 9);
+    }
+}

@@ -1,0 +1,188 @@
+//! Sweeps as a user makes them: tables, interruptions, failures, refusals.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::{design, folder, washout};
+
+/// A coarse wing, so that a case takes a tenth of a second.
+const COARSE: [&str; 2] = ["--set", "mesh.refine=0.4"];
+
+fn swept(folder: &Path, more: &[&str]) -> crate::Said {
+    let base = design("twist-v2.toml");
+    let arguments: Vec<&str> = ["sweep", &base]
+        .iter()
+        .chain(&COARSE)
+        .chain(more)
+        .copied()
+        .collect();
+    washout(folder, &arguments)
+}
+
+fn tasks(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder.join("tasks")).unwrap();
+    let mut found: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    found.sort();
+    found
+}
+
+#[test]
+fn the_table_of_a_sweep_is_the_same_for_any_threads_and_tasks_and_after_an_interruption() {
+    let here = folder();
+    let vary = [
+        "--vary",
+        "flapping.frequency_hz=18..24:4",
+        "--vary",
+        "film.thickness_mm=0.006,0.008",
+    ];
+    let run = |name: &str, more: &[&str]| {
+        let arguments: Vec<&str> = vary
+            .iter()
+            .chain(&["--output", name, "--json"])
+            .chain(more)
+            .copied()
+            .collect();
+        let said = swept(here.path(), &arguments);
+        assert_eq!(said.code, Some(0), "{}", said.err);
+        (
+            fs::read(here.path().join(name).join("sweep.csv")).unwrap(),
+            said.document(),
+        )
+    };
+    let (one, document) = run("one", &["--threads", "1"]);
+    let (two, _) = run("two", &["--threads", "2", "--task-size", "3"]);
+    assert_eq!(one, two);
+    assert_eq!(document["cases"], 8);
+    let text = String::from_utf8(one.clone()).unwrap();
+    assert!(
+        text.starts_with("case,flapping.frequency_hz,film.thickness_mm,tip_twist_deg,"),
+        "{text}"
+    );
+    let twist = |case: usize| -> f64 {
+        let line = text.lines().nth(case + 1).unwrap();
+        line.split(',').nth(3).unwrap().parse().unwrap()
+    };
+    assert!(
+        twist(0) < twist(2) && twist(2) < twist(6),
+        "faster twists more: {text}"
+    );
+    // what an interruption left: the first task of three
+    let folder = here.path().join("two");
+    let kept = tasks(&folder);
+    assert_eq!(kept.len(), 3);
+    for lost in &kept[1..] {
+        fs::remove_file(lost).unwrap();
+    }
+    fs::write(&kept[1], "half a fi").unwrap();
+    fs::remove_file(folder.join("sweep.csv")).unwrap();
+    let before = fs::metadata(&kept[0]).unwrap().modified().unwrap();
+    let said = washout(here.path(), &["sweep", "--resume", "two"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    assert_eq!(fs::read(folder.join("sweep.csv")).unwrap(), one);
+    assert_eq!(
+        fs::metadata(&kept[0]).unwrap().modified().unwrap(),
+        before,
+        "nothing is done twice"
+    );
+}
+
+#[test]
+fn a_case_that_fails_keeps_its_row_with_the_reason() {
+    let here = folder();
+    let said = swept(
+        here.path(),
+        &[
+            "--vary",
+            "film.thickness_mm=0.006,-1",
+            "--output",
+            "sweep",
+            "--json",
+        ],
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    assert_eq!(
+        (&said.document()["cases"], &said.document()["failures"]),
+        (&2.into(), &1.into())
+    );
+    let text = fs::read_to_string(here.path().join("sweep/sweep.csv")).unwrap();
+    let failed = text.lines().nth(2).unwrap();
+    assert!(
+        failed.starts_with("1,-1,,") && failed.contains("film.thickness_mm"),
+        "{failed}"
+    );
+    let said = swept(
+        here.path(),
+        &["--vary", "film.thickness_mm=-1", "--output", "none"],
+    );
+    assert_eq!(said.code, Some(2), "a base that no case can have: {}", said.err);
+}
+
+#[test]
+fn samples_tell_which_axis_moves_the_twist() {
+    let here = folder();
+    let said = swept(
+        here.path(),
+        &[
+            "--vary",
+            "flapping.frequency_hz=18..24",
+            "--vary",
+            "air.density_kg_m3=1.19..1.21",
+            "--samples",
+            "16",
+            "--output",
+            "sweep",
+            "--json",
+        ],
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let document = said.document();
+    let twist = &document["sensitivities"][0];
+    assert_eq!(twist["figure"], "tip_twist_deg");
+    assert_eq!(twist["shares"][0]["key"], "flapping.frequency_hz");
+    assert!(twist["shares"][0]["total"].as_f64().unwrap() > 0.9, "{twist}");
+    assert!(here.path().join("sweep/scatter.svg").exists());
+}
+
+#[test]
+fn a_sweep_that_makes_no_sense_is_refused_before_anything_is_solved() {
+    let here = folder();
+    for (arguments, words) in [
+        (vec!["--vary", "flapping.frequency=18..24:4"], "frequency_hz"),
+        (vec!["--vary", "flapping.frequency_hz=18..24"], "18..24:5"),
+        (vec!["--vary", "flapping.frequency_hz=24..18:4"], "not up"),
+        (
+            vec![
+                "--vary",
+                "flapping.frequency_hz=18,19",
+                "--vary",
+                "flapping.frequency_hz=20,21",
+            ],
+            "varied twice",
+        ),
+    ] {
+        let said = swept(here.path(), &arguments);
+        assert_eq!(said.code, Some(2), "{arguments:?}: {}", said.err);
+        assert!(said.err.contains(words), "{arguments:?}: {}", said.err);
+    }
+    let said = washout(here.path(), &["sweep", "--resume", "nowhere"]);
+    assert!(
+        said.code == Some(2) && said.err.contains("holds no sweep"),
+        "{}",
+        said.err
+    );
+    let one = ["--vary", "flapping.frequency_hz=18,19", "--output", "sweep"];
+    assert_eq!(swept(here.path(), &one).code, Some(0));
+    let other = ["--vary", "flapping.frequency_hz=18,20", "--output", "sweep"];
+    let said = swept(here.path(), &other);
+    assert!(
+        said.code == Some(2) && said.err.contains("another sweep"),
+        "{}",
+        said.err
+    );
+    let said = washout(here.path(), &["sweep", "--resume", "sweep", "--task", "7"]);
+    assert!(
+        said.code == Some(2) && said.err.contains("from 0 to 0"),
+        "{}",
+        said.err
+    );
+}
