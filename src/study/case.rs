@@ -5,19 +5,16 @@ use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::sync::Arc;
 
-use nalgebra::Vector3;
-
 use super::admitted::admit;
 use super::error::StudyError;
 use super::footing::Column;
 use super::forward::{Condition, Observable};
 use super::work::Work;
 use crate::aero::Flow;
-use crate::coupling::sensitivity::{Nearby, Rate};
+use crate::coupling::sensitivity::Nearby;
 use crate::coupling::solution::Solution;
-use crate::coupling::strips::Strips;
 use crate::coupling::wing::Wing;
-use crate::coupling::{self, BladeAir, CouplingError, Sensitivity};
+use crate::coupling::{self, BladeAir, CouplingError};
 use crate::effects::{acting, is_applicable, named};
 use crate::geometry::Planform;
 use crate::input::Design;
@@ -45,7 +42,7 @@ pub struct PreparedCase {
     is_held_out: bool,
     /// The case as it stands, from which it is solved with other values: fixed by the study, so that results are too.
     base: Option<Arc<Solved>>,
-    air_table: Option<Vec<[f64; 3]>>,
+    pub(super) air_table: Option<Vec<[f64; 3]>>,
     mesh_file: Option<(String, Vec<u8>)>,
 }
 
@@ -79,7 +76,7 @@ pub struct Near<'a> {
 pub struct Solved {
     /// Design, outline and solution.
     pub at: Nearby,
-    wing: Wing,
+    pub(super) wing: Wing,
 }
 
 impl Solved {
@@ -233,7 +230,7 @@ impl PreparedCase {
         Ok((Solved { at, wing }, tangent))
     }
 
-    fn mesh(&self, design: &Design) -> Result<(Planform, Mesh), MeshError> {
+    pub(super) fn mesh(&self, design: &Design) -> Result<(Planform, Mesh), MeshError> {
         let file = self
             .mesh_file
             .as_ref()
@@ -305,157 +302,6 @@ impl PreparedCase {
             );
         }
         Ok(whole)
-    }
-
-    /// Derivatives of the readings with keys of the design: (index, values per row) for each of `columns`; and what it took.
-    /// `tangent`: what the solve has left.
-    ///
-    /// # Errors
-    /// If the coupled tangent is singular, or a key is none.
-    pub fn rates(
-        &self,
-        solved: &Solved,
-        tangent: Option<Tangent>,
-        columns: &[Asked],
-        progress: &Progress,
-    ) -> Result<(Columns, Work), StudyError> {
-        let mut work = Work::default();
-        if columns.is_empty() {
-            return Ok((Vec::new(), work));
-        }
-        work.factorizations += 1;
-        let Solved { at: solved, wing } = solved;
-        let here = self.read(solved)?;
-        let remesh = |design: &Design| self.mesh(design);
-        let table = self.air_table.as_deref();
-        let Nearby { design, solution, .. } = solved;
-        let mut sensitivity = match tangent {
-            Some(tangent) => Sensitivity::with_tangent(design, wing, table, solution, &remesh, tangent),
-            None => Sensitivity::new(design, wing, table, solution, &remesh)
-                .map_err(|error| self.failed(error))?,
-        };
-        let mut rates = Vec::new();
-        for Asked {
-            index,
-            key,
-            switch,
-            placed,
-        } in columns
-        {
-            progress.check()?;
-            if let Some(sets) = placed {
-                let mut design = solved.design.clone();
-                for (key, number) in sets {
-                    design.set(key, *number).map_err(|error| self.failed(error))?;
-                }
-                let mut placed = Sensitivity::new(&design, wing, table, solution, &remesh)
-                    .map_err(|error| self.failed(error))?;
-                work.derivatives += 1;
-                work.factorizations += 1;
-                let column = self.column(&mut placed, key, &here)?;
-                rates.push((*index, column));
-                continue;
-            }
-            let column = match switch {
-                Some(step) => {
-                    let mut design = solved.design.clone();
-                    design.set(key, *step).map_err(|error| self.failed(error))?;
-                    // its derivative to the side of the step leads part of the way
-                    let rate = sensitivity.rate(key).ok();
-                    let way = |rate: Rate| rate.state.iter().map(|change| change * step).collect();
-                    let from = Near {
-                        solution: &solved.solution,
-                        step: rate.filter(|rate| !rate.moves_mesh).map(way),
-                    };
-                    let (there, _) = self.solve(&design, Some(&from), progress)?;
-                    work += there.work();
-                    let there = self.read(&there.at)?;
-                    let rates = there.iter().zip(&here);
-                    Column {
-                        rates: rates.map(|(there, here)| (there - here) / step).collect(),
-                        shape: None,
-                    }
-                }
-                None => {
-                    work.derivatives += 1;
-                    self.column(&mut sensitivity, key, &here)?
-                }
-            };
-            rates.push((*index, column));
-        }
-        Ok((rates, work))
-    }
-
-    /// Derivative of the readings, which are `here`, with a key.
-    fn column(&self, sensitivity: &mut Sensitivity, key: &str, here: &[f64]) -> Result<Column, StudyError> {
-        let fault = |error| self.failed(format!("{key}: {error}"));
-        let rate = sensitivity.rate(key).map_err(fault)?;
-        let unread = OnceCell::new();
-        let column = sensitivity.read(&rate, |near| {
-            self.read(near).unwrap_or_else(|error| {
-                let _ = unread.set(error);
-                here.to_vec()
-            })
-        });
-        if let Some(error) = unread.into_inner() {
-            return Err(error);
-        }
-        Ok(Column {
-            rates: column.map_err(|error| self.failed(error))?,
-            shape: (!rate.moves_mesh).then_some(rate.state),
-        })
-    }
-
-    /// Response of the readings to a unit moment per length about the span axis (N·m/m), spread as a hat around each of
-    /// `stations` places from base to tip.
-    ///
-    /// # Errors
-    /// If the coupled tangent is singular.
-    pub fn moment_response(&self, solved: &Solved, stations: usize) -> Result<Vec<Vec<f64>>, StudyError> {
-        let Solved { at: solved, wing } = solved;
-        let remesh = |design: &Design| self.mesh(design);
-        let table = self.air_table.as_deref();
-        let mut sensitivity = Sensitivity::new(&solved.design, wing, table, &solved.solution, &remesh)
-            .map_err(|error| self.failed(error))?;
-        let strips = Strips::new(&solved.solution.mesh);
-        let here = self.read(solved)?;
-        let mut columns = Vec::new();
-        for station in 0..stations {
-            let spacing = strips.tip_m() / (stations.max(2) - 1) as f64;
-            let hat = |r_m: f64| (1.0 - (r_m / spacing - station as f64).abs()).max(0.0);
-            let mut force = vec![Vector3::zeros(); solved.solution.mesh.nodes.len()];
-            for strip in &strips.strips {
-                let shape = strip.shape(&solved.solution.state.displacement);
-                let chord = Vector3::new(shape[0], shape[1], shape[2]);
-                let normal = Vector3::new(shape[3], shape[4], shape[5])
-                    .cross(&chord)
-                    .normalize();
-                let pair = normal * (hat(strip.r_m) * strip.width_m / chord.norm());
-                let last = strip.points.len() - 1;
-                strip.spread(|node, share, point| match point {
-                    0 => force[node] -= pair * share,
-                    _ if point == last => force[node] += pair * share,
-                    _ => {}
-                });
-            }
-            let rate = sensitivity
-                .load_rate(&force)
-                .map_err(|error| self.failed(error))?;
-            // a small step keeps the reading linear
-            let step = 1e-9;
-            let near = sensitivity
-                .nearby(&rate, step)
-                .map_err(|error| self.failed(error))?;
-            let there = self.read(&near)?;
-            columns.push(
-                there
-                    .iter()
-                    .zip(&here)
-                    .map(|(there, here)| (there - here) / step)
-                    .collect(),
-            );
-        }
-        Ok(columns)
     }
 }
 

@@ -2,6 +2,8 @@
 
 pub mod admitted;
 
+mod answers;
+
 pub mod band;
 
 pub mod boxed;
