@@ -70,6 +70,8 @@ pub struct AddReport {
     pub strength: Option<[f64; 2]>,
     /// Root mean square errors: as stated, calibrated without the effect, with it.
     pub ladder: Vec<AddRung>,
+    /// χ² per fitted number with the correlations of the error that the study admits to the model: what the fit makes least.
+    pub chi_square_per_row: ChiSquared,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
 }
@@ -138,6 +140,11 @@ impl Add {
             effect: self.effect.clone(),
             strength,
             ladder: ladder(&before, &after),
+            chi_square_per_row: ChiSquared {
+                stated: before.chi_square_per_row[0],
+                before: before.chi_square_per_row[1],
+                after: after.chi_square_per_row[1],
+            },
             files: folder.listed(),
         };
         folder.add_summary(&report)?;
@@ -347,8 +354,13 @@ fn page(report: &AddReport) -> String {
             if rung.is_held_out { "held out" } else { "fit" }.to_string(),
         ]);
     }
+    let whole = report.chi_square_per_row;
+    let [stated, before, after] =
+        [whole.stated, whole.before, whole.after].map(|value| significant(value, 3));
     format!(
-        "{}: {what}\n\nRoot mean square error, and chi-square per number (1: the noise)\n{}",
+        "{}: {what}\n\nRoot mean square error, and chi-square per number (1: the noise), each number for itself\n{}\n\
+         With errors of the model that go together along the span (slop), which is what a fit makes least: chi-square per \
+         fitted number {stated} as stated, {before} calibrated, {after} now\n",
         report.written.display(),
         table.render()
     )

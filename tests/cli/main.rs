@@ -22,6 +22,10 @@ mod mesh;
 
 mod modes;
 
+mod modest;
+
+mod real_data;
+
 mod schema;
 
 mod solve;
