@@ -139,7 +139,11 @@ fn verdict(
 ) -> Verdict {
     if judgement.significance.p_null > baseline.settings.significance {
         let could_see = effects.iter().any(|row| row.power >= ENOUGH_POWER);
-        return if could_see {
+        let level = baseline.settings.significance;
+        // of 2ⁿ ways to turn the signs, some four are as one-sided as all of one sign
+        let few = 4.0 * 0.5f64.powf(baseline.data.rows.len() as f64) > level;
+        let misfits = judgement.significance.p_misfit < level;
+        return if could_see && !(few && misfits) {
             Verdict::Nothing
         } else {
             Verdict::Undecidable

@@ -20,6 +20,15 @@ pub fn sentence(diagnosis: &Diagnosis) -> String {
                 diagnosis.significance.p_null
             )
         }
+        (Verdict::Undecidable, _)
+            if diagnosis.significance.p_null > 0.01 && diagnosis.significance.p_misfit < 0.01 =>
+        {
+            format!(
+                "The model misses these data, but {} numbers are too few to tell something missing from scatter: measure more \
+                 stations or conditions.",
+                diagnosis.noise.numbers
+            )
+        }
         (Verdict::Undecidable, _) if diagnosis.significance.p_null > 0.01 => {
             "These data show nothing missing, but could not have shown any known effect of plausible size: measure \
              more conditions, more stations, or with less noise."

@@ -103,6 +103,20 @@ fn with_fewer_than_24_numbers_the_noise_is_said_to_be_taken_on_trust() {
     }
 }
 
+/// Half a dozen signs cannot be beyond chance, whatever the model misses.
+#[test]
+fn a_handful_of_numbers_far_off_is_undecidable_and_not_nothing() {
+    let all = bench(&[2], 1.5, 1.0, None, 1);
+    let head: Vec<&str> = all.lines().take(6).collect();
+    let said = on_bench(&(head.join("\n") + "\n"), SEVERAL);
+    assert_eq!(said["verdict"], "undecidable", "{}", said["sentence"]);
+    assert!(
+        said["sentence"].as_str().unwrap().contains("too few"),
+        "{}",
+        said["sentence"]
+    );
+}
+
 /// A skin that stiffens the rod in torsion is the rod's shear modulus by another name.
 #[test]
 fn effects_that_are_exact_twins_are_both_in_the_set_and_neither_is_named() {
