@@ -151,6 +151,19 @@ pub enum Failure {
         /// Why.
         source: SweepError,
     },
+    /// The user asked to stop a sweep; what was done is kept.
+    #[error(
+        "interrupted; {kept} of {tasks} tasks are kept; go on with: washout sweep --resume {}",
+        folder.display()
+    )]
+    Unfinished {
+        /// Tasks with a result.
+        kept: usize,
+        /// All tasks.
+        tasks: usize,
+        /// Folder of the sweep.
+        folder: PathBuf,
+    },
     /// A sweep of which no case gave anything.
     #[error("none of the {cases} cases gave a result; {} says why", table.display())]
     EmptySweep {
@@ -278,7 +291,7 @@ impl Failure {
             ) => 2,
             Failure::UnknownCase { .. } => 2,
             Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) | Failure::Cases { .. } => 1,
-            Failure::Interrupted(_) => 130,
+            Failure::Interrupted(_) | Failure::Unfinished { .. } => 130,
         }
     }
 }

@@ -101,12 +101,12 @@ impl Sweep {
             }
         } else if let Err(failure) = ready.run(&missing, progress) {
             if matches!(failure, Failure::Interrupted(_)) {
-                let kept = ready.tasks.len() - ready.missing()?.len();
-                console.note(format_args!(
-                    "{kept} of {} tasks are kept; go on with: washout sweep --resume {}",
-                    ready.tasks.len(),
-                    ready.folder.display()
-                ));
+                let tasks = ready.tasks.len();
+                return Err(Failure::Unfinished {
+                    kept: tasks - ready.missing()?.len(),
+                    tasks,
+                    folder: ready.folder,
+                });
             }
             return Err(failure);
         }
