@@ -55,13 +55,7 @@ pub struct Lift {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=99))]
     pub sweep: Option<u16>,
     /// Half amplitudes of the sweep, deg
-    #[arg(
-        long,
-        value_name = "FROM,TO",
-        value_delimiter = ',',
-        num_args = 2,
-        requires = "sweep"
-    )]
+    #[arg(long, value_name = "FROM,TO", value_delimiter = ',', requires = "sweep")]
     pub amplitudes: Option<Vec<f64>>,
     /// Add an effect with strength 1, e.g. rotational-lift or added-mass; can be given many times
     #[arg(long, value_name = "EFFECT")]
@@ -245,14 +239,15 @@ impl Lift {
         };
         let [from, to] = match self.amplitudes.as_deref() {
             Some([from, to]) => [*from, *to],
-            _ => [0.7, 1.3],
+            Some(_) => [0.0, 0.0],
+            None => [0.7, 1.3],
         };
         let is_range = from > 0.0 && to > from && to <= 180.0;
         if !is_range {
             return Err(Failure::Option {
                 option: "--amplitudes",
                 reason: format!(
-                    "{from},{to} is no range; give a smaller and a larger half amplitude in degrees, e.g. 24,45"
+                    "this is no range; give a smaller and a larger half amplitude in degrees, e.g. 24,45"
                 ),
             });
         }

@@ -33,6 +33,8 @@ pub mod slurm;
 
 pub mod sweep;
 
+pub mod design;
+
 pub mod divergence;
 
 pub mod modes;
@@ -112,6 +114,8 @@ pub enum Verb {
     Pareto(pareto::Pareto),
     /// Many cases: keys of a design or study over values, in one table; on one machine or on a cluster
     Sweep(sweep::Sweep),
+    /// The rods that make a wanted twist, and their cutting template
+    Design(design::DesignRod),
     /// Raise the speed or the amplitude until the wing has no equilibrium any more
     Divergence(divergence::Divergence),
     /// Natural frequencies and mode shapes, unloaded or in flight
@@ -156,6 +160,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Lift(verb) => verb.run(&console),
         Verb::Pareto(verb) => verb.run(&console),
         Verb::Sweep(verb) => verb.run(&console),
+        Verb::Design(verb) => verb.run(&console),
         Verb::Divergence(verb) => verb.run(&console),
         Verb::Modes(verb) => verb.run(&console),
         Verb::Mesh(verb) => verb.run(&console),

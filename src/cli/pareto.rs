@@ -45,7 +45,7 @@ pub struct Pareto {
     #[arg(long, value_name = "N", default_value_t = 3)]
     pub stages: usize,
     /// Least and largest twist rate of a stage, deg/mm
-    #[arg(long, value_name = "LEAST,LARGEST", value_delimiter = ',', num_args = 2, default_values_t = [0.001, 1.4])]
+    #[arg(long, value_name = "LEAST,LARGEST", value_delimiter = ',', default_values_t = [0.001, 1.4])]
     pub rates: Vec<f64>,
     /// What counts as efficiency
     #[arg(long, value_enum, default_value_t = EfficiencyName::LocalLiftToDrag)]
@@ -107,6 +107,12 @@ impl Pareto {
             return Err(Failure::Option {
                 option: "--ramp",
                 reason: format!("{} is no share of a half-stroke; give 0 to 0.5", self.ramp),
+            });
+        }
+        if self.rates.len() != 2 {
+            return Err(Failure::Option {
+                option: "--rates",
+                reason: "give the least and the largest rate in deg/mm, e.g. 0.001,1.4".to_string(),
             });
         }
         let case = Case::new(design_arguments(&self.design, &self.set, None).load(&[])?)?;
@@ -203,6 +209,12 @@ impl Pareto {
         let efficiency = self.efficiency();
         let fault = |source: ExploreError| refused(case, source);
         let table = case.loaded.air_table.as_deref();
+        // a design may name its shape factor itself, with numbers of its own
+        let bare = match &factor {
+            Some(factor) => without(design, &factor.effect),
+            None => design.clone(),
+        };
+        let design = &bare;
         let mut models: Vec<(&str, Design)> = vec![("without shape factor", design.clone())];
         if let Some(factor) = &factor {
             models.push((
@@ -349,6 +361,14 @@ impl Pareto {
                 .collect(),
             effect: factor.effect,
         })
+    }
+}
+
+/// The design with an effect off.
+fn without(design: &Design, effect: &str) -> Design {
+    match design.effects.contains_key(effect) {
+        true => with_strength(design, effect, 0.0),
+        false => design.clone(),
     }
 }
 

@@ -52,6 +52,8 @@ pub enum Output {
     Lift,
     /// `washout pareto --json`
     Pareto,
+    /// `washout design --json`
+    Design,
     /// `washout divergence --json`
     Divergence,
     /// `washout diff --json`
@@ -98,6 +100,7 @@ impl Schema {
             Some(Output::Compare) => schemars::schema_for!(super::compare::CompareReport),
             Some(Output::Lift) => schemars::schema_for!(crate::export::lift::LiftSummary),
             Some(Output::Pareto) => schemars::schema_for!(crate::export::pareto::ParetoSummary),
+            Some(Output::Design) => schemars::schema_for!(crate::export::layouts::LayoutSummary),
             Some(Output::Divergence) => schemars::schema_for!(super::divergence::DivergenceReport),
             Some(Output::Diff) => schemars::schema_for!(Difference),
             Some(Output::Modes) => schemars::schema_for!(ModesSummary),

@@ -33,6 +33,23 @@ pub enum ExploreError {
     /// A changed design has no outline.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
+    /// A changed design makes no mesh.
+    #[error(transparent)]
+    Mesh(#[from] crate::mesh::MeshError),
+    /// The twist cannot be read.
+    #[error(transparent)]
+    Observation(#[from] crate::observation::ObservationError),
+    /// The wing without twist lifts nothing, or nothing that is a number.
+    #[error(
+        "the wing without twist has a mean lift of {lift_n} N and an efficiency of {efficiency}: nothing to compare with; give it \
+         a stroke, and effects that are defined where there is no twist"
+    )]
+    NoBase {
+        /// Mean lift, N.
+        lift_n: f64,
+        /// Efficiency.
+        efficiency: f64,
+    },
     /// Nothing measured to fit to.
     #[error(
         "no wing has a measured effective lift coefficient to fit the shape factor to; name designs whose measurement has \
@@ -47,6 +64,11 @@ pub enum ExploreError {
         /// Name of the effect.
         effect: String,
     },
+    /// No layout has an equilibrium.
+    #[error(
+        "no layout of these rods has an equilibrium that was found; add stiffer rods, or lower the amplitude"
+    )]
+    NoLayout,
     /// The user asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

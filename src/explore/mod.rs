@@ -14,6 +14,8 @@ pub mod shape_factor;
 
 pub mod twist_front;
 
+pub mod rods;
+
 pub use error::ExploreError;
 pub use front::{hypervolume, is_dominated, non_dominated};
 pub use nsga2::{Evaluation, Individual, Nsga2, Problem};

@@ -75,6 +75,15 @@ impl ShapeFactor {
             wings.iter().map(lift).collect()
         };
         let bare = lifts(0.0)?;
+        if !lifts(1e-4)?
+            .iter()
+            .chain(&bare)
+            .all(|lift| lift.is_finite() && *lift > 0.0)
+        {
+            return Err(ExploreError::NoGain {
+                effect: effect.to_string(),
+            });
+        }
         let gains = |strength: f64| -> Result<Vec<f64>, ExploreError> {
             let lifts = lifts(strength)?;
             Ok(lifts.iter().zip(&bare).map(|(lift, bare)| lift / bare).collect())

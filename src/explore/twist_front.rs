@@ -105,6 +105,12 @@ impl TwistFront {
             family,
         };
         front.base = front.aims(&TwistAlongSpan::flat())?;
+        if !front.base.iter().all(|aim| aim.is_finite() && *aim > 0.0) {
+            return Err(ExploreError::NoBase {
+                lift_n: front.base[0],
+                efficiency: front.base[1],
+            });
+        }
         Ok(front)
     }
 

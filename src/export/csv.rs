@@ -123,7 +123,7 @@ pub fn edges(mesh: &Mesh, displacement_mm: &[[f64; 3]]) -> Result<Vec<u8>, Expor
 }
 
 /// A table with a head; fields of a row stand in the order of the head.
-pub(super) fn table(head: &[&str], rows: &[impl Serialize]) -> Result<Vec<u8>, ExportError> {
+pub(crate) fn table(head: &[&str], rows: &[impl Serialize]) -> Result<Vec<u8>, ExportError> {
     let refuse = |reason: String| ExportError::Encoding {
         format: "CSV",
         reason,

@@ -16,6 +16,9 @@ pub mod pareto;
 
 #[cfg(feature = "parquet")]
 pub mod parquet;
+pub mod layouts;
+
+pub mod template;
 
 pub mod lift;
 

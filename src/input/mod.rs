@@ -18,6 +18,8 @@ pub mod study;
 
 pub mod video;
 
+pub mod stock;
+
 pub mod twist_table;
 
 mod air_table;

@@ -191,6 +191,7 @@ fn constraints_hold_on_the_front() {
         .front(&Constr, &[], &Progress::quiet())
         .expect("a front");
     assert!(front.len() > 90);
+    let mut off: Vec<f64> = Vec::new();
     for individual in &front {
         let x = individual.variables[0];
         // the exact front: y = max(0, 6 − 9x), which begins at x = 7/18

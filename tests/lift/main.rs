@@ -6,6 +6,8 @@ mod paper;
 
 mod pareto;
 
+mod rods;
+
 mod verb;
 
 use std::path::{Path, PathBuf};

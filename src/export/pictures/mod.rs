@@ -10,6 +10,8 @@ pub mod ladder;
 
 pub mod lift;
 
+pub mod layouts;
+
 pub mod panels;
 
 pub mod pareto;

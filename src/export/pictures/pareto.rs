@@ -1,6 +1,7 @@
 //! The front between lift and efficiency, and the profiles at its ends.
 
 use crate::export::ExportError;
+use crate::export::csv::table;
 use crate::export::pareto::{ParetoSummary, fronts, untwisted};
 use crate::export::run::RunFolder;
 use crate::plot::{Chart, Figure, Ink, Key, Limit, Mark, Panel, Point, Sample, Shape, Weight};
@@ -13,7 +14,19 @@ pub fn add(folder: &mut RunFolder, summary: &ParetoSummary) -> Result<(), Export
     folder.add("front.svg", front(summary).to_svg()?.as_bytes())?;
     folder.add("front.csv", &fronts(summary)?)?;
     folder.add("untwisted.csv", &untwisted(summary)?)?;
-    folder.add("profiles.svg", profiles(summary).to_svg()?.as_bytes())
+    folder.add("profiles.svg", profiles(summary).to_svg()?.as_bytes())?;
+    if let Some(front) = summary.fronts.last() {
+        let ends = [
+            ("highest-lift.csv", front.highest_lift()),
+            ("highest-efficiency.csv", front.highest_efficiency()),
+        ];
+        for (name, profile) in ends {
+            if let Some(profile) = profile {
+                folder.add(name, &table(&["r_mm", "twist_deg"], &profile.points())?)?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Lift against efficiency, a panel for each front.

@@ -1,0 +1,351 @@
+//! The search: every sequence of rods with its break on a few places, the best of them refined, each in the coupled model.
+
+use rayon::prelude::*;
+
+use crate::coupling::solution::Solution;
+use crate::coupling::{self, BladeAir};
+use crate::explore::error::ExploreError;
+use crate::geometry::Planform;
+use crate::input::design::{Design, Instrument};
+use crate::input::stock::StockRod;
+use crate::lift::{Stroke, TwistAlongSpan, TwistHistory, stroke_means};
+use crate::mesh::for_design;
+use crate::observation::read_profile;
+use crate::progress::Progress;
+
+use super::layout::{Layout, Piece};
+
+/// What a layout is for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Aim {
+    /// This twist along the span.
+    Twist(TwistAlongSpan),
+    /// The most lift per power of those that lift so much at the stroke of the design, N, mean over the stroke.
+    LiftPerPower {
+        /// Least mean lift of one wing, N.
+        least_lift_n: f64,
+    },
+}
+
+/// What may be chosen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choices {
+    /// Rods on the shelf.
+    pub stock: Vec<StockRod>,
+    /// Most pieces of one leading edge: 1 or 2.
+    pub pieces: usize,
+    /// Places of the spars to try, mm; none: those of the design.
+    pub spars_mm: Vec<Option<Vec<f64>>>,
+    /// Tensions of the film to try, N/m; none: that of the design.
+    pub pretensions_n_per_m: Vec<Option<f64>>,
+    /// Factor on the mesh of the first look.
+    pub refine: f64,
+}
+
+/// A layout with what it gives.
+#[derive(Debug, Clone)]
+pub struct Candidate {
+    /// The layout.
+    pub layout: Layout,
+    /// Twist along the span, read at base, spars and tip.
+    pub twist: TwistAlongSpan,
+    /// Root mean square distance from the wanted twist over the span, deg; none without one.
+    pub distance_deg: Option<f64>,
+    /// Mean lift of one wing over the stroke (20/60/20 ramp), N.
+    pub lift_n: f64,
+    /// Mean aerodynamic power, W.
+    pub power_w: f64,
+    /// What is to be as small as possible.
+    score: f64,
+}
+
+/// What the search found.
+#[derive(Debug, Clone)]
+pub struct Found {
+    /// The best layout of each sequence of rods that was looked at closely, best first.
+    pub candidates: Vec<Candidate>,
+    /// Layouts that were solved.
+    pub solved: usize,
+    /// Layouts that have no equilibrium, or none that was found.
+    pub unsolved: usize,
+}
+
+/// Places over the length at which breaks are tried first.
+const BREAKS: [f64; 5] = [0.2, 0.35, 0.5, 0.65, 0.8];
+/// Sequences of rods that are looked at closely.
+const CLOSE: usize = 6;
+/// Steps of the golden section on a break, from the distance of two first places down to below half a millimetre of 70.
+const STEPS: usize = 8;
+/// Stations over which two profiles are compared.
+const STATIONS: usize = 60;
+
+/// A design whose layouts are tried.
+#[derive(Debug, Clone)]
+pub struct Workshop<'a> {
+    /// The design: outline, film, spar, stroke, materials.
+    pub design: &'a Design,
+    /// Rows of its table of coefficients, if it has one.
+    pub air_table: Option<&'a [[f64; 3]]>,
+    /// What the layout is for.
+    pub aim: &'a Aim,
+    /// Outer end of the span over which twist is compared, m.
+    pub tip_m: f64,
+}
+
+impl Workshop<'_> {
+    /// Solves a layout on a mesh of the design's refinement times `refine`.
+    ///
+    /// # Errors
+    /// If the design refuses it, or it has no equilibrium that is found.
+    pub fn try_layout(
+        &self,
+        layout: &Layout,
+        refine: f64,
+        progress: &Progress,
+    ) -> Result<Candidate, ExploreError> {
+        let mut design = layout.applied(self.design)?;
+        design.mesh.refine *= refine;
+        let (solution, planform) = self.solved(&design, progress)?;
+        self.judged(layout, &design, &planform, &solution)
+    }
+
+    /// The loaded shape of a design.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn solved(&self, design: &Design, progress: &Progress) -> Result<(Solution, Planform), ExploreError> {
+        let (planform, mesh) = for_design(design, None)?;
+        let solution = coupling::solve(design, &planform, &mesh, self.air_table, progress)?;
+        Ok((solution, planform))
+    }
+
+    fn judged(
+        &self,
+        layout: &Layout,
+        design: &Design,
+        planform: &Planform,
+        solution: &Solution,
+    ) -> Result<Candidate, ExploreError> {
+        let twist = read_twist(design, planform, solution)?;
+        let flow = crate::aero::Flow::from_design(design).ok_or(crate::lift::LiftError::NotFlapping)?;
+        let stroke = Stroke::from_flow(&flow)?;
+        let air = BladeAir::new(design, planform, self.air_table)?;
+        let full = TwistAlongSpan::from_strips(&solution.strips, stroke.stop_angle_rad)?;
+        let means = stroke_means(planform, &air, &stroke, &TwistHistory::paper_ramp(full))?;
+        let distance_deg = match self.aim {
+            Aim::Twist(wanted) => Some(distance_deg(&twist, wanted, self.tip_m)),
+            Aim::LiftPerPower { .. } => None,
+        };
+        let score = match (self.aim, distance_deg) {
+            (Aim::LiftPerPower { least_lift_n }, _) => {
+                let short = (1.0 - means.lift_n / least_lift_n).max(0.0);
+                // too little lift is worse than any efficiency is good
+                if short > 0.0 {
+                    1e6 * (1.0 + short)
+                } else {
+                    -means.lift_n / means.power_w.max(1e-12)
+                }
+            }
+            (_, distance) => distance.unwrap_or(f64::INFINITY),
+        };
+        Ok(Candidate {
+            layout: layout.clone(),
+            twist,
+            distance_deg,
+            lift_n: means.lift_n,
+            power_w: means.power_w,
+            score,
+        })
+    }
+}
+
+impl Candidate {
+    /// Whether it gives the lift that is asked for.
+    pub fn is_feasible(&self) -> bool {
+        self.score < 1e6
+    }
+
+    /// How much worse it is than another: deg of distance, or share of lift per power.
+    pub fn behind(&self, best: &Candidate) -> f64 {
+        match self.distance_deg {
+            Some(_) => self.score - best.score,
+            None => 1.0 - self.score / best.score,
+        }
+    }
+}
+
+/// Twist as read at base, spar ends and tip, by the rotation of the chord.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn read_twist(
+    design: &Design,
+    planform: &Planform,
+    solution: &Solution,
+) -> Result<TwistAlongSpan, ExploreError> {
+    let mut plain = design.clone();
+    plain.observation.instrument = Instrument::ChordRotation;
+    let profile = read_profile(&plain, planform, solution)?;
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    for reading in &profile.readings {
+        if points.last().is_none_or(|last| reading.r_m > last[0] + 1e-9) {
+            points.push([reading.r_m, reading.twist_rad]);
+        }
+    }
+    Ok(TwistAlongSpan::from_points(points)?)
+}
+
+/// Root mean square difference of two profiles from the base to `tip_m`, deg.
+pub fn distance_deg(a: &TwistAlongSpan, b: &TwistAlongSpan, tip_m: f64) -> f64 {
+    let square: f64 = (0..STATIONS)
+        .map(|k| {
+            let r_m = tip_m * (k as f64 + 0.5) / STATIONS as f64;
+            (a.twist_rad(r_m) - b.twist_rad(r_m)).to_degrees().powi(2)
+        })
+        .sum();
+    (square / STATIONS as f64).sqrt()
+}
+
+/// The layouts that come nearest to the aim.
+///
+/// Deterministic: every layout is solved from the wing at rest, whatever was solved before.
+///
+/// # Errors
+/// If no layout can be solved, the design refuses them all, or the user asks to stop.
+pub fn search(workshop: &Workshop, choices: &Choices, progress: &Progress) -> Result<Found, ExploreError> {
+    let length_mm = workshop.design.planform.length_mm.value();
+    let mut first: Vec<Vec<Layout>> = Vec::new();
+    for spars_mm in &choices.spars_mm {
+        for pretension in &choices.pretensions_n_per_m {
+            let layout = |pieces: Vec<Piece>| Layout {
+                pieces,
+                spars_mm: spars_mm.clone(),
+                pretension_n_per_m: *pretension,
+            };
+            let piece = |rod: &StockRod, to_mm: f64| Piece {
+                rod: rod.clone(),
+                to_mm,
+            };
+            for inner in &choices.stock {
+                first.push(vec![layout(vec![piece(inner, length_mm)])]);
+                for outer in choices
+                    .stock
+                    .iter()
+                    .filter(|rod| choices.pieces > 1 && rod.name != inner.name)
+                {
+                    let at =
+                        |share: &f64| layout(vec![piece(inner, share * length_mm), piece(outer, length_mm)]);
+                    first.push(BREAKS.iter().map(at).collect());
+                }
+            }
+        }
+    }
+    let unseen = progress.unseen();
+    let flat: Vec<(usize, &Layout)> = first
+        .iter()
+        .enumerate()
+        .flat_map(|(at, layouts)| layouts.iter().map(move |layout| (at, layout)))
+        .collect();
+    progress.say(format_args!("first look at {} layouts", flat.len()));
+    let looked: Vec<(usize, Result<Candidate, ExploreError>)> = flat
+        .into_par_iter()
+        .map(|(at, layout)| (at, workshop.try_layout(layout, choices.refine, &unseen)))
+        .collect();
+    progress.check()?;
+    let mut solved = 0;
+    let mut refused: Option<ExploreError> = None;
+    let mut best: Vec<Option<Candidate>> = vec![None; first.len()];
+    let looked_at = looked.len();
+    for (at, outcome) in looked {
+        match outcome {
+            Ok(candidate) => {
+                solved += 1;
+                if best[at]
+                    .as_ref()
+                    .is_none_or(|known| candidate.score < known.score)
+                {
+                    best[at] = Some(candidate);
+                }
+            }
+            Err(error) => refused = Some(error),
+        }
+    }
+    let mut best: Vec<Candidate> = best.into_iter().flatten().collect();
+    if let (true, Some(error)) = (best.is_empty(), refused) {
+        return Err(error);
+    }
+    let mut unsolved = looked_at - solved;
+    best.sort_by(|a, b| a.score.total_cmp(&b.score));
+    best.truncate(CLOSE);
+    progress.say(format_args!("a closer look at {} of them", best.len()));
+    let step_mm = 0.5 * (BREAKS[1] - BREAKS[0]) * length_mm;
+    let closer: Vec<(usize, Option<Candidate>)> = best
+        .par_iter()
+        .map(|candidate| refine_break(workshop, candidate, step_mm * 2.0, &unseen))
+        .collect();
+    progress.check()?;
+    solved += closer.iter().map(|(count, _)| count).sum::<usize>();
+    let mut candidates: Vec<Candidate> = closer
+        .into_iter()
+        .filter_map(|(_, candidate)| candidate)
+        .collect();
+    unsolved += best.len() - candidates.len();
+    candidates.sort_by(|a, b| a.score.total_cmp(&b.score));
+    Ok(Found {
+        candidates,
+        solved,
+        unsolved,
+    })
+}
+
+/// Golden section on the break of a layout, within `reach_mm` on either side, on the mesh of the design.
+fn refine_break(
+    workshop: &Workshop,
+    from: &Candidate,
+    reach_mm: f64,
+    progress: &Progress,
+) -> (usize, Option<Candidate>) {
+    let mut solved = 1;
+    let mut best = workshop.try_layout(&from.layout, 1.0, progress).ok();
+    if from.layout.pieces.len() < 2 {
+        return (solved, best);
+    }
+    let centre_mm = from.layout.pieces[0].to_mm;
+    let length_mm = workshop.design.planform.length_mm.value();
+    let (mut low, mut high) = (
+        (centre_mm - reach_mm).max(0.05 * length_mm),
+        (centre_mm + reach_mm).min(0.95 * length_mm),
+    );
+    let share = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let mut at = |mm: f64| -> f64 {
+        solved += 1;
+        let layout = from.layout.with_break(0, mm);
+        let candidate = layout.and_then(|layout| workshop.try_layout(&layout, 1.0, progress).ok());
+        let score = candidate
+            .as_ref()
+            .map_or(f64::INFINITY, |candidate| candidate.score);
+        if let Some(candidate) = candidate
+            && best.as_ref().is_none_or(|known| candidate.score < known.score)
+        {
+            best = Some(candidate);
+        }
+        score
+    };
+    let (mut a, mut b) = (high - share * (high - low), low + share * (high - low));
+    let (mut score_a, mut score_b) = (at(a), at(b));
+    for _ in 0..STEPS {
+        if progress.is_cancelled() {
+            break;
+        }
+        if score_a <= score_b {
+            (high, b, score_b) = (b, a, score_a);
+            a = high - share * (high - low);
+            score_a = at(a);
+        } else {
+            (low, a, score_a) = (a, b, score_b);
+            b = low + share * (high - low);
+            score_b = at(b);
+        }
+    }
+    (solved, best)
+}

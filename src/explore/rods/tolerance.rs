@@ -1,0 +1,185 @@
+//! What fabrication does to a layout: its twist with each diameter, shear modulus and break off by its tolerance.
+
+use rayon::prelude::*;
+
+use crate::explore::error::ExploreError;
+use crate::input::design::Design;
+use crate::lift::TwistAlongSpan;
+use crate::progress::Progress;
+
+use super::layout::Layout;
+use super::search::{Candidate, Workshop, distance_deg, read_twist};
+
+/// How exactly a wing can be built.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerances {
+    /// A break may be off by so much, mm.
+    pub break_mm: f64,
+    /// A shear modulus that has no assumed range of its own may be off by this share.
+    pub shear_modulus_share: f64,
+}
+
+/// The twist of a layout with its tolerance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    /// Twist rate of each piece of the rod.
+    pub pieces: Vec<PieceBand>,
+    /// Span position (m), twist and half the width of its band (rad), where the twist is read.
+    pub stations: Vec<[f64; 3]>,
+    /// Root mean square over the span of half the band, deg.
+    pub rms_deg: f64,
+    /// What was moved, and by how much it changes the twist over the span (root mean square, deg).
+    pub causes: Vec<(String, f64)>,
+}
+
+/// Twist rate of one piece with its tolerance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PieceBand {
+    /// From, mm.
+    pub from_mm: f64,
+    /// To, mm.
+    pub to_mm: f64,
+    /// Mean twist rate, deg/mm.
+    pub rate_deg_per_mm: f64,
+    /// Half the width of its band, deg/mm: causes added as if they were independent.
+    pub tolerance_deg_per_mm: f64,
+}
+
+/// A wing that is off in one thing.
+enum Off {
+    Layout(Layout),
+    Modulus(String, f64),
+}
+
+/// The twist of a layout with each thing off by its tolerance, one at a time, either way.
+///
+/// # Errors
+/// If one of these wings has no equilibrium that is found.
+pub fn band(
+    workshop: &Workshop,
+    best: &Candidate,
+    tolerances: Tolerances,
+    progress: &Progress,
+) -> Result<Band, ExploreError> {
+    let layout = &best.layout;
+    let mut moved: Vec<(String, [Off; 2])> = Vec::new();
+    for (index, piece) in layout.pieces.iter().enumerate() {
+        let by_mm = piece.rod.tolerance_mm;
+        if let (Some(less), Some(more)) = (
+            layout.with_diameter(index, -by_mm),
+            layout.with_diameter(index, by_mm),
+        ) {
+            let name = format!("diameter of {} ± {by_mm} mm", piece.rod.name);
+            moved.push((name, [Off::Layout(less), Off::Layout(more)]));
+        }
+        let by_mm = tolerances.break_mm;
+        let at = |mm: f64| layout.with_break(index, piece.to_mm + mm);
+        if let (Some(inner), Some(outer)) = (at(-by_mm), at(by_mm)) {
+            let name = format!("break at {:.1} ± {by_mm} mm", piece.to_mm);
+            moved.push((name, [Off::Layout(inner), Off::Layout(outer)]));
+        }
+    }
+    let mut materials: Vec<&String> = layout.pieces.iter().map(|piece| &piece.rod.material).collect();
+    materials.sort();
+    materials.dedup();
+    for material in materials {
+        let key = format!("material.{material}.g_gpa");
+        let range = workshop
+            .design
+            .assumptions()
+            .into_iter()
+            .find(|known| known.key == key)
+            .map(|known| known.range);
+        let stated = workshop.design.get(&key);
+        let range = range.or_else(|| {
+            let share = tolerances.shear_modulus_share;
+            stated.map(|value| [value * (1.0 - share), value * (1.0 + share)])
+        });
+        if let Some([low, high]) = range {
+            let name = format!("shear modulus of {material} {low:.1} to {high:.1} GPa");
+            moved.push((name, [Off::Modulus(key.clone(), low), Off::Modulus(key, high)]));
+        }
+    }
+    progress.say("tolerances");
+    let unseen = progress.unseen();
+    let jobs: Vec<(usize, &Off)> = moved
+        .iter()
+        .enumerate()
+        .flat_map(|(index, (_, pair))| pair.iter().map(move |off| (index, off)))
+        .collect();
+    let twists: Vec<Result<(usize, TwistAlongSpan), ExploreError>> = jobs
+        .into_par_iter()
+        .map(|(index, off)| Ok((index, twist_of(workshop, layout, off, &unseen)?)))
+        .collect();
+    progress.check()?;
+    let mut by_cause: Vec<Vec<TwistAlongSpan>> = vec![Vec::new(); moved.len()];
+    for twist in twists {
+        let (index, twist) = twist?;
+        by_cause[index].push(twist);
+    }
+    let half = |of: &dyn Fn(&TwistAlongSpan) -> f64| -> f64 {
+        let squares = by_cause
+            .iter()
+            .map(|pair| (0.5 * (of(&pair[0]) - of(&pair[1]))).powi(2));
+        squares.sum::<f64>().sqrt()
+    };
+    let stations: Vec<[f64; 3]> = best
+        .twist
+        .points()
+        .iter()
+        .map(|&[r_m, twist]| [r_m, twist, half(&|t| t.twist_rad(r_m))])
+        .collect();
+    let reach_mm = best.twist.points().last().map_or(0.0, |last| last[0] * 1e3);
+    let mut from_mm = 0.0;
+    let pieces = layout.pieces.iter().map(|piece| {
+        let to_mm = piece.to_mm.min(reach_mm);
+        let rate = |twist: &TwistAlongSpan| {
+            let rise = twist.twist_rad(to_mm * 1e-3) - twist.twist_rad(from_mm * 1e-3);
+            rise.to_degrees() / (to_mm - from_mm)
+        };
+        let found = PieceBand {
+            from_mm,
+            to_mm,
+            rate_deg_per_mm: rate(&best.twist),
+            tolerance_deg_per_mm: half(&rate),
+        };
+        from_mm = to_mm;
+        found
+    });
+    let pieces = pieces.collect();
+    let causes: Vec<(String, f64)> = moved
+        .iter()
+        .zip(&by_cause)
+        .map(|((name, _), pair)| {
+            (
+                name.clone(),
+                0.5 * distance_deg(&pair[0], &pair[1], workshop.tip_m),
+            )
+        })
+        .collect();
+    let rms_deg = causes.iter().map(|(_, cause)| cause * cause).sum::<f64>().sqrt();
+    Ok(Band {
+        pieces,
+        stations,
+        rms_deg,
+        causes,
+    })
+}
+
+fn twist_of(
+    workshop: &Workshop,
+    layout: &Layout,
+    off: &Off,
+    progress: &Progress,
+) -> Result<TwistAlongSpan, ExploreError> {
+    let design: Design = match off {
+        Off::Layout(layout) => layout.applied(workshop.design)?,
+        Off::Modulus(key, value) => {
+            let mut design = layout.applied(workshop.design)?;
+            design.set(key, *value)?;
+            design
+        }
+    };
+    let (solution, planform) = workshop.solved(&design, progress)?;
+    read_twist(&design, &planform, &solution)
+}
