@@ -8,6 +8,8 @@
 //!
 //!                            verify: published cases ←─ structure, coupling
 //!
+//! explore: fronts over twist profiles, rods for a wanted twist ←─ lift, study
+//!
 //! diagnose: which effect a model lacks, or none that is known ←─ study
 //!
 //! export: any result into bytes ←─ plot: pictures from numbers

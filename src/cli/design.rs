@@ -50,7 +50,7 @@ pub struct DesignRod {
     #[arg(long, value_name = "DESIGN", group = "aim")]
     pub like: Option<PathBuf>,
     /// Most lift per power of those that lift so much, mN, mean over the stroke of one wing
-    #[arg(long, value_name = "MN", group = "aim")]
+    #[arg(long, value_name = "MN", group = "aim", allow_negative_numbers = true)]
     pub lift: Option<f64>,
     /// Most pieces of rod
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u8).range(1..=2))]
@@ -59,7 +59,12 @@ pub struct DesignRod {
     #[arg(long, value_name = "N,N", value_delimiter = ',', value_parser = clap::value_parser!(u8).range(2..=20))]
     pub spars: Vec<u8>,
     /// Tensions of the film to try, N/m [default: that of the design]
-    #[arg(long, value_name = "N,N", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "N,N",
+        value_delimiter = ',',
+        allow_negative_numbers = true
+    )]
     pub tension: Vec<f64>,
     /// Factor on the mesh of the first look at all layouts
     #[arg(long, value_name = "FACTOR", default_value_t = 0.5)]
@@ -126,7 +131,7 @@ impl DesignRod {
             name: name.clone(),
             aim: words,
             layouts: found.candidates.iter().map(row).collect(),
-            equally_good: alike(&found, best, band.rms_deg),
+            equally_good: alike(&found, best, band.built_deg),
             wanted_deg: wanted.map_or(Vec::new(), |twist| {
                 stations
                     .iter()
@@ -148,6 +153,7 @@ impl DesignRod {
                 twist_deg: stations.iter().map(|s| s[1].to_degrees()).collect(),
                 tolerance_deg: stations.iter().map(|s| s[2].to_degrees()).collect(),
                 rms_deg: band.rms_deg,
+                built_deg: band.built_deg,
                 causes: band
                     .causes
                     .iter()
@@ -296,10 +302,10 @@ fn row(candidate: &Candidate) -> LayoutRow {
     }
 }
 
-/// How many candidates are as good as the best within what fabrication or the model can tell apart.
-fn alike(found: &Found, best: &Candidate, band_deg: f64) -> usize {
+/// How many candidates are as good as the best within what may be off as they are built.
+fn alike(found: &Found, best: &Candidate, built_deg: f64) -> usize {
     let room = if best.distance_deg.is_some() {
-        band_deg
+        built_deg
     } else {
         ALIKE
     };

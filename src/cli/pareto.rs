@@ -316,10 +316,12 @@ impl Pareto {
         let exhaustive = if self.exhaustive {
             let (all, profiles) = wing.exhaust(7, 9, progress)?;
             let theirs = area(&all, corner);
+            let on_steps = wing.search_on_steps(&algorithm, 7, 9, progress)?;
             Some(Exhaustive {
                 profiles,
                 hypervolume: theirs,
                 found_over_exhaustive: hypervolume / theirs,
+                on_steps_over_exhaustive: area(&on_steps, corner) / theirs,
             })
         } else {
             None

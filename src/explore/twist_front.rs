@@ -145,6 +145,30 @@ impl TwistFront {
         Ok(points)
     }
 
+    /// The front as an evolving population finds it on the steps of the coarse family of [`TwistFront::exhaust`].
+    ///
+    /// # Errors
+    /// As [`Nsga2::front`].
+    pub fn search_on_steps(
+        &self,
+        algorithm: &Nsga2,
+        ends: usize,
+        rates: usize,
+        progress: &Progress,
+    ) -> Result<Vec<FrontPoint>, ExploreError> {
+        let steps = OnSteps {
+            front: self,
+            ends,
+            rates,
+        };
+        let found = algorithm.front(&steps, &[], progress)?;
+        let point = |individual: &super::nsga2::Individual| {
+            let variables = steps.snapped(&individual.variables);
+            self.point(&variables, &individual.evaluation.objectives)
+        };
+        Ok(found.iter().map(point).collect())
+    }
+
     /// Every profile of a coarse family: rates on `rates` even steps, ends of stages on `ends`; the front of them all.
     ///
     /// # Errors
@@ -207,6 +231,48 @@ impl TwistFront {
             lift: -objectives[0],
             efficiency: -objectives[1],
         }
+    }
+}
+
+/// The same front on the steps of a coarse family.
+struct OnSteps<'a> {
+    front: &'a TwistFront,
+    ends: usize,
+    rates: usize,
+}
+
+impl OnSteps<'_> {
+    fn snapped(&self, variables: &[f64]) -> Vec<f64> {
+        let bounds = self.front.bounds();
+        let each = variables.iter().zip(bounds).enumerate();
+        each.map(|(index, (value, [low, high]))| {
+            let count = if index + 1 < self.front.family.stages {
+                self.ends
+            } else {
+                self.rates
+            };
+            let steps = count.saturating_sub(1).max(1) as f64;
+            low + (high - low) * ((value - low) / (high - low) * steps).round() / steps
+        })
+        .collect()
+    }
+}
+
+impl Problem for OnSteps<'_> {
+    fn bounds(&self) -> Vec<[f64; 2]> {
+        self.front.bounds()
+    }
+
+    fn evaluate(&self, variables: &[f64]) -> Evaluation {
+        let snapped = self.snapped(variables);
+        let ends = &snapped[..self.front.family.stages - 1];
+        if ends.windows(2).any(|pair| pair[0] >= pair[1]) {
+            return Evaluation {
+                objectives: vec![0.0, 0.0],
+                violation: 1.0,
+            };
+        }
+        self.front.evaluate(&snapped)
     }
 }
 

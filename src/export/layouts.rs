@@ -69,6 +69,9 @@ pub struct BandSummary {
     pub tolerance_deg: Vec<f64>,
     /// Root mean square over the span of half the band.
     pub rms_deg: f64,
+    /// The same by diameters and breaks alone: a shear modulus that is off is so in every layout of these rods, so this is what
+    /// two layouts are told apart by.
+    pub built_deg: f64,
     /// What was off, and by how much that changes the twist (root mean square over the span).
     pub causes: Vec<Cause>,
 }
@@ -151,8 +154,8 @@ impl LayoutSummary {
         }
         let within = match self.layouts.first().and_then(|best| best.distance_deg) {
             Some(_) => format!(
-                "the tolerance of fabrication ({} deg over the span)",
-                number(self.band.rms_deg, 2)
+                "what diameters and breaks may have off ({} deg over the span)",
+                number(self.band.built_deg, 2)
             ),
             None => "1 % of lift per power".to_string(),
         };

@@ -3,9 +3,12 @@
 use crate::{folder, washout};
 
 /// Every verb of the program.
-pub const VERBS: [&str; 11] = [
+pub const VERBS: [&str; 14] = [
     "solve",
     "compare",
+    "lift",
+    "pareto",
+    "design",
     "divergence",
     "modes",
     "mesh",

@@ -16,6 +16,8 @@ mod init;
 
 mod interrupt;
 
+mod lift;
+
 mod measure;
 
 mod mesh;

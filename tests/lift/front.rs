@@ -197,11 +197,10 @@ fn constraints_hold_on_the_front() {
         // the exact front: y = max(0, 6 − 9x), which begins at x = 7/18
         let exact = (1.0 + (6.0 - 9.0 * x).max(0.0)) / x;
         assert!(x > 7.0 / 18.0 - 1e-3);
-        assert!(
-            (individual.evaluation.objectives[1] / exact - 1.0).abs() < 0.02,
-            "{individual:?}"
-        );
+        off.push((individual.evaluation.objectives[1] / exact - 1.0).abs());
     }
+    off.sort_by(f64::total_cmp);
+    assert!(off[off.len() / 2] < 5e-3 && off[off.len() - 1] < 0.05, "{off:?}");
 }
 
 #[test]

@@ -7,12 +7,16 @@ use crate::{Said, design, folder, washout};
 const FAST: [&str; 4] = ["--population", "60", "--generations", "60"];
 
 fn pareto(more: &[&str]) -> Said {
+    with(&[&FAST, more].concat())
+}
+
+fn with(more: &[&str]) -> Said {
     let here = folder();
     let wings = ["rigid", "twist-v1", "twist-v2"].map(design);
     let files: Vec<&str> = wings.iter().map(String::as_str).collect();
     washout(
         here.path(),
-        &[&["pareto"], &files[..], &FAST, &["--json"], more].concat(),
+        &[&["pareto"], &files[..], &["--json"], more].concat(),
     )
 }
 
@@ -70,6 +74,8 @@ fn the_front_is_within_a_percent_of_an_exhaustive_search_and_the_same_at_any_num
     assert_eq!(one.out, two.out);
     for front in one.document()["fronts"].as_array().expect("fronts") {
         let share = number(front, &["exhaustive", "found_over_exhaustive"]);
+        let on_steps = number(front, &["exhaustive", "on_steps_over_exhaustive"]);
+        assert!((0.99..=1.0 + 1e-9).contains(&on_steps), "{on_steps}");
         // it may be better: its profiles are not on the steps of the coarse family
         assert!(share > 0.99, "{share}");
     }
@@ -107,7 +113,7 @@ fn bad_settings_end_with_2_and_say_the_cure() {
         (&["--gain", "lift-gain"], "lift-gain"),
         (&["--set", "flapping.stop_angle_deg=0.01"], "stop_angle_deg"),
     ] {
-        let done = pareto(more);
+        let done = with(more);
         assert_eq!(done.code, Some(2), "{more:?}: {}", done.err);
         assert!(done.err.contains(said), "{more:?}: {}", done.err);
     }

@@ -9,7 +9,7 @@ use crate::{Said, design, file, folder, washout};
 
 const SHELF: &str = "name,shape,diameter_mm,material,tolerance_mm\nround-1.0,round,1.0,carbon-rod,0.03\n\
                      half-1.0,half-round,1.0,carbon-rod,0.03\nround-0.3,round,0.3,carbon-rod,0.01\n";
-const COARSE: [&str; 4] = ["--set", "mesh.refine=0.4", "--first-look", "1"];
+const COARSE: [&str; 4] = ["--set", "mesh.refine=0.3", "--first-look", "1"];
 
 fn designed(shelf: &str, more: &[&str]) -> (tempfile::TempDir, Said) {
     let here = folder();
@@ -46,7 +46,7 @@ fn a_known_layout_is_recovered_from_the_twist_that_it_makes() {
     // its break stands at 39.9 mm; what is left must be less than what half a millimetre of it, or a diameter, makes
     let at = numbers(&best["to_mm"])[0];
     assert!((at - 39.9).abs() < 1.5, "{at}");
-    let band = document["band"]["rms_deg"].as_f64().expect("a band");
+    let band = document["band"]["built_deg"].as_f64().expect("a band");
     assert!(
         best["distance_deg"].as_f64().expect("a distance") < band,
         "{best}"

@@ -28,6 +28,8 @@ pub struct Band {
     pub stations: Vec<[f64; 3]>,
     /// Root mean square over the span of half the band, deg.
     pub rms_deg: f64,
+    /// The same by diameters and breaks alone: a shear modulus that is off is so in every layout of these rods.
+    pub built_deg: f64,
     /// What was moved, and by how much it changes the twist over the span (root mean square, deg).
     pub causes: Vec<(String, f64)>,
 }
@@ -157,11 +159,17 @@ pub fn band(
             )
         })
         .collect();
+    let built = moved
+        .iter()
+        .zip(&causes)
+        .filter(|((_, pair), _)| matches!(pair[0], Off::Layout(_)));
+    let built_deg = built.map(|(_, (_, cause))| cause * cause).sum::<f64>().sqrt();
     let rms_deg = causes.iter().map(|(_, cause)| cause * cause).sum::<f64>().sqrt();
     Ok(Band {
         pieces,
         stations,
         rms_deg,
+        built_deg,
         causes,
     })
 }
