@@ -246,9 +246,8 @@ impl Lift {
         if !is_range {
             return Err(Failure::Option {
                 option: "--amplitudes",
-                reason: format!(
-                    "this is no range; give a smaller and a larger half amplitude in degrees, e.g. 24,45"
-                ),
+                reason: "this is no range; give a smaller and a larger half amplitude in degrees, e.g. 24,45"
+                    .to_string(),
             });
         }
         let step = (to - from) / f64::from(count - 1);

@@ -122,8 +122,8 @@ impl BladeAir {
         let mut air = SectionAir {
             alpha: Dual::from(alpha_rad),
             speed_squared: Dual::from(speed_m_s * speed_m_s),
-            normal: Vector3::<f64>::z().map(|x| Dual::from(x)),
-            chord: Vector3::<f64>::y().map(|x| Dual::from(x)),
+            normal: Vector3::new(0.0, 0.0, 1.0).map(Dual::from_re),
+            chord: Vector3::new(0.0, 1.0, 0.0).map(Dual::from_re),
         };
         let now = self.law.section(&mut air, &acting);
         let load = half * air.speed_squared.re;

@@ -54,7 +54,7 @@ impl StagedTwist {
         if !(1..=6).contains(&stages) {
             return refuse("the number of stages", stages as f64, "give 1 to 6");
         }
-        if !(largest_deg > low * length_mm) {
+        if largest_deg.is_nan() || largest_deg <= low * length_mm {
             return refuse(
                 "the largest twist at the tip (deg)",
                 largest_deg,

@@ -14,9 +14,9 @@ pub mod modes;
 
 pub mod pareto;
 
+pub mod layouts;
 #[cfg(feature = "parquet")]
 pub mod parquet;
-pub mod layouts;
 
 pub mod template;
 

@@ -184,7 +184,7 @@ impl Template {
     }
 
     /// Layers with their colours and closed lines.
-    fn layers(&self) -> [(&'static str, &'static str, Vec<&Vec<[f64; 2]>>); 3] {
+    fn layers(&self) -> [Layer<'_>; 3] {
         [
             ("film", "#0072b2", vec![&self.film]),
             ("spars", "#009e73", self.spars.iter().collect()),
@@ -206,6 +206,9 @@ impl Template {
         })
     }
 }
+
+/// Name of a layer, its colour, its closed lines.
+type Layer<'a> = (&'static str, &'static str, Vec<&'a Vec<[f64; 2]>>);
 
 /// Width in the plane of the wing, mm; a thin line where only stiffnesses are known.
 fn width_mm(section: &Section) -> f64 {
