@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use rayon::prelude::*;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::export::lift::{
     Inertial, LiftSummary, RatioSet, SpanCurve, StrokeCurve, SweepCurve, WingLift, WingRatios,

@@ -7,7 +7,7 @@
 //! Of the crates, `moors` 0.2.11 is the one that is kept up: its front of ZDT1 is as near, but it brings 117 crates, among them
 //! a second `faer`; this file is what is needed of it.
 
-use rayon::prelude::*;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::progress::Progress;
 use crate::study::draws::Draws;

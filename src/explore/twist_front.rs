@@ -1,6 +1,6 @@
 //! The front between lift and efficiency over twist profiles of a wing, and the same wing without twist at other stops.
 
-use rayon::prelude::*;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::coupling::BladeAir;
 use crate::geometry::Planform;

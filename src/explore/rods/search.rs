@@ -1,6 +1,6 @@
 //! The search: every sequence of rods with its break on a few places, the best of them refined, each in the coupled model.
 
-use rayon::prelude::*;
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 use crate::coupling::solution::Solution;
 use crate::coupling::{self, BladeAir};

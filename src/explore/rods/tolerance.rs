@@ -1,6 +1,6 @@
 //! What fabrication does to a layout: its twist with each diameter, shear modulus and break off by its tolerance.
 
-use rayon::prelude::*;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::explore::error::ExploreError;
 use crate::input::design::Design;
