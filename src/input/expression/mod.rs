@@ -170,12 +170,13 @@ fn call<D: DualNum<Primitive = f64> + Copy>(name: &str, a: D, b: D) -> D {
     }
 }
 
-/// a^b; for whole b also for negative a.
+/// a^b; for whole b also for negative a. Positive whole powers are products: the derivative of `powi` is no number at 0.
 fn power<D: DualNum<Primitive = f64> + Copy>(a: D, b: f64) -> D {
-    if b.fract() == 0.0 && b.abs() <= 64.0 {
-        a.powi(b as i32)
-    } else {
-        a.powf(b)
+    let is_whole = b.fract() == 0.0 && b.abs() <= 64.0;
+    match is_whole {
+        true if b > 0.0 => (1..b as usize).fold(a, |product, _| product * a),
+        true => a.powi(b as i32),
+        false => a.powf(b),
     }
 }
 

@@ -57,6 +57,10 @@ fn derivatives_come_with_dual_numbers() {
         read.value(&[Dual64::new(x, 1.0)]).eps
     };
     assert!((slope("x^3", 0.5) - 0.75).abs() < 1e-15);
+    assert_eq!(
+        [slope("x", 0.0), slope("x^4", 0.0), slope("x^3 + x", 0.0)],
+        [1.0, 0.0, 1.0]
+    );
     assert!((slope("x^x", 0.5) - 0.5f64.sqrt() * (1.0 + 0.5f64.ln())).abs() < 1e-15);
     assert!((slope("sin(2 * x) / x", 0.5) - (4.0 * 1f64.cos() - 4.0 * 1f64.sin())).abs() < 1e-14);
     assert_eq!(slope("abs(x) + max(x, 0) + x^2", -1.0), -3.0);
