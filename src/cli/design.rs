@@ -165,7 +165,7 @@ impl DesignRod {
             },
             solved: found.solved,
             unsolved: found.unsolved,
-            warnings: warnings(&case, best, band.rms_deg),
+            warnings: warnings(&case, best, band.built_deg),
             design: design.clone(),
             files: Vec::new(),
         };
@@ -326,10 +326,10 @@ fn points(twist: &TwistAlongSpan, length_m: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-fn warnings(case: &Case, best: &Candidate, band_deg: f64) -> Vec<String> {
+fn warnings(case: &Case, best: &Candidate, built_deg: f64) -> Vec<String> {
     let mut warnings = Vec::new();
     if let Some(distance) = best.distance_deg
-        && distance > 2.0 * band_deg
+        && distance > 2.0 * built_deg
     {
         warnings.push(format!(
             "The best layout stays {distance:.1} deg (root mean square over the span) from what is wanted, more than twice what \
