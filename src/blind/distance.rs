@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::draw::is_visible;
+use super::spot::Spot;
 use super::{Blind, BlindError};
 use crate::diagnose::plan::PlannedEffect;
 use crate::diagnose::screening::effect_of;
@@ -15,7 +16,7 @@ use crate::study::{Campaign, Forward, StudyError};
 use crate::synthesize::{Hidden, Recipe, unlike};
 
 /// Tries for a strength, and the share of the wanted distance within which one is good.
-const TRIES: usize = 6;
+const TRIES: usize = 10;
 const NEAR: f64 = 0.15;
 /// Largest factor from one try to the next.
 const LONGEST: f64 = 8.0;
@@ -50,21 +51,21 @@ pub struct Distance {
 pub fn distances(blind: &Blind, hidden: &[Hidden]) -> Result<Vec<Distance>, BlindError> {
     let mut found = Vec::new();
     for effect in hidden {
-        if let Some(distance) = distance(blind, &effect.name, effect.strength)? {
-            found.push(distance);
+        if let Some(spot) = Spot::of(&blind.campaign, effect) {
+            found.push(distance(blind, spot, effect.strength)?);
         }
     }
     Ok(found)
 }
 
-/// The strength of `effect`, of sign `sign` if it may have that, which is seen at distance `target`; the largest plausible one if
-/// that is nearer.
+/// The strength of `effect` at `spot`, of sign `sign` if it may have that, which is seen at distance `target`; the largest plausible
+/// one if that is nearer.
 ///
 /// # Errors
 /// If the model without the effect has no solution.
 pub fn strength_seen_at(
     blind: &Blind,
-    effect: &PlannedEffect,
+    (effect, spot): (&PlannedEffect, Spot),
     target: f64,
     sign: f64,
 ) -> Result<f64, BlindError> {
@@ -75,13 +76,10 @@ pub fn strength_seen_at(
     let most = if sign < 0.0 { -low } else { high };
     let mut size = (effect.scale * target / effect.detectability).min(most);
     let mut best = (f64::INFINITY, size);
+    let [mut too_small, mut too_large] = [None, None];
     for _ in 0..TRIES {
         // a strength with which the wing has no equilibrium is too large
-        let seen = match distance(blind, &effect.effect, sign * size) {
-            Ok(Some(distance)) => distance.seen,
-            Ok(None) => break,
-            Err(_) => f64::INFINITY,
-        };
+        let seen = distance(blind, spot, sign * size).map_or(f64::INFINITY, |distance| distance.seen);
         let off = (seen / target).max(1e-9).ln().abs();
         if off < best.0 {
             best = (off, size);
@@ -89,8 +87,17 @@ pub fn strength_seen_at(
         if off < NEAR || (seen < target && size >= most) {
             break;
         }
-        let factor = (target / seen).clamp(1.0 / LONGEST, LONGEST);
-        size = (size * factor).min(most);
+        *if seen < target {
+            &mut too_small
+        } else {
+            &mut too_large
+        } = Some(size);
+        let next = size * (target / seen).clamp(1.0 / LONGEST, LONGEST);
+        size = match (too_small, too_large) {
+            // what grows faster or slower than its strength is closed in on
+            (Some(small), Some(large)) if !(small < next && next < large) => f64::sqrt(small * large),
+            _ => next.min(most),
+        };
     }
     Ok(sign * best.1)
 }
@@ -112,47 +119,38 @@ pub fn turned(blind: &Blind, progress: &Progress) -> Result<Vec<Turned>, BlindEr
         .filter(|effect| is_visible(effect));
     let found = visible.map(|effect| {
         progress.check().map_err(StudyError::from)?;
-        let strength = strength_seen_at(blind, effect, COMPARED, 1.0)?;
+        let somewhere = Hidden::known(&effect.effect, 0.0);
+        let Some(spot) = Spot::of(&blind.campaign, &somewhere) else {
+            return Ok(None);
+        };
+        let strength = strength_seen_at(blind, (effect, spot), COMPARED, 1.0)?;
         let of = |campaign: &Campaign| -> Option<_> {
-            let unknown = position(campaign, &effect.effect)?;
-            let mut at = campaign.start();
-            at[unknown] = strength;
-            campaign.predict(&at).ok()
+            let spot = Spot::of(campaign, &somewhere)?;
+            campaign.predict(&spot.with(&campaign.start(), strength)).ok()
         };
         let cosine = of(&blind.campaign).zip(of(&other)).map(|(here, there)| {
             let here = blind.outlook.seen(&(here - &blind.outlook.predicted));
             let there = blind.outlook.seen(&(there - &still));
             here.dot(&there) / (here.norm() * there.norm()).max(f64::MIN_POSITIVE)
         });
-        Ok(Turned {
+        Ok(Some(Turned {
             effect: effect.effect.clone(),
             cosine,
-        })
+        }))
     });
-    let found: Vec<Turned> = found.collect::<Result<_, BlindError>>()?;
+    let found: Vec<Option<Turned>> = found.collect::<Result<_, BlindError>>()?;
     let is_turned = |turned: &Turned| turned.cosine.is_none_or(|cosine| cosine < SAME);
-    Ok(found.into_iter().filter(is_turned).collect())
+    Ok(found.into_iter().flatten().filter(is_turned).collect())
 }
 
-/// Of an effect with many members, the first: a place is a number of its own.
-fn position(campaign: &Campaign, name: &str) -> Option<usize> {
-    let mut unknowns = campaign.unknowns().iter();
-    unknowns.position(|unknown| effect_of(unknown).is_some_and(|(effect, _, _, _)| effect == name))
-}
-
-fn distance(blind: &Blind, name: &str, strength: f64) -> Result<Option<Distance>, BlindError> {
+fn distance(blind: &Blind, spot: Spot, strength: f64) -> Result<Distance, BlindError> {
     let unknowns = blind.campaign.unknowns();
-    let Some(unknown) = position(&blind.campaign, name) else {
-        return Ok(None);
-    };
-    let Some((_, family, _, _)) = effect_of(&unknowns[unknown]) else {
-        return Ok(None);
-    };
-    let mut at = blind.outlook.start.clone();
-    at[unknown] = strength;
-    let readings = blind.campaign.predict(&at)?;
-    Ok(Some(Distance {
+    let readings = blind
+        .campaign
+        .predict(&spot.with(&blind.outlook.start, strength))?;
+    let family = effect_of(&unknowns[spot.strength]).map_or("", |(_, family, _, _)| family);
+    Ok(Distance {
         seen: blind.outlook.distance(&readings),
         apart: blind.outlook.apart(&blind.campaign, &readings, family),
-    }))
+    })
 }

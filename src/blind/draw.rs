@@ -2,6 +2,7 @@
 
 use super::distance::strength_seen_at;
 use super::novel::novel;
+use super::spot::Spot;
 use super::{Blind, BlindError, Kind};
 use crate::diagnose::plan::PlannedEffect;
 use crate::progress::Progress;
@@ -89,6 +90,10 @@ fn hidden(blind: &Blind, effect: &PlannedEffect, draws: Draws, which: u64) -> Re
     let [low, high] = DETECTABLE;
     let target = low + (high - low) * draws.uniform(3, which);
     let sign = if draws.uniform(4, which) < 0.5 { 1.0 } else { -1.0 };
-    let strength = strength_seen_at(blind, effect, target, sign)?;
-    Ok(Hidden::known(&effect.effect, strength))
+    let spot = Spot::drawn(&blind.campaign, &effect.effect, draws, 8 + which).ok_or(BlindError::NoCase {
+        kind: "with an effect",
+        reason: "the effect acts on none of its wings",
+    })?;
+    let strength = strength_seen_at(blind, (effect, spot), target, sign)?;
+    Ok(spot.hidden(&blind.campaign, &effect.effect, strength))
 }

@@ -17,6 +17,7 @@ pub mod novel;
 pub mod outcome;
 
 pub mod scoreboard;
+pub mod spot;
 
 pub use distance::Turned;
 pub use error::BlindError;
@@ -96,6 +97,17 @@ const ROUND: [Kind; 29] = {
 };
 
 impl Kind {
+    /// All kinds.
+    pub const ALL: [Kind; 7] = [
+        Kind::Null,
+        Kind::NullQuiet,
+        Kind::NullOutlier,
+        Kind::Single,
+        Kind::Pair,
+        Kind::Novel,
+        Kind::Twin,
+    ];
+
     /// Its word.
     pub fn word(self) -> &'static str {
         match self {

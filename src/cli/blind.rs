@@ -46,6 +46,7 @@ struct Run {
 #[command(after_help = "Examples:
   washout blind 12                              a dozen cases of all kinds
   washout blind 290 --output night              150 without anything missing, 60 single, 30 pairs, 30 novel, 20 twins
+  washout blind 20 --kind pair --kind twin      ten of each
   washout blind 290 --output night              the same again after an interruption: goes on where it stopped
 
 A development benchmark: the cases are made by washout itself, with other meshes and formulas and with background errors.
@@ -60,6 +61,9 @@ pub struct TryBlind {
     /// Try this effect; can be given many times [default: those that the study names, or all that can act]
     #[arg(long, value_name = "NAME")]
     pub effect: Vec<String>,
+    /// Only cases of this kind: null, null-quiet, null-outlier, single, pair, novel or twin; can be given many times
+    #[arg(long, value_name = "KIND", value_parser = kind)]
+    pub kind: Vec<Kind>,
     /// Seed of the first case
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
@@ -83,7 +87,9 @@ impl TryBlind {
         let mut run = self.same_run(&study, &names)?;
         let cases: Vec<(Kind, u64, PathBuf)> = (0..self.cases as usize)
             .map(|index| {
-                let (kind, seed) = (Kind::at(index), self.seed + index as u64);
+                let of_this = self.kind.get(index % self.kind.len().max(1));
+                let kind = of_this.copied().unwrap_or_else(|| Kind::at(index));
+                let seed = self.seed + index as u64;
                 (kind, seed, folder.join(format!("{}-{seed}.json", kind.word())))
             })
             .collect();
@@ -197,6 +203,16 @@ impl TryBlind {
             },
         }
     }
+}
+
+fn kind(word: &str) -> Result<Kind, String> {
+    let known = Kind::ALL.into_iter().find(|kind| kind.word() == word);
+    known.ok_or_else(|| {
+        format!(
+            "there is none; kinds are {}",
+            Kind::ALL.map(Kind::word).join(", ")
+        )
+    })
 }
 
 /// A case that was done before; none if its file is not there or was written by another version.

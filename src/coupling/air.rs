@@ -103,11 +103,11 @@ impl Air {
     }
 }
 
-/// The effects that act on one strip.
+/// The effects that act on one strip or blade element.
 #[derive(Debug)]
 pub(super) struct ActingOnStrip<'a> {
-    effects: &'a [Bound],
-    place: StripPlace<'a>,
+    pub(super) effects: &'a [Bound],
+    pub(super) place: StripPlace<'a>,
 }
 
 impl SectionChange<Dual> for ActingOnStrip<'_> {

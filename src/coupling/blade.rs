@@ -1,7 +1,8 @@
 //! The air on blade elements of given angle and speed, effects included: for a lift model that knows no deformed shape.
 
+use super::air::ActingOnStrip;
 use super::error::CouplingError;
-use crate::aero::{AeroError, AirLaw, Flow, SectionAir, SectionChange, SectionCoefficients};
+use crate::aero::{AeroError, AirLaw, Flow, SectionAir};
 use crate::effects::{Bound, Dual, Motion, Need, Seam, StripMotion, StripPlace, bind};
 use crate::geometry::Planform;
 use crate::input::design::Design;
@@ -104,7 +105,7 @@ impl BladeAir {
         }
         let flow = self.flow.map(|flow| at_phase(flow, section.phase_rad));
         let motion = self.wants_motion.then(|| still(section));
-        let acting = ActingOnBlade {
+        let acting = ActingOnStrip {
             effects: &self.effects,
             place: StripPlace {
                 design: &self.design,
@@ -171,25 +172,5 @@ fn still(section: &BladeSection) -> Motion {
             twist_acceleration_rad_s2: 0.0,
         }],
         drag_ratio: section.drag_ratio,
-    }
-}
-
-/// The effects that act on one blade element.
-struct ActingOnBlade<'a> {
-    effects: &'a [Bound],
-    place: StripPlace<'a>,
-}
-
-impl SectionChange<Dual> for ActingOnBlade<'_> {
-    fn flow(&self, air: &mut SectionAir<Dual>) {
-        for bound in self.effects {
-            bound.effect.flow(&bound.values, &self.place, air);
-        }
-    }
-
-    fn coefficients(&self, air: &SectionAir<Dual>, now: &mut SectionCoefficients<Dual>) {
-        for bound in self.effects {
-            bound.effect.coefficients(&bound.values, &self.place, air, now);
-        }
     }
 }

@@ -231,6 +231,7 @@ impl<'a> Baseline<'a> {
             .collect();
         NullTest::new(&directions.columns, &one_sided, &fields, scale).significance(
             &whitened.residual,
+            &whitened.rotation_to_readings(),
             Draws::new(self.settings.seed),
             self.settings.draws,
         )

@@ -5,22 +5,19 @@ use crate::progress::Progress;
 use super::baseline::Baseline;
 use super::conclude::{conclude, gate};
 use super::error::DiagnoseError;
-use super::evidence::{LinearEvidence, of_one};
 use super::library::{Family, Scales, Trial, families, heaviest};
 use super::novel::{Weighed, weigh};
 use super::null::Significance;
+use super::pairs::refit_pairs;
 use super::posterior::Belief;
 use super::refit::{Explanation, Refits};
-use super::screening::{Directions, is_one_sided, slopes_of_missing};
+use super::screening::is_one_sided;
 use super::second_look::second_look;
-use super::whitened::Whitened;
 
 /// Explanations this much below the best in ln(prior × evidence) of the linear model are not fitted anew.
 const HOPELESS: f64 = 25.0;
 /// The same below the best that was fitted anew.
 const LOST: f64 = 15.0;
-/// Pairs are fitted anew only if the linear model puts one this close to the best single effect.
-const PAIR_CHANCE: f64 = 8.0;
 
 /// Everything that was weighed.
 pub struct Judgement {
@@ -65,21 +62,28 @@ impl Judgement {
             .unwrap_or_else(|| &self.pairs[index - self.singles.len()])
     }
 
-    /// The heaviest of all that were fitted anew.
-    pub fn best_explanation(&self) -> Option<&Explanation> {
-        let weight = |index: usize| self.trial(index).ln_prior + self.ln_evidence[index];
-        let best = self
-            .refits
+    /// Logarithm of prior times evidence of a trial.
+    pub fn weight(&self, index: usize) -> f64 {
+        self.trial(index).ln_prior + self.ln_evidence[index]
+    }
+
+    /// The heaviest of all that were fitted anew, with its trial.
+    pub fn best_refit(&self) -> Option<&(usize, Explanation)> {
+        self.refits
             .iter()
-            .max_by(|a, b| weight(a.0).total_cmp(&weight(b.0)));
-        best.map(|(_, explanation)| explanation)
+            .max_by(|a, b| self.weight(a.0).total_cmp(&self.weight(b.0)))
+    }
+
+    /// Whether a trial was fitted anew.
+    pub fn is_refitted(&self, index: usize) -> bool {
+        self.refits.iter().any(|(known, _)| *known == index)
     }
 
     /// The heaviest trial of `families` and, if it was fitted anew, its explanation.
     pub fn best_of(&self, families: &[usize]) -> Option<(usize, Option<&Explanation>)> {
         let count = self.singles.len() + self.pairs.len();
         let own = (0..count).filter(|&index| self.trial(index).families == families);
-        let weight = |index: usize| self.trial(index).ln_prior + self.ln_evidence[index];
+        let weight = |index: usize| self.weight(index);
         let refitted = self
             .refits
             .iter()
@@ -242,105 +246,6 @@ fn refit_singles(
     for index in 0..judgement.ln_evidence.len() {
         if !judgement.refits.iter().any(|(known, _)| *known == index) {
             judgement.ln_evidence[index] += offset;
-        }
-    }
-    Ok(())
-}
-
-/// Scores of all others with the best single effect in the model; then the best pairs anew.
-fn refit_pairs(
-    judgement: &mut Judgement,
-    baseline: &Baseline,
-    refits: &Refits,
-    progress: &Progress,
-) -> Result<(), DiagnoseError> {
-    let weight =
-        |judgement: &Judgement, index: usize| judgement.trial(index).ln_prior + judgement.ln_evidence[index];
-    let best = judgement
-        .refits
-        .iter()
-        .max_by(|a, b| weight(judgement, a.0).total_cmp(&weight(judgement, b.0)));
-    let Some((best_index, explanation)) = best.cloned() else {
-        return Ok(());
-    };
-    let (Some(fit), Some(local)) = (&explanation.fit, &explanation.local) else {
-        return Ok(());
-    };
-    progress.say("derivatives with every effect, the best one in the model");
-    let footing = fit.footing.as_ref();
-    let slopes = slopes_of_missing(
-        baseline.forward,
-        &baseline.data,
-        &fit.at,
-        baseline.settings,
-        footing,
-    )?
-    .missing;
-    let whitened = Whitened::new(local, &baseline.scatter.noise)?;
-    let mut directions = Directions::new(&baseline.data, &slopes, &whitened);
-    let family = judgement.singles[best_index].families[0];
-    for &k in &judgement.families[family].members {
-        directions.columns.column_mut(k).fill(0.0);
-    }
-    judgement.after_best = Some(baseline.significance(&whitened, &directions));
-    let unknowns = baseline.forward.unknowns();
-    let first = judgement.singles.len();
-    let mut starts: Vec<Option<(Vec<usize>, Vec<f64>)>> = vec![None; judgement.pairs.len()];
-    for (pair, start) in starts.iter_mut().enumerate() {
-        let trial = &judgement.pairs[pair];
-        if !trial.families.contains(&family) {
-            continue;
-        }
-        let Some(&second) = trial
-            .members
-            .iter()
-            .find(|k| !judgement.families[family].members.contains(k))
-        else {
-            continue;
-        };
-        if !trial.members.iter().any(|k| explanation.members.contains(k)) {
-            continue;
-        }
-        let dot = directions.scores[second] * directions.lengths[second];
-        let one_sided = is_one_sided(&unknowns[baseline.data.missing[second]]);
-        let square = directions.gram[(second, second)];
-        let gain: LinearEvidence = of_one(baseline.likelihood, whitened.q(), square, dot, one_sided);
-        judgement.ln_evidence[first + pair] = explanation.ln_evidence + gain.ln_gain;
-        let mut members = explanation.members.clone();
-        members.push(second);
-        let sigma = |k: usize| unknowns[baseline.data.missing[k]].sigma;
-        let mut estimates: Vec<f64> = explanation
-            .members
-            .iter()
-            .zip(&explanation.strength)
-            .map(|(&k, s)| s / sigma(k))
-            .collect();
-        estimates.push(gain.estimate[0]);
-        *start = Some((members, estimates));
-    }
-    let scored: Vec<Trial> = judgement
-        .pairs
-        .iter()
-        .enumerate()
-        .map(|(pair, trial)| {
-            let mut scored = trial.clone();
-            scored.linear.ln_gain = judgement.ln_evidence[first + pair];
-            scored
-        })
-        .collect();
-    for pair in heaviest(&scored, baseline.settings.pair_refits, 1) {
-        progress.check()?;
-        if scored[pair].ln_weight() < weight(judgement, best_index) - PAIR_CHANCE {
-            break;
-        }
-        progress.say("refit of a pair");
-        let trial = &judgement.pairs[pair];
-        let (members, estimates) = starts[pair]
-            .clone()
-            .unwrap_or_else(|| (trial.members.clone(), trial.linear.estimate.to_vec()));
-        if let Some(explanation) = refits.refit(&members, &estimates)? {
-            judgement.ln_evidence[first + pair] = explanation.ln_evidence;
-            judgement.refits.push((first + pair, explanation));
         }
     }
     Ok(())

@@ -34,6 +34,8 @@ pub mod novel_words;
 
 pub mod null;
 
+pub mod pairs;
+
 pub mod plan;
 
 pub mod posterior;
@@ -111,7 +113,7 @@ pub fn judged<'a>(
 ) -> Result<(Baseline<'a>, Judgement), DiagnoseError> {
     let mut baseline = Baseline::new(forward, settings, shared, progress)?;
     let mut judgement = judge::judge(&baseline, progress)?;
-    if let Some(best) = judgement.best_explanation()
+    if let Some((_, best)) = judgement.best_refit()
         && let Some(calmed) = baseline.calmed(best, progress)?
     {
         baseline = calmed;

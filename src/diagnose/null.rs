@@ -27,8 +27,8 @@ pub struct Significance {
     pub p_misfit: f64,
     /// By the scores of smooth fields.
     pub p_field: f64,
-    /// By the largest score and the fields, among residuals with signs at random: noise that is larger where the
-    /// signature of an effect is large is no discovery either.
+    /// By the largest score and the fields, among residuals with the sign of each reading's share at random: noise that is
+    /// larger where the signature of an effect is large is no discovery either.
     pub p_signs: f64,
     /// All together: the larger of three times the smallest of the first three, and of the last.
     pub p_null: f64,
@@ -86,8 +86,15 @@ impl NullTest {
         }
     }
 
-    /// Significance of `residual` among `count` draws of `draws`.
-    pub fn significance(&self, residual: &DVector<f64>, draws: Draws, count: usize) -> Significance {
+    /// Significance of `residual` among `count` draws of `draws`; `to_readings` turns it to the basis where an entry belongs to
+    /// one reading.
+    pub fn significance(
+        &self,
+        residual: &DVector<f64>,
+        to_readings: &DMatrix<f64>,
+        draws: Draws,
+        count: usize,
+    ) -> Significance {
         let size = residual.len();
         let seen = DMatrix::from_column_slice(size, 1, residual.as_slice());
         let seen = self.statistics(&seen, &[1.0])[0];
@@ -98,12 +105,14 @@ impl NullTest {
                 .collect();
             (errors, factors)
         });
+        let by_reading = to_readings * residual;
         let signs = self.beyond(&seen, count, &|first, here| {
             let flipped = |i: usize, k: usize| {
                 let is_up = draws.uniform(SIGNS + (first + k) as u64, i as u64) < 0.5;
-                if is_up { residual[i] } else { -residual[i] }
+                if is_up { by_reading[i] } else { -by_reading[i] }
             };
-            (DMatrix::from_fn(size, here, flipped), vec![1.0; here])
+            let flipped = DMatrix::from_fn(size, here, flipped);
+            (to_readings.tr_mul(&flipped), vec![1.0; here])
         });
         let [p_largest_score, p_misfit, p_field] = noise;
         let p_signs = (2.0 * signs[0].min(signs[2])).min(1.0);

@@ -6,6 +6,7 @@
 use nalgebra::DMatrix;
 
 use crate::progress::Progress;
+use crate::study::Fit;
 
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
@@ -43,45 +44,20 @@ pub fn second_look(
     }
     let (forward, data) = (baseline.forward, &baseline.data);
     let unknowns = forward.unknowns();
-    let is_fitted = |judgement: &Judgement, member: usize| {
+    let is_fitted = |member: usize| {
         let trials = judgement.refits.iter();
         trials
             .map(|(index, _)| judgement.trial(*index))
             .any(|trial| trial.members == [member])
     };
-    let mut slopes = DMatrix::zeros(baseline.fit.predicted.len(), data.missing.len());
-    let mut tried: Vec<usize> = Vec::new();
-    for (index, trial) in judgement.singles.iter().enumerate() {
-        let [member] = trial.members[..] else { continue };
-        let unknown = data.missing[member];
-        let Some((name, _, scale, one_sided)) = effect_of(&unknowns[unknown]) else {
-            continue;
-        };
-        if is_fitted(judgement, member) {
-            continue;
-        }
-        progress.check()?;
-        progress.say(format_args!("a second look at {name}"));
-        let sign = if one_sided {
-            1.0
-        } else {
-            baseline.directions.scores[member].signum()
-        };
-        let [low, high] = unknowns[unknown].range;
-        let step = (sign * STEP * scale).clamp(low, high);
-        if step == 0.0 {
-            continue;
-        }
-        let mut at = baseline.fit.at.clone();
-        at[unknown] = step;
-        let Ok(moved) = forward.predict(&at) else { continue };
-        let share = unknowns[unknown].sigma / step;
-        slopes.set_column(member, &((moved - &baseline.fit.predicted) * share));
-        tried.push(index);
-    }
-    for row in data.kept_bounds(forward, &baseline.fit.predicted) {
-        slopes.row_mut(row).fill(0.0);
-    }
+    let tried: Vec<usize> = (0..judgement.singles.len())
+        .filter(|&index| matches!(judgement.singles[index].members[..], [member] if !is_fitted(member)))
+        .collect();
+    let members: Vec<usize> = tried
+        .iter()
+        .map(|&index| judgement.singles[index].members[0])
+        .collect();
+    let slopes = steps(baseline, &baseline.fit, &members, progress)?;
     let directions = Directions::new(data, &slopes, &baseline.whitened);
     let mut ranked: Vec<(f64, usize, f64)> = tried
         .into_iter()
@@ -109,4 +85,47 @@ pub fn second_look(
         }
     }
     Ok(())
+}
+
+/// How all observables answer to steps of a plausible size of the effects `members` about a fit, per prior standard deviation
+/// (observables × missing effects; zero for all others, and where the model has no solution).
+///
+/// # Errors
+/// If the user asked to stop.
+pub fn steps(
+    baseline: &Baseline,
+    fit: &Fit,
+    members: &[usize],
+    progress: &Progress,
+) -> Result<DMatrix<f64>, DiagnoseError> {
+    let (forward, data) = (baseline.forward, &baseline.data);
+    let unknowns = forward.unknowns();
+    let mut slopes = DMatrix::zeros(fit.predicted.len(), data.missing.len());
+    for &member in members {
+        let unknown = data.missing[member];
+        let Some((name, _, scale, one_sided)) = effect_of(&unknowns[unknown]) else {
+            continue;
+        };
+        progress.check()?;
+        progress.say(format_args!("a second look at {name}"));
+        let sign = if one_sided {
+            1.0
+        } else {
+            baseline.directions.scores[member].signum()
+        };
+        let [low, high] = unknowns[unknown].range;
+        let step = (fit.at[unknown] + sign * STEP * scale).clamp(low, high) - fit.at[unknown];
+        if step == 0.0 {
+            continue;
+        }
+        let mut at = fit.at.clone();
+        at[unknown] += step;
+        let Ok(moved) = forward.predict(&at) else { continue };
+        let share = unknowns[unknown].sigma / step;
+        slopes.set_column(member, &((moved - &fit.predicted) * share));
+    }
+    for row in data.kept_bounds(forward, &fit.predicted) {
+        slopes.row_mut(row).fill(0.0);
+    }
+    Ok(slopes)
 }

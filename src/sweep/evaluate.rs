@@ -6,10 +6,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::error::SweepError;
-use crate::aero::{AirLaw, Flow};
+use crate::aero::Flow;
 use crate::compare::study::compare_study;
 use crate::coupling::solution::Solution;
-use crate::coupling::{CouplingError, solve_from};
+use crate::coupling::{BladeAir, CouplingError, solve_from};
 use crate::input::study::LoadedStudy;
 use crate::input::{Design, Loaded};
 use crate::lift::LiftReport;
@@ -200,7 +200,7 @@ fn of_design(
         }
     }
     if let Some(flow) = Flow::from_design(design) {
-        let law = AirLaw::from_design(design, loaded.air_table.as_deref());
+        let law = BladeAir::new(design, &planform, loaded.air_table.as_deref());
         let law = law.map_err(|error| error.to_string())?;
         let report = LiftReport::new(&planform, &law, &flow, &solution.strips);
         let report = report.map_err(|error| error.to_string())?;

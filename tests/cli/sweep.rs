@@ -87,6 +87,45 @@ fn the_table_of_a_sweep_is_the_same_for_any_threads_and_tasks_and_after_an_inter
 }
 
 #[test]
+fn a_row_of_a_sweep_is_what_solve_says_of_that_design_with_an_effect_of_the_air_on() {
+    let here = folder();
+    let share = "effects.coefficient-scale.strength";
+    let said = swept(
+        here.path(),
+        &["--vary", &format!("{share}=0.3,0.4"), "--output", "swept"],
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let table = fs::read_to_string(here.path().join("swept/sweep.csv")).unwrap();
+    let lines: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let figure = |name: &str| -> f64 {
+        let column = lines[0].iter().position(|own| *own == name).unwrap();
+        lines[2][column].parse().unwrap()
+    };
+    let base = design("twist-v2.toml");
+    let set = format!("{share}=0.4");
+    let said = washout(
+        here.path(),
+        &["solve", &base, COARSE[0], COARSE[1], "--set", &set, "--json"],
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let document = said.document();
+    let mean = document["lift"]["stroke_mean"].clone();
+    for (name, solved) in [
+        ("lift_mn", &mean["lift_mn"]),
+        ("drag_mn", &mean["drag_mn"]),
+        ("power_mw", &mean["power_mw"]),
+    ] {
+        let solved = solved.as_f64().unwrap_or_else(|| panic!("{document}"));
+        // the sweep starts from its base, the solve from rest
+        assert!(
+            (figure(name) / solved - 1.0).abs() < 1e-6,
+            "{name}: {} {solved}",
+            figure(name)
+        );
+    }
+}
+
+#[test]
 fn a_case_that_fails_keeps_its_row_with_the_reason() {
     let here = folder();
     let said = swept(

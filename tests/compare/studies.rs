@@ -66,7 +66,9 @@ fn derivatives_of_a_study_are_those_of_cases_solved_again() {
             campaign.predict(&at).unwrap()
         };
         let slope = (moved(1.0) - moved(-1.0)) / (2.0 * step);
-        let error = (&slope - linear.jacobian.column(k)).amax() / slope.amax();
+        // a wing whose air law knows no drag has no derivative by it, on either way
+        let scale = slope.amax().max(f64::MIN_POSITIVE);
+        let error = (&slope - linear.jacobian.column(k)).amax() / scale;
         println!("{}: {error:.1e}", unknown.name);
         assert!(error < 1e-4, "{}: {error}", unknown.name);
     }
