@@ -12,6 +12,8 @@ pub mod draw;
 
 pub mod error;
 
+pub mod followed;
+
 pub mod novel;
 
 pub mod outcome;
@@ -34,7 +36,7 @@ use crate::diagnose::plan::Outlook;
 use crate::diagnose::{self, Settings, judged};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
-use crate::study::Campaign;
+use crate::study::{Campaign, Forward};
 use crate::synthesize::synthesize;
 
 use distance::turned;
@@ -146,6 +148,8 @@ pub struct Blind<'a> {
     pub settings: Settings,
     /// Derivatives where its unknowns start, which all cases share.
     pub shared: Shared,
+    /// What could be measured besides, if the study lists anything.
+    pub experiments: Option<Campaign>,
     /// Effects that would be seen but are not hidden: a small error of the wing turns their signature.
     pub turned: Vec<Turned>,
 }
@@ -170,8 +174,10 @@ impl<'a> Blind<'a> {
         };
         let outlook = Outlook::new(&campaign, &settings, progress)?;
         let shared = Shared::new(&campaign, &settings, progress)?;
+        let experiments = Campaign::of_experiments(study, &candidates, progress)?;
         let mut blind = Blind {
             study,
+            experiments,
             candidates,
             campaign,
             outlook,
@@ -202,14 +208,18 @@ impl<'a> Blind<'a> {
             None => (Campaign::new(&made.study, &self.candidates, progress)?, None),
         };
         let (baseline, judgement) = judged(&campaign, &self.settings, shared, progress)?;
-        let said = diagnose::report::report(&baseline, &judgement, None, progress)?;
-        let rivals = baselines::answers(&baseline, &judgement);
+        let experiments = self.experiments.as_ref().filter(|_| kind == Kind::Twin);
+        let candidates = experiments.map(|experiments| experiments as &dyn Forward);
+        let said = diagnose::report::report(&baseline, &judgement, candidates, progress)?;
+        let simpler = baselines::answers(&baseline, &judgement);
+        let seconds = started.elapsed().as_secs_f64();
+        let followed = followed::follow(self, kind, &made.answer, &said, progress)?;
         Ok(outcome::judge(
             (kind, seed),
             (&made.answer, &distance::distances(self, &recipe.hidden)?),
             &said,
-            rivals,
-            started.elapsed().as_secs_f64(),
+            (simpler, followed),
+            seconds,
         ))
     }
 }

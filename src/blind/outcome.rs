@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::Kind;
 use super::baselines::Simpler;
 use super::distance::Distance;
+use super::followed::Followed;
 use crate::diagnose::posterior::SEPARATE;
 use crate::diagnose::verdict::Hypothesis;
 use crate::diagnose::{Diagnosis, Verdict};
@@ -46,6 +47,8 @@ pub struct Outcome {
     pub held_out: Option<[f64; 3]>,
     /// What simpler methods name.
     pub simpler: Simpler,
+    /// What came of the measurement that it asked for; only of twins, and if it asked for one.
+    pub followed: Option<Followed>,
     /// Time of the diagnosis, s.
     pub seconds: f64,
 }
@@ -108,25 +111,12 @@ pub fn judge(
     (kind, seed): (Kind, u64),
     (answer, distances): (&Answer, &[Distance]),
     said: &Diagnosis,
-    simpler: Simpler,
+    (simpler, followed): (Simpler, Option<Followed>),
     seconds: f64,
 ) -> Outcome {
     let detectability = distances.iter().map(|distance| distance.seen).collect();
     let is_separable = distances.iter().all(|distance| distance.apart >= SEPARATE);
-    let families: Vec<&str> = match kind {
-        Kind::Novel => Vec::new(),
-        _ => answer.acted.iter().map(|acted| acted.family.as_str()).collect(),
-    };
-    let is_novel = |hypothesis: &Hypothesis| hypothesis.effects == ["novel"];
-    let is_truth = |hypothesis: &Hypothesis| match kind {
-        Kind::Novel => is_novel(hypothesis),
-        _ => !is_novel(hypothesis) && same(&hypothesis.families, &families),
-    };
-    let set: Vec<&Hypothesis> = said
-        .hypotheses
-        .iter()
-        .filter(|hypothesis| hypothesis.in_set)
-        .collect();
+    let mut set = said.hypotheses.iter().filter(|hypothesis| hypothesis.in_set);
     let first = said.hypotheses.first();
     let rungs = |name: &str| {
         said.ladder
@@ -151,14 +141,40 @@ pub fn judge(
         sentence: said.sentence.clone(),
         named: first.map_or(Vec::new(), |first| first.families.clone()),
         probability: first.map_or(0.0, |first| first.probability),
-        in_set: (kind == Kind::Novel && said.verdict == Verdict::Novel) || set.iter().any(|h| is_truth(h)),
-        set_size: set.len(),
+        in_set: (kind == Kind::Novel && said.verdict == Verdict::Novel)
+            || set.any(|hypothesis| is_truth(kind, answer, hypothesis)),
+        set_size: set_size(said),
         misfit_sigma: (said.misfit.q - numbers).max(0.0).sqrt(),
         strength_error: strength_error(answer, first),
         held_out,
         simpler,
+        followed,
         seconds,
     }
+}
+
+/// Whether a hypothesis is what was hidden.
+fn is_truth(kind: Kind, answer: &Answer, hypothesis: &Hypothesis) -> bool {
+    let is_novel = hypothesis.effects == ["novel"];
+    let families: Vec<&str> = answer.acted.iter().map(|acted| acted.family.as_str()).collect();
+    match kind {
+        Kind::Novel => is_novel,
+        _ => !is_novel && same(&hypothesis.families, &families),
+    }
+}
+
+/// Probability that was given to what was hidden.
+pub fn truth_probability(kind: Kind, answer: &Answer, said: &Diagnosis) -> f64 {
+    let own = said.hypotheses.iter().filter(|own| is_truth(kind, answer, own));
+    own.map(|hypothesis| hypothesis.probability).sum()
+}
+
+/// Hypotheses in the 95 % set.
+pub fn set_size(said: &Diagnosis) -> usize {
+    said.hypotheses
+        .iter()
+        .filter(|hypothesis| hypothesis.in_set)
+        .count()
 }
 
 fn strength_error(answer: &Answer, first: Option<&Hypothesis>) -> Option<[f64; 2]> {

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Kind;
 use super::distance::Turned;
+use super::followed::Followed;
 use super::outcome::{Failed, Outcome, same};
 use crate::diagnose::Verdict;
 
@@ -176,6 +177,12 @@ pub fn scoreboard(outcomes: &[Outcome], failed: &[Failed], turned: &[Turned]) ->
             ">= 90 %",
             seen(Kind::Twin),
             |o| o.in_set && o.probability < 0.8,
+        ),
+        share(
+            "twins: the measurement asked for, made, leaves fewer names than another of the list",
+            ">= 65 %",
+            of(Kind::Twin).filter(|o| o.followed.is_some()),
+            |o| o.followed.as_ref().is_some_and(Followed::is_better),
         ),
         share(
             "novel: recognised, misfit over 10 sigma",

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::diagnose::{DiagnoseError, Diagnosis, Settings, diagnose_with};
-use crate::effects::ALL;
+use crate::effects::all;
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
@@ -140,7 +140,7 @@ impl Diagnose {
 /// Effects to be tried: those asked for, those that the study names, or all.
 pub fn candidates(study: &LoadedStudy, asked: &[String]) -> Vec<String> {
     match (asked, &study.study.candidates) {
-        ([], None) => ALL.iter().map(|effect| effect.card().name.to_string()).collect(),
+        ([], None) => all().map(|effect| effect.card().name.to_string()).collect(),
         ([], Some(named)) => named.clone(),
         (asked, _) => asked.to_vec(),
     }

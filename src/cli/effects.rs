@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::Value;
 
-use crate::effects::{ALL, Card, named};
+use crate::effects::{Card, all, named};
 use crate::export::ExportError;
 use crate::export::effects::effects_page;
 
@@ -30,14 +30,14 @@ impl ListEffects {
     /// Prints the list or a card.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let Some(name) = &self.name else {
-            let cards: Vec<Card> = ALL.iter().map(|effect| effect.card()).collect();
+            let cards: Vec<Card> = all().map(|effect| effect.card()).collect();
             if let Some(path) = &self.page {
                 std::fs::write(path, effects_page(&cards)).map_err(ExportError::file("write", path))?;
             }
             return console.result(&list(&cards), &cards);
         };
         let Some(effect) = named(name) else {
-            let names: Vec<&str> = ALL.iter().map(|effect| effect.card().name).collect();
+            let names: Vec<&str> = all().map(|effect| effect.card().name).collect();
             return Err(Failure::Option {
                 option: "washout effects NAME",
                 reason: format!("there is no effect {name}; there are {}", names.join(", ")),

@@ -63,6 +63,8 @@ pub mod export;
 
 pub mod verify;
 
+use std::process::ExitCode;
+
 use clap::{Args, Parser, Subcommand};
 
 pub use console::Console;
@@ -144,6 +146,26 @@ pub enum Verb {
     Export(export::Export),
     /// Run the published cases that say how far to trust the solver
     Verify(verify::Verify),
+}
+
+/// The program: parses the arguments of the process, runs one verb, and says by the exit code how it ended. A program that adds
+/// effects of its own calls it after [`crate::effects::register`].
+pub fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Nobody is left to tell if even this cannot be printed.
+            let _ = error.print();
+            return ExitCode::from(error.exit_code() as u8);
+        }
+    };
+    match run(&arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            console::complain(&failure);
+            ExitCode::from(failure.exit_code())
+        }
+    }
 }
 
 /// Runs one verb.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::card::{Card, Need};
 use super::custom::Custom;
 use super::error::EffectError;
-use super::{ALL, Effect, named};
+use super::{Effect, all, named};
 use crate::input::design::{Design, FilmCompression, Kinematics, Section};
 
 /// The numbers of an effect, in the order of its card.
@@ -33,7 +33,7 @@ pub struct Bound {
     pub values: Values,
 }
 
-/// An effect of [`ALL`], or of the user's own.
+/// An effect of [`all`], or of the user's own.
 #[derive(Debug, Clone)]
 pub enum Acting {
     /// One that the program knows.
@@ -53,7 +53,7 @@ impl std::ops::Deref for Acting {
     }
 }
 
-/// The effects of a design whose strength is not 0, in the order of [`ALL`] whatever the order in the file;
+/// The effects of a design whose strength is not 0, in the order of [`all`] whatever the order in the file;
 /// those of the user's own behind, by name.
 ///
 /// # Errors
@@ -66,7 +66,7 @@ pub fn bind(design: &Design) -> Result<Vec<Bound>, EffectError> {
         }
     }
     let mut bound = Vec::new();
-    for effect in ALL {
+    for effect in all() {
         let card = effect.card();
         let Some(table) = design.effects.get(card.name) else {
             continue;
@@ -80,7 +80,7 @@ pub fn bind(design: &Design) -> Result<Vec<Bound>, EffectError> {
             return Err(EffectError::NotApplicable { name, reason });
         }
         bound.push(Bound {
-            effect: Acting::Known(*effect),
+            effect: Acting::Known(effect),
             values,
         });
     }
@@ -124,7 +124,7 @@ pub fn is_applicable(card: &Card, design: &Design) -> bool {
 }
 
 fn unknown(name: &str) -> EffectError {
-    let names: Vec<&str> = ALL.iter().map(|effect| effect.card().name).collect();
+    let names: Vec<&str> = all().map(|effect| effect.card().name).collect();
     EffectError::Unknown {
         name: name.to_string(),
         cure: format!(

@@ -7,6 +7,15 @@ use crate::input::ExpressionError;
 /// What is wrong with an effect's table.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum EffectError {
+    /// An effect is to be added under a name that another has.
+    #[error("there is an effect {name} already; give yours another name")]
+    NameTaken {
+        /// The name.
+        name: String,
+    },
+    /// Effects were added before.
+    #[error("effects are added once: give all of them to one call of register")]
+    RegisteredBefore,
     /// No effect has this name.
     #[error("effects.{name}: there is no such effect; {cure}")]
     Unknown {

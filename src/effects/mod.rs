@@ -11,6 +11,8 @@ pub mod custom;
 
 pub mod error;
 
+pub mod library;
+
 pub mod seam;
 
 pub mod centrifugal_load;
@@ -106,6 +108,7 @@ pub mod air_density;
 pub use bind::{Acting, Bound, Values, acting, bind, is_applicable};
 pub use card::{Card, Need, Parameter, Places, Seam};
 pub use error::EffectError;
+pub use library::{ALL, all, named, register};
 pub use seam::{Dual, Motion, NodeLoad, StripMotion, StripPlace, Structure};
 
 use crate::aero::{SectionAir, SectionCoefficients};
@@ -149,58 +152,4 @@ pub trait Effect: Sync + Send + std::fmt::Debug {
     fn kinematics(&self, _values: &Values) -> Option<f64> {
         None
     }
-}
-
-/// Every effect, in the order in which they act.
-pub static ALL: &[&dyn Effect] = &[
-    &rod_shear_modulus::RodShearModulus,
-    &half_rod_shear_centre::HalfRodShearCentre,
-    &warping_restraint::WarpingRestraint,
-    &bend_twist_coupling::BendTwistCoupling,
-    &skin_bending::SkinBending,
-    &skin_torsion::SkinTorsion,
-    &leading_edge_frame::LeadingEdgeFrame,
-    &rod_ends_early::RodEndsEarly,
-    &rod_split::RodSplit,
-    &root_flexure::RootFlexure,
-    &root_bending::RootBending,
-    &root_chord_held::RootChordHeld,
-    &spar_stiffness::SparStiffness,
-    &spar_joint_compliance::SparJointCompliance,
-    &broken_spar::BrokenSpar,
-    &film_softening::FilmSoftening,
-    &film_wrinkling::FilmWrinkling,
-    &film_slack::FilmSlack,
-    &film_cure_tension::FilmCureTension,
-    &tip_mass::TipMass,
-    &distributed_mass::DistributedMass,
-    &large_rotation::LargeRotation,
-    &amplitude_drag::AmplitudeDrag,
-    &phase_lag::PhaseLag,
-    &inflow_uniform::InflowUniform,
-    &inflow_momentum::InflowMomentum,
-    &stall_shift::StallShift,
-    &film_camber::FilmCamber,
-    &coefficient_scale::CoefficientScale,
-    &drag_scale::DragScale,
-    &lift_gain_linear::LiftGainLinear,
-    &lift_gain_saturating::LiftGainSaturating,
-    &leading_edge_vortex_loss::LeadingEdgeVortexLoss,
-    &centre_of_pressure_shift::CentreOfPressureShift,
-    &tip_loss_prandtl::TipLossPrandtl,
-    &tip_loss_exponential::TipLossExponential,
-    &rotational_lift::RotationalLift,
-    &rotational_damping::RotationalDamping,
-    &air_density::AirDensity,
-    &centrifugal_load::CentrifugalLoad,
-    &twist_dynamics::TwistDynamics,
-    &added_mass::AddedMass,
-    &inertia_off_mid_stroke::InertiaOffMidStroke,
-    &gravity::Gravity,
-    &stop_backlash::StopBacklash,
-];
-
-/// The effect of a name.
-pub fn named(name: &str) -> Option<&'static dyn Effect> {
-    ALL.iter().copied().find(|effect| effect.card().name == name)
 }

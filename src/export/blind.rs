@@ -1,5 +1,6 @@
 //! The scoreboard of a blind run as text (Markdown): figures, reliability, simpler methods, every case.
 
+use crate::blind::followed::Followed;
 use crate::blind::scoreboard::{Row, Scoreboard};
 use crate::blind::{Kind, Outcome};
 
@@ -56,6 +57,16 @@ pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
             outcome.seconds
         );
     }
+    let followed = outcomes.iter().filter_map(|o| Some((o, o.followed.as_ref()?)));
+    let followed: Vec<String> = followed
+        .map(|(outcome, followed)| measured(outcome, followed))
+        .collect();
+    if !followed.is_empty() {
+        page += "\nTwins after the measurement that the diagnosis asked for, and after another of the list (names in the 95 % set; \
+                 probability of the truth):\n\n| seed | asked for | expected, sigma | other | names: before, asked for, other | \
+                 truth |\n|---|---|---|---|---|---|\n";
+        page += &followed.concat();
+    }
     if !board.turned.is_empty() {
         page += "\nNot hidden, because an error of one percent in the wing turns their signature (the wing's motion is near a \
                  resonance): ";
@@ -74,6 +85,18 @@ pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
         page += &format!("| {} | {} | {why} |\n", failed.kind.word(), failed.seed);
     }
     page
+}
+
+fn measured(outcome: &Outcome, followed: &Followed) -> String {
+    format!(
+        "| {} | {} | {:.1} | {} | {} | {} |\n",
+        outcome.seed,
+        followed.best,
+        followed.expected_sigma,
+        followed.other,
+        followed.names.map(|names| names.to_string()).join(", "),
+        followed.truth.map(|truth| format!("{truth:.2}")).join(", ")
+    )
 }
 
 fn line(row: &Row) -> String {

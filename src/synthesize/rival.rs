@@ -53,7 +53,7 @@ mod tests {
 
     #[test]
     fn rivals_are_other_effects_of_the_same_family_or_formulas_of_their_own() {
-        for effect in crate::effects::ALL {
+        for effect in crate::effects::all() {
             let card = effect.card();
             match rival(card.name, 0.5 * card.parameters[0].plausible[1]) {
                 Some(Rival::Known(name, _)) => {

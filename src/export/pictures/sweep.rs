@@ -11,8 +11,11 @@ const MOST: [usize; 2] = [6, 4];
 /// A panel for each figure and axis; none if no case gave anything.
 pub fn scatter(plan: &SweepPlan, rows: &[Row]) -> Option<Figure> {
     let names = figures(rows);
-    let drawn = names.iter().filter(|name| *name != "newton_steps").take(MOST[0]);
-    let panels: Vec<Panel> = drawn
+    let all: Vec<&String> = names.iter().filter(|name| *name != "newton_steps").collect();
+    let left_out = all.len() > MOST[0] || plan.axes.len() > MOST[1];
+    let panels: Vec<Panel> = all
+        .iter()
+        .take(MOST[0])
         .flat_map(|name| (0..plan.axes.len().min(MOST[1])).map(move |axis| (name, axis)))
         .map(|(name, axis)| panel(plan, rows, name, axis))
         .collect();
@@ -21,7 +24,16 @@ pub fn scatter(plan: &SweepPlan, rows: &[Row]) -> Option<Figure> {
         legend: Vec::new(),
         panels,
         columns: Some(plan.axes.len().clamp(1, MOST[1])),
-        caption: String::new(),
+        caption: match left_out {
+            true => format!(
+                "The first {} of {} figures against the first {} of {} axes; sweep.csv has all.",
+                MOST[0].min(all.len()),
+                all.len(),
+                MOST[1].min(plan.axes.len()),
+                plan.axes.len()
+            ),
+            false => String::new(),
+        },
     })
 }
 

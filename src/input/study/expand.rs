@@ -106,7 +106,8 @@ impl<'a> Form<'a> {
     }
 }
 
-/// A setting with its numbers put in: `{mass}` or `{mass*0.001}`; the error says which number there is not.
+/// A setting with its numbers put in: `{mass}` or `{mass*0.001}`; braces that hold `=` are an inline table and stay. The error says
+/// which number there is not.
 pub(super) fn put_in(setting: &str, numbers: &[(&str, f64)]) -> Result<String, String> {
     let mut text = String::new();
     let mut rest = setting;
@@ -115,6 +116,11 @@ pub(super) fn put_in(setting: &str, numbers: &[(&str, f64)]) -> Result<String, S
         let Some((inside, next)) = after.split_once('}') else {
             return Err("a brace is opened and never closed".to_string());
         };
+        if inside.contains('=') {
+            text.push('{');
+            rest = after;
+            continue;
+        }
         let (name, factor) = match inside.split_once('*') {
             None => (inside, 1.0),
             Some((name, factor)) => {
@@ -195,5 +201,10 @@ mod tests {
         assert_eq!(put_in("x={mass}", &numbers).unwrap(), "x=200.0");
         assert!(put_in("x={m}", &numbers).unwrap_err().contains("no number {m}"));
         assert!(put_in("x={mass*y}", &numbers).is_err());
+        assert_eq!(
+            put_in("load=[{at_mm={mass}, force_n=[0,0,1]}]", &numbers).unwrap(),
+            "load=[{at_mm=200.0, force_n=[0,0,1]}]",
+            "an inline table is no number"
+        );
     }
 }

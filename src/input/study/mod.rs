@@ -29,8 +29,8 @@ pub struct Study {
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[schemars(extend("examples" = ["Static tests of wing 1 on the bench"]))]
     pub title: String,
-    /// The share by which the model may be wrong without anything being missing: of its predictions, and of every wing's chord
-    /// and stiffness, twice that of its air load, half of it in chords of its centre of pressure.
+    /// The share by which the model may be wrong without anything being missing: of its predictions, and, where a diagnosis tries
+    /// effects, of every wing's chord and stiffness, twice that of its air load, half of it in chords of its centre of pressure.
     #[serde(default = "slop")]
     #[schemars(extend("minimum" = 0.0, "maximum" = 0.5, "examples" = [0.01]))]
     pub slop: f64,
