@@ -33,13 +33,18 @@ impl Spot {
         };
         let distance = |strength: usize| match place_of(unknowns, strength).map(|place| &unknowns[place]) {
             Some(Unknown {
-                kind: UnknownKind::Place {
-                    parameter, numbers, ..
-                },
+                kind:
+                    UnknownKind::Place {
+                        parameter,
+                        numbers,
+                        wing,
+                        ..
+                    },
                 mean,
                 ..
             }) => {
-                let elsewhere = numbers.iter().any(|(name, value)| number(name) != Some(*value));
+                let elsewhere =
+                    *wing != hidden.wing || numbers.iter().any(|(name, value)| number(name) != Some(*value));
                 let off = number(parameter).map_or(f64::INFINITY, |value| (value - mean).abs());
                 if elsewhere { f64::INFINITY } else { off }
             }
@@ -88,7 +93,10 @@ impl Spot {
         let mut hidden = Hidden::known(effect, strength);
         if let Some((place, value)) = self.place
             && let UnknownKind::Place {
-                parameter, numbers, ..
+                parameter,
+                numbers,
+                wing,
+                ..
             } = &campaign.unknowns()[place].kind
         {
             let all = numbers
@@ -97,6 +105,7 @@ impl Spot {
                 .chain([(parameter, value)]);
             let all = all.map(|(name, value)| (name.clone(), toml::Value::Float(value)));
             hidden.table.extend(all);
+            hidden.wing = wing.clone();
         }
         hidden
     }

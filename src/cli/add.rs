@@ -30,7 +30,7 @@ const LADDER: &str = "ladder.json";
 #[command(after_help = "Examples:
   washout add skin-bending --to studies/pre-pazy-skin.toml --output with-skin.toml
   washout add skin-bending --to with-skin.toml --remove
-  washout add rod-split --number from=0.53 --to my-study.toml
+  washout add rod-split --number from=0.53 --on twist-v2 --to my-study.toml
   washout add glue-seam --own examples/effect_of_ones_own.toml --to my-study.toml
 
 The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of
@@ -48,6 +48,9 @@ pub struct Add {
     /// Another number of the effect, e.g. from=0.53; can be given many times
     #[arg(long, value_name = "NAME=VALUE", conflicts_with_all = ["remove", "own"])]
     pub number: Vec<String>,
+    /// The wing that has it, by the name of its design; can be given many times [default: all on which it can act]
+    #[arg(long, value_name = "WING", conflicts_with = "remove")]
+    pub on: Vec<String>,
     /// Take the effect out instead
     #[arg(long)]
     pub remove: bool,
@@ -257,6 +260,10 @@ impl Add {
             table["name"] = value(self.effect.as_str());
             table["strength"] = value(strength);
             table["sigma"] = value(sigma);
+            if !self.on.is_empty() {
+                let wings: toml_edit::Array = self.on.iter().map(String::as_str).collect();
+                table["designs"] = value(wings);
+            }
             if !numbers.is_empty() {
                 let text = toml::to_string(numbers).map_err(|error| fault(error.to_string()))?;
                 let own: DocumentMut = text

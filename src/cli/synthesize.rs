@@ -31,7 +31,7 @@ stiffness and air law have errors that nobody states, and the hidden effect has 
 pub struct Synthesize {
     /// The study: its cases and the sigmas of its rows are kept, values are made
     pub study: PathBuf,
-    /// Hide this effect with this strength; can be given several times
+    /// Hide this effect with this strength, NAME@WING=STRENGTH on one wing only; can be given several times
     #[arg(long, value_name = "NAME=STRENGTH")]
     pub effect: Vec<String>,
     /// Hide the effects of your own of this file, tables [effects.NAME] with kind = \"custom\"
@@ -113,7 +113,12 @@ impl Synthesize {
                 let reason = format!("{text} is not NAME=STRENGTH; write e.g. --effect root-flexure=0.2");
                 return Err(option("--effect", reason));
             };
-            hidden.push(Hidden::known(name.trim(), strength));
+            let (name, wing) = match name.split_once('@') {
+                Some((name, wing)) => (name, Some(wing.trim().to_string())),
+                None => (name, None),
+            };
+            let known = Hidden::known(name.trim(), strength);
+            hidden.push(Hidden { wing, ..known });
         }
         if let Some(file) = &self.own {
             hidden.extend(super::add::own_effects(file)?.into_iter().map(|(name, table)| {
@@ -125,6 +130,7 @@ impl Synthesize {
                     name,
                     strength,
                     table,
+                    wing: None,
                 }
             }));
         }

@@ -124,7 +124,10 @@ fn place(baseline: &Baseline, k: usize, found: Option<[f64; 2]>) -> Option<Place
     let unknowns = baseline.forward.unknowns();
     let own = &unknowns[place_of(unknowns, baseline.data.missing[k])?];
     let UnknownKind::Place {
-        parameter, numbers, ..
+        parameter,
+        numbers,
+        wing,
+        ..
     } = &own.kind
     else {
         return None;
@@ -134,6 +137,7 @@ fn place(baseline: &Baseline, k: usize, found: Option<[f64; 2]>) -> Option<Place
         value: found.map_or(own.mean, |[value, _]| value),
         standard_error: found.map(|[_, error]| error),
         numbers: numbers.clone(),
+        wing: wing.clone(),
     })
 }
 

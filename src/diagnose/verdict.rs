@@ -158,6 +158,8 @@ pub struct PlaceFound {
     pub standard_error: Option<f64>,
     /// Other numbers that the effect needs, such as which spar.
     pub numbers: BTreeMap<String, f64>,
+    /// The wing on which it sits, by the name of its design; none if on all.
+    pub wing: Option<String>,
 }
 
 /// None that is known.

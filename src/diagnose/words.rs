@@ -79,7 +79,15 @@ fn place(place: &PlaceFound) -> String {
     let error = place
         .standard_error
         .map_or(String::new(), |error| format!(" ± {}", short(error)));
-    format!("{numbers}, {} {}{error}", place.parameter, short(place.value))
+    let wing = place
+        .wing
+        .as_ref()
+        .map_or(String::new(), |wing| format!(" on {wing}"));
+    format!(
+        "{numbers}, {} {}{error}{wing}",
+        place.parameter,
+        short(place.value)
+    )
 }
 
 fn pair(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> String {

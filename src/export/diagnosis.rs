@@ -177,8 +177,12 @@ fn effects(effects: &[EffectRow]) -> String {
         };
         let place = row.place.as_ref().map_or(String::new(), |place| {
             let numbers = place.numbers.values().map(|value| format!(" {value}"));
+            let wing = place
+                .wing
+                .as_ref()
+                .map_or(String::new(), |wing| format!(" on {wing}"));
             format!(
-                "{} @ {}",
+                "{} @ {}{wing}",
                 numbers.collect::<String>(),
                 significant(place.value, 2)
             )

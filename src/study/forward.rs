@@ -49,6 +49,8 @@ pub enum UnknownKind {
         parameter: String,
         /// Other numbers with which it acts there, such as which spar.
         numbers: BTreeMap<String, f64>,
+        /// The wing on which it acts; all where none is named.
+        wing: Option<String>,
     },
     /// The strength of an effect.
     Effect {

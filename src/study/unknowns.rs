@@ -287,76 +287,91 @@ impl Targets {
         self.add(unknown, Target::Key { key, cases: touched }, strength);
     }
 
-    /// An effect that the designs lack, at each of its places: a strength, and where it sits, for each.
+    /// An effect that the designs lack, at each of its places, on all wings and on each alone: a strength, and where it sits, for
+    /// each.
     fn add_places(&mut self, effect: &dyn Effect, places: &Places, cases: &[PreparedCase]) {
         let card = effect.card();
         let has = |index: &usize| cases[*index].design.effects.contains_key(card.name);
         let all: Vec<usize> = (0..cases.len()).filter(has).collect();
-        let key = |parameter: usize| format!("effects.{}.{}", card.name, card.parameters[parameter].name);
+        let wing_of = |index: usize| cases[index].design.name.as_str();
+        let mut wings: Vec<&str> = all.iter().map(|&index| wing_of(index)).collect();
+        wings.sort_unstable();
+        wings.dedup();
+        if wings.len() == 1 {
+            wings.clear();
+        }
         let spars_of = |index: usize| cases[index].design.spar.len();
-        let spars = all.iter().map(|&index| spars_of(index)).max().unwrap_or(0);
-        let spars = match places.spar {
-            Some(counts) => (0..spars).map(|spar| Some((counts, spar))).collect(),
+        let most = all.iter().map(|&index| spars_of(index)).max().unwrap_or(0);
+        let spars: Vec<Option<usize>> = match places.spar {
+            Some(_) => (0..most).map(Some).collect(),
             None => vec![None],
         };
-        for spar in spars {
-            let touched = all.iter().copied();
-            let touched: Vec<usize> = match spar {
-                Some((_, spar)) => touched.filter(|&index| spar < spars_of(index)).collect(),
-                None => touched.collect(),
-            };
-            if touched.is_empty() {
-                continue;
-            }
-            for &place in places.at {
-                let parameter = &card.parameters[places.parameter];
-                let fixed: Vec<(String, f64)> = spar
-                    .iter()
-                    .map(|&(counts, spar)| (key(counts), spar as f64))
-                    .collect();
-                let of_spar = spar.map_or(String::new(), |(_, spar)| format!(" spar {spar}"));
-                let name = format!("{},{of_spar} {} {place}", key(0), parameter.name);
-                let (strength, at) = (self.unknowns.len(), self.unknowns.len() + 1);
-                let unknown = strength_of(&card, name.clone(), 1.5 * card.parameters[0].scale());
-                let target = Target::Placed {
-                    key: key(0),
-                    place: key(places.parameter),
-                    at,
-                    fixed,
-                    cases: touched.clone(),
+        for wing in [None].into_iter().chain(wings.into_iter().map(Some)) {
+            for &spar in &spars {
+                let is_on = |index: &&usize| {
+                    wing.is_none_or(|wing| wing == wing_of(**index))
+                        && spar.is_none_or(|spar| spar < spars_of(**index))
                 };
-                self.add(unknown, target, 0.0);
-                let [low, high] = parameter.plausible;
-                let unknown = Unknown {
-                    name: format!("{},{of_spar} near {place}", key(places.parameter)),
-                    unit: parameter.unit.to_string(),
-                    kind: UnknownKind::Place {
-                        of: name,
-                        parameter: parameter.name.to_string(),
-                        numbers: spar
-                            .iter()
-                            .map(|&(counts, spar)| (card.parameters[counts].name.to_string(), spar as f64))
-                            .collect(),
-                    },
-                    mean: place,
-                    sigma: places.reach,
-                    range: [
-                        (place - 2.0 * places.reach).max(low.min(place)),
-                        (place + 2.0 * places.reach).min(high.max(place)),
-                    ],
-                };
-                let key = key(places.parameter);
-                self.add(
-                    unknown,
-                    Target::Place {
-                        key,
-                        strength,
-                        cases: touched.clone(),
-                    },
-                    place,
-                );
+                let touched: Vec<usize> = all.iter().filter(is_on).copied().collect();
+                if touched.is_empty() {
+                    continue;
+                }
+                for &place in places.at {
+                    self.add_place(&card, places, (place, spar, wing), touched.clone());
+                }
             }
         }
+    }
+
+    /// An effect near `place`, on the spar and the wing that are named.
+    fn add_place(
+        &mut self,
+        card: &Card,
+        places: &Places,
+        (place, spar, wing): (f64, Option<usize>, Option<&str>),
+        cases: Vec<usize>,
+    ) {
+        let key = |parameter: usize| format!("effects.{}.{}", card.name, card.parameters[parameter].name);
+        let parameter = &card.parameters[places.parameter];
+        let counts = places.spar.zip(spar);
+        let of_spar = spar.map_or(String::new(), |spar| format!(" spar {spar}"));
+        let on_wing = wing.map_or(String::new(), |wing| format!(" on {wing}"));
+        let name = format!("{},{of_spar} {} {place}{on_wing}", key(0), parameter.name);
+        let (strength, at) = (self.unknowns.len(), self.unknowns.len() + 1);
+        let target = Target::Placed {
+            key: key(0),
+            place: key(places.parameter),
+            at,
+            fixed: counts
+                .iter()
+                .map(|&(counts, spar)| (key(counts), spar as f64))
+                .collect(),
+            cases: cases.clone(),
+        };
+        let unknown = strength_of(card, name.clone(), 1.5 * card.parameters[0].scale());
+        self.add(unknown, target, 0.0);
+        let [low, high] = parameter.plausible;
+        let numbers = counts
+            .iter()
+            .map(|&(counts, spar)| (card.parameters[counts].name.to_string(), spar as f64));
+        let unknown = Unknown {
+            name: format!("{},{of_spar} near {place}{on_wing}", key(places.parameter)),
+            unit: parameter.unit.to_string(),
+            kind: UnknownKind::Place {
+                of: name,
+                parameter: parameter.name.to_string(),
+                numbers: numbers.collect(),
+                wing: wing.map(str::to_string),
+            },
+            mean: place,
+            sigma: places.reach,
+            range: [
+                (place - 2.0 * places.reach).max(low.min(place)),
+                (place + 2.0 * places.reach).min(high.max(place)),
+            ],
+        };
+        let key = key(places.parameter);
+        self.add(unknown, Target::Place { key, strength, cases }, place);
     }
 }
 

@@ -8,6 +8,7 @@ use super::error::SynthesizeError;
 use super::rival::{Rival, rival};
 use crate::effects::custom::Custom;
 use crate::effects::{Card, Effect, is_applicable, named};
+use crate::input::Design;
 use crate::input::measurement::Formulas;
 use crate::input::study::LoadedStudy;
 
@@ -21,6 +22,9 @@ pub struct Hidden {
     /// Its other numbers, as in a design; with `kind`, an effect of the user's own.
     #[schemars(with = "std::collections::BTreeMap<String, serde_json::Value>")]
     pub table: toml::Table,
+    /// The wing that has it, by the name of its design; every wing on which it can act where none is named.
+    #[serde(default)]
+    pub wing: Option<String>,
 }
 
 impl Hidden {
@@ -30,6 +34,7 @@ impl Hidden {
             name: name.to_string(),
             strength,
             table: toml::Table::new(),
+            wing: None,
         }
     }
 
@@ -45,7 +50,13 @@ impl Hidden {
             name: name.to_string(),
             strength: 1.0,
             table: table.into_iter().collect(),
+            wing: None,
         }
+    }
+
+    /// Whether it is meant for a design.
+    fn is_on(&self, design: &Design) -> bool {
+        self.wing.as_ref().is_none_or(|wing| *wing == design.name)
     }
 
     fn fault(&self, reason: impl Into<String>) -> SynthesizeError {
@@ -129,7 +140,7 @@ fn hide_known(
     };
     let mut touched = 0;
     for case in &mut study.cases {
-        if is_applicable(card, &case.loaded.design) {
+        if effect.is_on(&case.loaded.design) && is_applicable(card, &case.loaded.design) {
             case.loaded.design.effects.insert(name.clone(), table.clone());
             touched += 1;
         }
@@ -154,7 +165,7 @@ fn hide_own(study: &mut LoadedStudy, effect: &Hidden) -> Result<Acted, Synthesiz
         let design = &mut case.loaded.design;
         let (own, _) =
             Custom::read(&effect.name, &table, design).map_err(|error| effect.fault(error.to_string()))?;
-        if is_applicable(&own.card(), design) {
+        if effect.is_on(design) && is_applicable(&own.card(), design) {
             design.effects.insert(effect.name.clone(), table.clone());
             touched += 1;
         }

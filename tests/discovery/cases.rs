@@ -45,6 +45,7 @@ pub fn with_places(mut toy: Toy) -> Toy {
             of: name.into(),
             parameter: "place".into(),
             numbers: BTreeMap::new(),
+            wing: None,
         },
         mean: place,
         sigma: 0.05,
