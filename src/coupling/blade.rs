@@ -13,7 +13,8 @@ use nalgebra::Vector3;
 #[derive(Debug, Clone)]
 pub struct BladeAir {
     law: AirLaw,
-    design: Design,
+    /// The effects' design; none without effects.
+    design: Option<Box<Design>>,
     effects: Vec<Bound>,
     flow: Option<Flow>,
     tip_m: f64,
@@ -65,7 +66,7 @@ impl BladeAir {
         let moves = |bound: &Bound| bound.effect.card().needs.contains(&Need::Motion);
         Ok(BladeAir {
             law: AirLaw::from_design(design, air_table)?,
-            design: design.clone(),
+            design: (!effects.is_empty() || moved_air != 0.0).then(|| Box::new(design.clone())),
             wants_motion: effects.iter().any(moves),
             effects,
             flow: Flow::from_design(design),
@@ -78,6 +79,11 @@ impl BladeAir {
     /// The laws without effects.
     pub fn law(&self) -> &AirLaw {
         &self.law
+    }
+
+    /// The laws, if nothing acts besides: forces then hang on angle and speed alone, by the square of the speed.
+    pub fn plain(&self) -> Option<&AirLaw> {
+        self.design.is_none().then_some(&self.law)
     }
 
     /// Whether an effect acts by the rates of the motion, so that a section needs them.
@@ -98,17 +104,17 @@ impl BladeAir {
         } = *section;
         self.law.check(alpha_rad)?;
         let half = 0.5 * self.law.density_kg_m3 * chord_m;
-        if self.effects.is_empty() && self.moved_air == 0.0 {
+        let Some(design) = &self.design else {
             let (cl, cd) = self.law.coefficients.lift_and_drag(alpha_rad);
             let load = half * speed_m_s * speed_m_s;
             return Ok([load * cl, load * cd]);
-        }
+        };
         let flow = self.flow.map(|flow| at_phase(flow, section.phase_rad));
         let motion = self.wants_motion.then(|| still(section));
         let acting = ActingOnStrip {
             effects: &self.effects,
             place: StripPlace {
-                design: &self.design,
+                design,
                 flow: flow.as_ref(),
                 law: &self.law,
                 r_m: section.r_m,

@@ -139,6 +139,12 @@ impl<'a> Sensitivity<'a> {
         }
     }
 
+    /// The same for a design whose solution is the same, as one that differs in the numbers of an effect that is off.
+    pub fn of_design(&mut self, design: &'a Design) {
+        self.home.design = design;
+        self.last = None;
+    }
+
     /// Change of the solution with the number at a dotted key of the design.
     ///
     /// # Errors

@@ -88,10 +88,11 @@ pub fn bind(design: &Design) -> Result<Vec<Bound>, EffectError> {
         if named(name).is_some() {
             continue;
         }
-        let (own, values) = Custom::read(name, table, design)?;
+        let (own, values) = Custom::parse(name, table)?;
         if values.strength() == 0.0 {
             continue;
         }
+        own.try_out(design, values.strength())?;
         if let Some(reason) = lacks(&own.card(), design) {
             let name = name.clone();
             return Err(EffectError::NotApplicable { name, reason });

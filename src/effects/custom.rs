@@ -112,11 +112,21 @@ impl Custom {
         name == "custom" || table.get("kind").is_some()
     }
 
-    /// Reads its table.
+    /// Reads its table and tries its formula on the wing.
     ///
     /// # Errors
     /// If a key is missing or wrong, or the formula cannot be read or computed.
     pub fn read(name: &str, table: &toml::Table, design: &Design) -> Result<(Custom, Values), EffectError> {
+        let (own, values) = Custom::parse(name, table)?;
+        own.try_out(design, values.strength())?;
+        Ok((own, values))
+    }
+
+    /// Reads its table.
+    ///
+    /// # Errors
+    /// If a key is missing or wrong, or the formula cannot be read.
+    pub(super) fn parse(name: &str, table: &toml::Table) -> Result<(Custom, Values), EffectError> {
         let fail = |key: &str, problem: String, cure: String| EffectError::Own {
             name: name.to_string(),
             key: key.to_string(),
@@ -204,12 +214,14 @@ impl Custom {
             formula,
             numbers,
         };
-        custom.try_out(design, strength)?;
         Ok((custom, Values(vec![strength])))
     }
 
     /// Refuses a formula that is not finite, or a stiffness that is not positive, somewhere on a wing.
-    fn try_out(&self, design: &Design, strength: f64) -> Result<(), EffectError> {
+    ///
+    /// # Errors
+    /// With the place where it is not.
+    pub(super) fn try_out(&self, design: &Design, strength: f64) -> Result<(), EffectError> {
         let length_m = design.planform.length_mm.value() * 1e-3;
         for x in (0..=20).map(|step| f64::from(step) * 0.05) {
             for degrees in [-40.0, -5.0, 0.0, 5.0, 45.0, 80.0] {

@@ -15,6 +15,11 @@ pub trait BladeLaw: Sync {
     fn wants_motion(&self) -> bool {
         false
     }
+
+    /// The laws by which forces hang on angle and speed alone, and on the speed by its square; none if an effect acts besides.
+    fn plain(&self) -> Option<&AirLaw> {
+        None
+    }
 }
 
 impl BladeLaw for AirLaw {
@@ -23,6 +28,10 @@ impl BladeLaw for AirLaw {
         let (cl, cd) = self.coefficients.lift_and_drag(section.alpha_rad);
         let load = 0.5 * self.density_kg_m3 * section.speed_m_s * section.speed_m_s * section.chord_m;
         Ok([load * cl, load * cd])
+    }
+
+    fn plain(&self) -> Option<&AirLaw> {
+        Some(self)
     }
 }
 
@@ -33,5 +42,9 @@ impl BladeLaw for BladeAir {
 
     fn wants_motion(&self) -> bool {
         BladeAir::wants_motion(self)
+    }
+
+    fn plain(&self) -> Option<&AirLaw> {
+        BladeAir::plain(self)
     }
 }

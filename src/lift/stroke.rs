@@ -1,6 +1,6 @@
 //! Forces over one stroke, averaged by Gauss quadrature along the span and in time.
 
-use crate::aero::Flow;
+use crate::aero::{AirLaw, Flow};
 use crate::coupling::BladeSection;
 use crate::geometry::Planform;
 
@@ -8,7 +8,7 @@ use super::blade::BladeLaw;
 use super::error::LiftError;
 use super::means::{StationMeans, StrokeMeans};
 use super::quadrature::{gauss_legendre, panels};
-use super::twist::TwistHistory;
+use super::twist::{Height, TwistHistory};
 
 /// Widest panel along the span, as a share of it.
 const WIDEST_SPAN_PANEL: f64 = 1.0 / 32.0;
@@ -98,6 +98,7 @@ pub fn stroke_means(
         stations: Vec::new(),
     };
     let torque = drag_ratio(planform, law, stroke, twist)?;
+    let ramp = law.plain().zip(twist.heights(&phases));
     for [r_m, width_m] in span_points(planform, twist) {
         let chord_m = planform.chord_m(r_m);
         let mut station = StationMeans {
@@ -109,11 +110,17 @@ pub fn stroke_means(
             drag_n_per_m: 0.0,
             power_w_per_m: 0.0,
         };
-        for [phase_rad, weight] in &phases {
-            let [lift, drag, power] = blade(planform, law, stroke, twist, r_m, chord_m, *phase_rad, torque)?;
-            station.lift_n_per_m += lift * weight / half_turn;
-            station.drag_n_per_m += drag * weight / half_turn;
-            station.power_w_per_m += power * weight / half_turn;
+        match &ramp {
+            Some((law, heights)) => station.fill(law, stroke, heights, r_m + planform.root_offset_m())?,
+            None => {
+                for [phase_rad, weight] in &phases {
+                    let [lift, drag, power] =
+                        blade(planform, law, stroke, twist, r_m, chord_m, *phase_rad, torque)?;
+                    station.lift_n_per_m += lift * weight / half_turn;
+                    station.drag_n_per_m += drag * weight / half_turn;
+                    station.power_w_per_m += power * weight / half_turn;
+                }
+            }
         }
         means.lift_n += station.lift_n_per_m * width_m;
         means.drag_n += station.drag_n_per_m * width_m;
@@ -121,6 +128,32 @@ pub fn stroke_means(
         means.stations.push(station);
     }
     Ok(means)
+}
+
+impl StationMeans {
+    /// Means where forces hang on angle and speed alone: each height of the ramp but once.
+    fn fill(
+        &mut self,
+        law: &AirLaw,
+        stroke: &Stroke,
+        heights: &[Height],
+        arm_m: f64,
+    ) -> Result<(), LiftError> {
+        let speed_m_s = stroke.peak_rate_rad_s() * arm_m;
+        let load = 0.5 * law.density_kg_m3 * self.chord_m * speed_m_s * speed_m_s;
+        for height in heights {
+            let alpha_rad = stroke.stop_angle_rad - self.twist_rad * height.share;
+            law.check(alpha_rad).map_err(|source| LiftError::Air {
+                r_mm: self.r_m * 1e3,
+                source,
+            })?;
+            let (cl, cd) = law.coefficients.lift_and_drag(alpha_rad);
+            self.lift_n_per_m += load * cl * height.squares;
+            self.drag_n_per_m += load * cd * height.squares;
+            self.power_w_per_m += load * speed_m_s * cd * height.cubes;
+        }
+        Ok(())
+    }
 }
 
 /// Forces on one wing at a phase of the stroke, rad.
@@ -242,8 +275,8 @@ fn span_points(planform: &Planform, twist: &TwistHistory) -> Vec<[f64; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Stroke, forces_at_phase, stroke_means};
-    use crate::aero::{AirLaw, CentreOfPressureLaw, CoefficientLaw, Flow};
+    use super::{BladeLaw, BladeSection, Stroke, forces_at_phase, stroke_means};
+    use crate::aero::{AeroError, AirLaw, CentreOfPressureLaw, CoefficientLaw, Flow};
     use crate::lift::error::LiftError;
     use crate::lift::paper;
     use crate::lift::twist::{TwistAlongSpan, TwistHistory};
@@ -316,6 +349,30 @@ mod tests {
         }
         let reversal = forces_at_phase(&planform, &law, &stroke, &twist, PI / 2.0).expect("instant");
         assert!(reversal.lift_n.abs() < 1e-30 && reversal.power_w.abs() < 1e-30);
+    }
+
+    /// The laws as if an effect acted besides: every phase is looked at.
+    struct EveryPhase(AirLaw);
+
+    impl BladeLaw for EveryPhase {
+        fn force(&self, section: &BladeSection) -> Result<[f64; 2], AeroError> {
+            self.0.force(section)
+        }
+    }
+
+    #[test]
+    fn heights_of_the_ramp_taken_once_give_what_every_phase_gives() {
+        let (planform, stroke) = (paper::planform(), paper::stroke(23.0));
+        let twist = TwistHistory::paper_ramp(paper::twist_v2());
+        let quick = stroke_means(&planform, &paper::law(), &stroke, &twist).expect("means");
+        let slow = stroke_means(&planform, &EveryPhase(paper::law()), &stroke, &twist).expect("means");
+        for (a, b) in [
+            (quick.lift_n, slow.lift_n),
+            (quick.drag_n, slow.drag_n),
+            (quick.power_w, slow.power_w),
+        ] {
+            assert!((a / b - 1.0).abs() < 1e-13, "{a} {b}");
+        }
     }
 
     #[test]

@@ -92,6 +92,17 @@ impl TwistAlongSpan {
     }
 }
 
+/// A height of the ramp with the part of the stroke that is flown at it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Height {
+    /// Share of the full twist.
+    pub share: f64,
+    /// Mean of the squared cosine of the phase, over that part.
+    pub squares: f64,
+    /// Mean of its cubed amount.
+    pub cubes: f64,
+}
+
 /// Twist along the span and over the stroke. Both half-strokes are alike; phase −π/2 and π/2 are the reversals that
 /// bound one, 0 is mid-stroke.
 #[derive(Debug, Clone, PartialEq)]
@@ -171,6 +182,33 @@ impl TwistHistory {
                 at(right - 1) + (at(right) - at(right - 1)) * (phase_rad - low) / (high - low)
             }
         }
+    }
+
+    /// The heights of a ramp at quadrature points (phase, weight) of a half-stroke, the plateau as one; none for a solved twist.
+    pub(super) fn heights(&self, phases: &[[f64; 2]]) -> Option<Vec<Height>> {
+        let TwistHistory::Ramp { share, .. } = self else {
+            return None;
+        };
+        let mut heights: Vec<Height> = Vec::new();
+        // both sides of mid-stroke are alike
+        for [phase_rad, weight] in phases.iter().filter(|[phase_rad, _]| *phase_rad >= 0.0) {
+            let from_reversal = 0.5 - phase_rad / PI;
+            let (share, part) = ((from_reversal / share).min(1.0), 2.0 * weight / PI);
+            let cos = phase_rad.cos();
+            let (squares, cubes) = (part * cos * cos, part * cos.powi(3));
+            match heights.last_mut().filter(|last| last.share == share) {
+                Some(last) => {
+                    last.squares += squares;
+                    last.cubes += cubes;
+                }
+                None => heights.push(Height {
+                    share,
+                    squares,
+                    cubes,
+                }),
+            }
+        }
+        Some(heights)
     }
 
     /// Rate of the twist with the stroke phase at `r_m`, rad/rad; at a kink the mean of both sides.

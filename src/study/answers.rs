@@ -38,33 +38,22 @@ impl PreparedCase {
         let remesh = |design: &Design| self.mesh(design);
         let table = self.air_table.as_deref();
         let Nearby { design, solution, .. } = solved;
+        let elsewhere = self.elsewhere(design, columns)?;
         let mut sensitivity = match tangent {
             Some(tangent) => Sensitivity::with_tangent(design, wing, table, solution, &remesh, tangent),
             None => Sensitivity::new(design, wing, table, solution, &remesh)
                 .map_err(|error| self.failed(error))?,
         };
         let mut rates = Vec::new();
-        for Asked {
-            index,
-            key,
-            switch,
-            placed,
-        } in columns
+        for (
+            Asked {
+                index, key, switch, ..
+            },
+            elsewhere,
+        ) in columns.iter().zip(&elsewhere)
         {
             progress.check()?;
-            if let Some(sets) = placed {
-                let mut design = solved.design.clone();
-                for (key, number) in sets {
-                    design.set(key, *number).map_err(|error| self.failed(error))?;
-                }
-                let mut placed = Sensitivity::new(&design, wing, table, solution, &remesh)
-                    .map_err(|error| self.failed(error))?;
-                work.derivatives += 1;
-                work.factorizations += 1;
-                let column = self.column(&mut placed, key, &here)?;
-                rates.push((*index, column));
-                continue;
-            }
+            sensitivity.of_design(elsewhere.as_ref().unwrap_or(design));
             let column = match switch {
                 Some(step) => {
                     let mut design = solved.design.clone();
@@ -93,6 +82,21 @@ impl PreparedCase {
             rates.push((*index, column));
         }
         Ok((rates, work))
+    }
+
+    /// The design with an effect, still off, at the place that a column asks for; none for columns without a place.
+    fn elsewhere(&self, design: &Design, columns: &[Asked]) -> Result<Vec<Option<Design>>, StudyError> {
+        let of = |asked: &Asked| -> Result<Option<Design>, StudyError> {
+            let Some(sets) = &asked.placed else {
+                return Ok(None);
+            };
+            let mut design = design.clone();
+            for (key, number) in sets {
+                design.set(key, *number).map_err(|error| self.failed(error))?;
+            }
+            Ok(Some(design))
+        };
+        columns.iter().map(of).collect()
     }
 
     /// Derivative of the readings, which are `here`, with a key.

@@ -230,8 +230,8 @@ fn every_effect_stands_in_all() {
         .collect();
     let module = sources
         .iter()
-        .find(|(path, _)| path == Path::new("effects/mod.rs"));
-    let found = effects_not_listed(&stems, &module.expect("effects/mod.rs").1);
+        .find(|(path, _)| path == Path::new("effects/library.rs"));
+    let found = effects_not_listed(&stems, &module.expect("effects/library.rs").1);
     assert!(found.is_empty(), "{found:?}");
 }
 
