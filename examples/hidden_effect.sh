@@ -13,7 +13,7 @@ washout diagnose studies/three-rods.toml --plan | grep '"sentence"'
 echo "2. Somebody measures it, on wings whose rod gives way at the root; we are not told."
 washout synthesize studies/three-rods.toml --effect root-flexure=0.2 --seed 11 --output $try >/dev/null
 echo "3. Where does the model fail?"
-washout compare $run --output $try/before | grep -A3 '"chi_square_per_row"'
+washout compare $run --output $try/before | grep -A3 '^  "chi_square_per_row"'
 echo "4. What is missing?"
 washout diagnose $run --output $try/diagnosis | grep -m1 '"sentence"'
 echo "5. What is that?"
@@ -21,7 +21,7 @@ washout effects root-flexure | grep -E '"(summary|formula|source)"'
 echo "6. It joins the model at its fitted strength."
 washout add root-flexure --to $run --ladder $try/ladder | grep -A3 '"strength"'
 echo "7. Where does the model fail now?"
-washout compare $run --output $try/after | grep -A3 '"chi_square_per_row"'
+washout compare $run --output $try/after | grep -A3 '^  "chi_square_per_row"'
 echo "8. Is anything else missing?"
 washout diagnose $run --output $try/again | grep -m1 '"sentence"' | tee $try/last.txt
 echo "9. What was it?"

@@ -113,6 +113,18 @@ impl DesignRod {
         let Some(best) = found.candidates.first() else {
             return Err(refused(ExploreError::NoLayout));
         };
+        if let (Aim::LiftPerPower { least_lift_n }, false) = (&aim, best.is_feasible()) {
+            let most = found
+                .candidates
+                .iter()
+                .max_by(|a, b| a.lift_n.total_cmp(&b.lift_n));
+            let most = most.unwrap_or(best);
+            return Err(refused(ExploreError::NotLifted {
+                wanted_mn: least_lift_n * 1e3,
+                most_mn: most.lift_n * 1e3,
+                layout: most.layout.words(),
+            }));
+        }
         let tolerances = Tolerances {
             break_mm: self.break_tolerance,
             shear_modulus_share: self.modulus_tolerance,
@@ -223,11 +235,17 @@ impl DesignRod {
     fn aim(&self, case: &Case, console: &Console) -> Result<(Aim, String), Failure> {
         if let Some(path) = &self.profile {
             let table = TwistTable::load(path)?;
-            let mid_stroke = table.profiles.iter().min_by(|a, b| {
-                let far = |phase: Option<f64>| phase.unwrap_or(0.0).abs();
-                far(a.0).total_cmp(&far(b.0))
-            });
-            let points = mid_stroke.map_or(Vec::new(), |(_, points)| points.clone());
+            let [(_, points)] = table.profiles.as_slice() else {
+                return Err(Failure::Option {
+                    option: "--profile",
+                    reason: format!(
+                        "{} has a profile for each of {} phases, and a rod is sought for one; give the one at mid-stroke \
+                         (columns r_mm, twist_deg)",
+                        path.display(),
+                        table.profiles.len()
+                    ),
+                });
+            };
             let points = points.iter().map(|[r_mm, deg]| [r_mm * 1e-3, deg.to_radians()]);
             let twist = TwistAlongSpan::from_points(points.collect());
             let twist = twist.map_err(|error| Failure::design(path, error))?;

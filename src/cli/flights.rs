@@ -19,6 +19,9 @@ use super::Failure;
 use super::case::{Case, DesignArguments};
 use super::reading::air_law;
 
+/// A profile may go on beyond the tip by this factor on the length.
+const BEYOND: f64 = 1.2;
+
 /// Where the twist of a design comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum TwistSource {
@@ -53,10 +56,29 @@ pub fn is_profile(file: &Path) -> bool {
     file.extension().is_some_and(|extension| extension == "csv")
 }
 
+/// Refuses a profile that goes on far beyond the wing: it is of another wing, or in another unit.
+fn covers(file: &Path, table: &TwistTable, on: &Case) -> Result<(), Failure> {
+    let length_mm = on.planform.length_m() * 1e3;
+    let points = table.profiles.iter().flat_map(|(_, points)| points);
+    let last_mm = points.map(|point| point[0]).fold(0.0, f64::max);
+    if last_mm > BEYOND * length_mm {
+        return Err(Failure::Option {
+            option: "PROFILE",
+            reason: format!(
+                "{}: r_mm goes up to {last_mm}, and the wing ({}) is {length_mm} mm long; give millimetres from the wing base",
+                file.display(),
+                on.loaded.design.name
+            ),
+        });
+    }
+    Ok(())
+}
+
 /// A profile on the stroke of a design.
 pub fn of_profile(file: &Path, on: &Case) -> Result<Flown, Failure> {
     let table = TwistTable::load(file)?;
     let stroke = stroke(on)?;
+    covers(file, &table, on)?;
     let refuse = |error: LiftError| Failure::design(file, error);
     let along = |points: &Vec<[f64; 2]>| {
         let points = points.iter().map(|[r_mm, deg]| [r_mm * 1e-3, deg.to_radians()]);
@@ -112,11 +134,19 @@ pub fn of_design(
             TwistHistory::paper_ramp(at_full_speed(&by_speed))
         }
         TwistSource::Phases => {
+            has_no_rates(&case)?;
             let own = (0..phases).map(|k| (FRAC_PI_2 * f64::from(k) / f64::from(phases)).cos());
-            let speeds: Vec<f64> = own.chain(amplitudes.iter().copied()).collect();
+            let own: Vec<f64> = own.collect();
             if follows_speed(&case)? {
-                by_speed = at_speeds(&case, &speeds, progress)?;
-                over_stroke(&by_speed, 1.0).map_err(|error| case.fault(error))?
+                by_speed = at_speeds(&case, &[&own, amplitudes].concat(), progress)?;
+                // those of other amplitudes are not of this stroke: it is the same with and without them
+                let is_own = |speed: f64| own.iter().any(|known| (known - speed).abs() < 1e-9);
+                let known: Vec<_> = by_speed
+                    .iter()
+                    .filter(|(speed, _)| is_own(*speed))
+                    .cloned()
+                    .collect();
+                over_stroke(&known, 1.0).map_err(|error| case.fault(error))?
             } else {
                 at_phases(&case, phases, progress)?
             }
@@ -200,6 +230,26 @@ fn stroke(case: &Case) -> Result<Stroke, Failure> {
 pub fn can_fly(case: &Case) -> Result<(), Failure> {
     stroke(case)?;
     air_law(case).map(|_| ())
+}
+
+/// Refuses effects that act by the rates of the twist where shapes are solved one by one: a line through a few of them has
+/// steps for rates.
+fn has_no_rates(case: &Case) -> Result<(), Failure> {
+    let bound = bind(&case.loaded.design).map_err(|error| case.fault(error))?;
+    let by_rates = bound
+        .iter()
+        .find(|bound| bound.effect.card().needs.contains(&Need::Motion));
+    match by_rates {
+        Some(bound) => Err(Failure::Option {
+            option: "--twist phases",
+            reason: format!(
+                "{} acts by the rates of the twist, and shapes that are solved one by one have none; give --twist ramp, \
+                 --twist measured, or a profile with many phases (CSV: phase_deg, r_mm, twist_deg)",
+                bound.effect.card().name
+            ),
+        }),
+        None => Ok(()),
+    }
 }
 
 /// Whether the shape follows the speed of the air alone, whatever the phase and the motion.

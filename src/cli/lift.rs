@@ -10,15 +10,19 @@ use crate::export::lift::{
 };
 use crate::export::pictures;
 use crate::export::run::RunFolder;
+use crate::input::measurement::{Bound, Channel, Row};
 use crate::lift::{
-    Forces, InertialPower, LiftError, Ratios, StrokeMeans, departure_from_ellipse, mean_local_lift_to_drag,
-    span_distribution,
+    Forces, InertialPower, LiftError, Ratios, StrokeMeans, TwistHistory, departure_from_ellipse,
+    mean_local_lift_to_drag, span_distribution,
 };
 
 use super::case::Case;
 use super::flights::{Flown, TwistSource, can_fly, design_arguments, is_profile, of_design, of_profile};
 use super::lift_ratios::{measured, sensitivity, wing_ratios};
 use super::{Console, Failure};
+
+/// Part of the span at either end that a profile may leave to its end points without a word.
+const SHORT: f64 = 0.1;
 
 /// Points of a half-stroke at which forces are written.
 const INSTANTS: usize = 181;
@@ -30,7 +34,7 @@ const INSTANTS: usize = 181;
   washout lift designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml --twist measured --sensitivity
   washout lift designs/rigid.toml my-profile.csv          a profile (r_mm, twist_deg) on the stroke of the first design
   washout lift designs/twist-v2.toml --sweep 8            lift against power over the amplitude
-  washout lift designs/twist-v2.toml --with rotational-lift --with added-mass --inertial-power
+  washout lift designs/twist-v2.toml --twist ramp --with rotational-lift --inertial-power
   washout lift designs/*.toml --json | jq '.ratios[].equal_rate'
 
 Ratios refer to the first wing, or to --reference. Writes output/lift/ (or output/NAME-lift/ for one wing): lift.csv,
@@ -136,6 +140,10 @@ impl Lift {
                 ));
             }
         }
+        summary.warnings.extend(flown.iter().filter_map(held));
+        summary
+            .warnings
+            .extend(flown.iter().filter_map(|wing| self.only_bound(wing)));
         summary.warnings.extend(self.warnings(&summary));
         pictures::lift::add(&mut folder, &summary)?;
         summary.files = folder.listed();
@@ -310,6 +318,24 @@ impl Lift {
         }
     }
 
+    /// That no twist but a bound of it was measured.
+    fn only_bound(&self, wing: &Flown) -> Option<String> {
+        let is_measured = self.twist == TwistSource::Measured && !is_profile(&wing.file);
+        let measurement = wing.case.loaded.measurement.as_ref().filter(|_| is_measured)?;
+        let twists = |row: &&Row| matches!(row.channel, Channel::Twist | Channel::TwistRate);
+        let all_bounds = measurement
+            .rows
+            .iter()
+            .filter(twists)
+            .all(|row| row.bound != Bound::None);
+        all_bounds.then(|| {
+            format!(
+                "{}: of its twist a bound is measured and no number; it is flown without twist.",
+                wing.name
+            )
+        })
+    }
+
     fn warnings(&self, summary: &LiftSummary) -> Vec<String> {
         let mut warnings = Vec::new();
         let assumed: Vec<&WingLift> = summary
@@ -333,6 +359,27 @@ impl Lift {
         }
         warnings
     }
+}
+
+/// That a profile leaves a part of the wing to its first or last point.
+fn held(wing: &Flown) -> Option<String> {
+    let points = match &wing.flight.twist {
+        TwistHistory::Ramp { full, .. } => full.points(),
+        TwistHistory::Solved(phases) => phases.first()?.1.points(),
+    };
+    let (first_m, last_m) = (points.first()?[0], points.last()?[0]);
+    let tip_m = wing.flight.planform.tip_m();
+    let is_short = first_m > SHORT * tip_m || last_m < (1.0 - SHORT) * tip_m;
+    (is_profile(&wing.file) && is_short).then(|| {
+        format!(
+            "{}: its profile covers {:.1} to {:.1} mm; beyond, the twist of its first and last point is held (the wing ends at \
+             {:.1} mm).",
+            wing.name,
+            first_m * 1e3,
+            last_m * 1e3,
+            tip_m * 1e3
+        )
+    })
 }
 
 /// A wing before its twist is known.

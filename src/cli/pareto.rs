@@ -33,7 +33,8 @@ use super::{Console, Failure};
 
 The first design gives outline, air and stroke; the others, with their measured twist, and profiles (CSV: r_mm, twist_deg)
 are marked at that stroke, and the shape factor is fitted to the effective lift coefficients that were measured of them.
-Writes output/NAME-pareto/: front.svg, front.csv, profiles.svg, untwisted.csv, summary.json. The same seed gives the same
+Writes output/NAME-pareto/: front.svg, front.csv, profiles.svg, untwisted.csv, summary.json, and the ends of the front as profiles,
+highest-lift.csv and highest-efficiency.csv (of the front with the shape factor, unless --no-gain). The same seed gives the same
 front at any number of threads.")]
 pub struct Pareto {
     /// Design that gives outline, air and stroke

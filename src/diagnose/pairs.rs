@@ -7,6 +7,7 @@
 use nalgebra::DMatrix;
 
 use crate::progress::Progress;
+use crate::study::UnknownKind;
 
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
@@ -14,7 +15,7 @@ use super::evidence::{LinearEvidence, of_one};
 use super::judge::Judgement;
 use super::library::{Scales, Trial, heaviest};
 use super::refit::{Explanation, Refits};
-use super::screening::{Directions, is_one_sided, slopes_of_missing};
+use super::screening::{Directions, is_one_sided, place_of, slopes_of_missing};
 use super::second_look::steps;
 use super::whitened::{Local, Whitened};
 
@@ -22,8 +23,9 @@ use super::whitened::{Local, Whitened};
 const PAIR_CHANCE: f64 = 8.0;
 /// What the best explanation leaves is beyond chance below this probability.
 const CONTENT: f64 = 0.05;
-/// Rankings about the best pair, and pairs that are fitted anew after a further ranking.
-const ROUNDS: usize = 2;
+/// Beyond this misfit of the best explanation, sigma, no pair of known effects is near, and none is sought further.
+const GROSS: f64 = 15.0;
+/// Pairs that are fitted anew after a further ranking.
 const REFITS: usize = 3;
 
 /// Pairs with where their fit is to start: members, and strengths in prior standard deviations.
@@ -46,30 +48,29 @@ pub fn refit_pairs(
     if judgement.after_best.is_none() || is_content(judgement, baseline)? {
         return Ok(());
     }
-    for _ in 0..ROUNDS {
-        let before = judgement.refits.len();
-        about_the_best_pair(judgement, baseline, refits, progress)?;
-        if judgement.refits.len() == before || is_content(judgement, baseline)? {
-            break;
-        }
-    }
+    about_the_best_pair(judgement, baseline, refits, progress)?;
     if !is_content(judgement, baseline)? {
         beside_by_steps(judgement, baseline, refits, &single, progress)?;
     }
     Ok(())
 }
 
-/// Whether chance may leave what the best explanation leaves.
+/// Whether the search may end: chance may leave what the best explanation leaves, or that is nowhere near the data.
 fn is_content(judgement: &Judgement, baseline: &Baseline) -> Result<bool, DiagnoseError> {
     let Some((
         _,
         Explanation {
-            local: Some(local), ..
+            local: Some(local),
+            q,
+            ..
         },
     )) = judgement.best_refit()
     else {
         return Ok(true);
     };
+    if q - baseline.likelihood.numbers as f64 > GROSS * GROSS {
+        return Ok(true);
+    }
     let whitened = Whitened::new(local, &baseline.scatter.noise)?;
     let left = baseline.significance(&whitened, &Directions::none(&whitened));
     Ok(2.0 * left.p_misfit.min(left.p_field) > CONTENT)
@@ -240,6 +241,13 @@ fn about_the_best_pair(
     )
 }
 
+/// Whether an effect sits at a place on one wing alone.
+fn is_of_one_wing(baseline: &Baseline, k: usize) -> bool {
+    let unknowns = baseline.forward.unknowns();
+    place_of(unknowns, baseline.data.missing[k])
+        .is_some_and(|place| matches!(&unknowns[place].kind, UnknownKind::Place { wing: Some(_), .. }))
+}
+
 /// Tries every other effect with a step beside the best single one, and fits the best pairs that this shows.
 fn beside_by_steps(
     judgement: &mut Judgement,
@@ -256,6 +264,7 @@ fn beside_by_steps(
     let wanted: Vec<(usize, usize)> = (0..judgement.pairs.len())
         .filter(|&pair| !judgement.is_refitted(first + pair))
         .filter_map(|pair| Some((pair, second_of(judgement, pair, explanation, family)?)))
+        .filter(|&(_, second)| !is_of_one_wing(baseline, second))
         .collect();
     let members: Vec<usize> = wanted.iter().map(|&(_, second)| second).collect();
     let slopes: DMatrix<f64> = steps(baseline, fit, &members, progress)?;

@@ -6,7 +6,7 @@
 use nalgebra::DMatrix;
 
 use crate::progress::Progress;
-use crate::study::Fit;
+use crate::study::{Fit, Linear};
 
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
@@ -120,7 +120,10 @@ pub fn steps(
         }
         let mut at = fit.at.clone();
         at[unknown] += step;
-        let Ok(moved) = forward.predict(&at) else { continue };
+        let there = forward.linearize_from(fit.footing.as_ref(), &at, &|_| false);
+        let Ok((Linear { value: moved, .. }, _)) = there else {
+            continue;
+        };
         let share = unknowns[unknown].sigma / step;
         slopes.set_column(member, &((moved - &fit.predicted) * share));
     }

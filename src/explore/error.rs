@@ -69,6 +69,19 @@ pub enum ExploreError {
         "no layout of these rods has an equilibrium that was found; add stiffer rods, or lower the amplitude"
     )]
     NoLayout,
+    /// No layout lifts enough.
+    #[error(
+        "no layout of these rods lifts {wanted_mn} mN at this stroke; the most is {most_mn:.2} mN, of {layout}; ask for less, add \
+         stiffer rods, or raise frequency or amplitude"
+    )]
+    NotLifted {
+        /// What was asked for, mN.
+        wanted_mn: f64,
+        /// The most that was found, mN.
+        most_mn: f64,
+        /// Its layout.
+        layout: String,
+    },
     /// The user asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

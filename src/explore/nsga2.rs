@@ -94,6 +94,13 @@ impl Nsga2 {
                 cure: "give an even number, at least 4",
             });
         }
+        if self.generations == 0 {
+            return Err(ExploreError::Setting {
+                name: "the number of generations",
+                value: 0.0,
+                cure: "give at least 1",
+            });
+        }
         let bounds = problem.bounds();
         let draws = Draws::new(self.seed);
         let mut points: Vec<Vec<f64>> = starts.iter().take(self.population).cloned().collect();

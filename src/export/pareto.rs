@@ -249,7 +249,7 @@ impl ParetoSummary {
                 &format!(
                     "Without the shape factor the front differs from the untwisted wing at other stops by at most {} % in \
                      efficiency at the same lift (at {} times the lift; {} % root mean square).",
-                    number(100.0 * gap.largest, 2),
+                    number(100.0 * gap.largest.abs(), 2),
                     number(gap.lift, 3),
                     number(100.0 * gap.rms, 2)
                 ),

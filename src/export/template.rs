@@ -95,14 +95,18 @@ impl Template {
             svg,
             "<g id=\"scale\" stroke=\"#000\"><path d=\"M0 {foot:.3}h50m0 -2v4m-50 -4v4\"/></g>\n\
              <g id=\"text\" fill=\"#000\" stroke=\"none\" font-family=\"sans-serif\" font-size=\"3\">\n\
-             <text x=\"52\" y=\"{:.3}\">50 mm: check before cutting</text>",
-            foot + 1.0
+             <text x=\"0\" y=\"{:.3}\">50 mm: check before cutting</text>",
+            foot + 5.0
         );
         for (index, (points, words)) in self.rods.iter().enumerate() {
+            // what begins in the outer half ends at the tip, so that it stays on the page
+            let (x, anchor) = match points[0][0] > 0.5 * (low[0] + high[0]) {
+                true => (high[0], "end"),
+                false => (points[0][0], "start"),
+            };
             let _ = writeln!(
                 svg,
-                "<text x=\"{:.3}\" y=\"{:.3}\">{}</text>",
-                points[0][0],
+                "<text x=\"{x:.3}\" y=\"{:.3}\" text-anchor=\"{anchor}\">{}</text>",
                 -3.0 - 3.5 * (self.rods.len() - 1 - index) as f64,
                 escaped(words)
             );
@@ -166,6 +170,18 @@ impl Template {
                 pair(8, &layer);
             }
         }
+        let foot = -high[1] - MARGIN_MM;
+        for [from, to] in [
+            [[0.0, foot], [50.0, foot]],
+            [[0.0, foot - 2.0], [0.0, foot + 2.0]],
+            [[50.0, foot - 2.0], [50.0, foot + 2.0]],
+        ] {
+            pair(0, "LINE");
+            pair(8, "TEXT");
+            for (code, value) in [(10, from[0]), (20, from[1]), (11, to[0]), (21, to[1])] {
+                pair(code, &format!("{value:.4}"));
+            }
+        }
         let mut text = |x: f64, y: f64, words: &str| {
             pair(0, "TEXT");
             pair(8, "TEXT");
@@ -177,7 +193,8 @@ impl Template {
         for (index, (points, words)) in self.rods.iter().enumerate() {
             text(points[0][0], 3.0 + 4.0 * index as f64, &plain(words));
         }
-        text(0.0, -high[1] - 8.0, &plain(&self.name));
+        text(0.0, -high[1] - 6.0, &plain(&self.name));
+        text(52.0, foot - 1.0, "50 mm: check before cutting");
         pair(0, "ENDSEC");
         pair(0, "EOF");
         dxf

@@ -64,7 +64,7 @@ pub enum LiftError {
     },
     /// A ratio to nothing.
     #[error(
-        "{what} of the {wing} is {value}, so no ratio can be formed; choose a wing and a stroke that give some"
+        "{what} of the {wing} is {value}, so no ratio can be formed; choose a wing, a stroke and a twist (below the stop angle) that give some"
     )]
     NoRatio {
         /// Quantity with its unit.

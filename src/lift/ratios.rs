@@ -234,8 +234,8 @@ mod tests {
         let error = Ratios::between(&rigid, &still).expect_err("no force");
         assert_eq!(
             error.to_string(),
-            "the mean lift (N) of the reference is 0, so no ratio can be formed; choose a wing and a stroke that \
-             give some"
+            "the mean lift (N) of the reference is 0, so no ratio can be formed; choose a wing, a stroke and a twist \
+             (below the stop angle) that give some"
         );
     }
 }

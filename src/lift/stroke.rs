@@ -15,7 +15,7 @@ const WIDEST_SPAN_PANEL: f64 = 1.0 / 32.0;
 
 /// Points of the quadrature on each panel along the span, and on each smooth piece of the half-stroke.
 const SPAN_POINTS: u32 = 5;
-const PHASE_POINTS: u32 = 16;
+const PHASE_POINTS: u32 = 8;
 
 /// Harmonic flapping with the root at its stop.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -69,3 +69,72 @@ fn from_wings_to_the_best_profile_to_the_rod_that_makes_it() {
         "{said}"
     );
 }
+
+#[test]
+fn what_the_twist_of_solved_phases_or_of_a_profile_cannot_say_is_refused_or_said() {
+    let here = folder();
+    let (rigid, v2) = (design("rigid.toml"), design("twist-v2.toml"));
+    let said = washout(here.path(), &["lift", &v2, "--with", "rotational-lift"]);
+    assert_eq!(said.code, Some(2), "{}", said.err);
+    assert!(said.err.contains("--twist ramp"), "{}", said.err);
+    let write = |name: &str, text: &str| std::fs::write(here.path().join(name), text).unwrap();
+    write("half.csv", "r_mm,twist_deg\n0,0\n35,15\n");
+    let said = washout(here.path(), &["lift", &rigid, "half.csv", "--twist", "measured"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    assert!(said.out.contains("covers 0.0 to 35.0 mm"), "{}", said.out);
+    assert!(said.out.contains("a bound is measured"), "{}", said.out);
+    write("metres.csv", "r_mm,twist_deg\n0,0\n7000,15\n");
+    let said = washout(here.path(), &["lift", &rigid, "metres.csv", "--twist", "flat"]);
+    assert_eq!(said.code, Some(2), "{}", said.err);
+    assert!(
+        said.err.contains("7000") && said.err.contains("70 mm long"),
+        "{}",
+        said.err
+    );
+    write(
+        "phases.csv",
+        "phase_deg,r_mm,twist_deg\n0,0,0\n0,70,20\n45,0,0\n45,70,10\n",
+    );
+    let stock = design("stock.csv");
+    let said = washout(
+        here.path(),
+        &["design", &v2, "--stock", &stock, "--profile", "phases.csv"],
+    );
+    assert_eq!(said.code, Some(2), "{}", said.err);
+    assert!(said.err.contains("2 phases"), "{}", said.err);
+}
+
+#[test]
+fn a_lift_that_no_layout_reaches_is_an_error_and_nothing_is_written() {
+    let here = folder();
+    std::fs::write(
+        here.path().join("one.csv"),
+        "name,shape,diameter_mm,material\nthin,round,0.5,carbon-rod\n",
+    )
+    .unwrap();
+    let v2 = design("twist-v2.toml");
+    let said = washout(
+        here.path(),
+        &[
+            "design",
+            &v2,
+            "--stock",
+            "one.csv",
+            "--pieces",
+            "1",
+            "--lift",
+            "900",
+            "--set",
+            "mesh.refine=0.4",
+            "--output",
+            "none",
+        ],
+    );
+    assert!(said.code.is_some_and(|code| code != 0), "{}", said.out);
+    assert!(
+        said.err.contains("900") && said.err.contains("the most is"),
+        "{}",
+        said.err
+    );
+    assert!(!here.path().join("none").exists());
+}

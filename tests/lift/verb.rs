@@ -19,13 +19,13 @@ fn a_solved_wing_with_sweep_effects_and_inertia_writes_what_it_lists() {
             "--json",
             "--inertial-power",
         ][..],
-        &["--with", "rotational-lift", "--with", "added-mass"],
+        &["--set", "effects.phase-lag.strength=0.1"],
         &COARSE,
     ];
     let said = washout(here.path(), &arguments.concat());
     assert_eq!(said.code, Some(0), "{}", said.err);
     let document = said.document();
-    // effects that know the motion leave no table of twist by speed, and the page says so
+    // effects that know the phase leave no table of twist by speed, and the page says so
     assert!(
         document["warnings"][0]
             .as_str()
