@@ -20,6 +20,8 @@
 
 pub mod progress;
 
+pub mod task;
+
 pub mod input;
 
 pub mod geometry;

@@ -151,18 +151,15 @@ pub enum Failure {
         /// Why.
         source: SweepError,
     },
-    /// The user asked to stop a sweep; what was done is kept.
-    #[error(
-        "interrupted; {kept} of {tasks} tasks are kept; go on with: washout sweep --resume {}",
-        folder.display()
-    )]
+    /// The user asked to stop work that is done in tasks; what was done is kept.
+    #[error("interrupted; {kept} of {tasks} tasks are kept; go on with: {again}")]
     Unfinished {
         /// Tasks with a result.
         kept: usize,
         /// All tasks.
         tasks: usize,
-        /// Folder of the sweep.
-        folder: PathBuf,
+        /// How to go on.
+        again: String,
     },
     /// A sweep of which no case gave anything.
     #[error("none of the {cases} cases gave a result; {} says why", table.display())]

@@ -29,6 +29,8 @@ pub mod lift_ratios;
 
 pub mod pareto;
 
+pub mod tasks;
+
 pub mod slurm;
 
 pub mod sweep;

@@ -14,6 +14,7 @@ use clap::Args;
 use crate::export::ExportError;
 use crate::export::file::write_whole;
 
+use super::tasks::Job;
 use super::{Console, Failure};
 
 /// Rounds of tasks that have no result: the first, and what it left.
@@ -36,11 +37,11 @@ pub struct Slurm {
     /// Cores of a task
     #[arg(long, value_name = "N", requires = "slurm", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub cores: u16,
-    /// Come back at once: the jobs go on, and the last one writes the table
+    /// Come back at once: the jobs go on, and the last one puts their results together
     #[arg(long, requires = "slurm")]
     pub no_wait: bool,
     /// Round of the merge that this job is
-    #[arg(long, value_name = "N", hide = true, requires = "resume")]
+    #[arg(long, value_name = "N", hide = true)]
     pub merge_round: Option<u8>,
 }
 
@@ -50,20 +51,25 @@ impl Slurm {
         self.slurm || self.merge_round.is_some()
     }
 
-    /// Whether this process is a job itself.
-    pub fn is_of_a_job(&self) -> bool {
+    /// Whether this process, once nothing is missing, puts the results together: not in a job that somebody waits for.
+    pub fn puts_together(&self) -> bool {
+        self.merge_round.is_none() || self.no_wait
+    }
+
+    /// Whether to come back as soon as the jobs are submitted.
+    fn is_to_come_back(&self) -> bool {
         self.merge_round.is_some() || self.no_wait
     }
 }
 
-/// Submits the `missing` tasks of a folder; unless this is a job itself or need not wait, waits until `left` says that none is missing.
+/// Submits the `missing` tasks of a work; unless this is a job itself or need not wait, waits until `left` says that none is missing.
 ///
 /// # Errors
 /// If the scheduler refuses a job, its jobs end with tasks missing, or the user asked to stop waiting.
 pub fn run(
     options: &Slurm,
-    folder: &Path,
-    missing: Vec<usize>,
+    job: &Job,
+    missing: &[usize],
     left: &dyn Fn() -> Result<usize, Failure>,
     console: &Console,
 ) -> Result<(), Failure> {
@@ -74,17 +80,19 @@ pub fn run(
             reason: format!(
                 "{} tasks have no result after {ROUNDS} rounds; their logs are in {}",
                 missing.len(),
-                folder.join("slurm").display()
+                job.folder.join("slurm").display()
             ),
         });
     }
-    let folder = std::path::absolute(folder).map_err(ExportError::file("find", folder))?;
+    let folder = std::path::absolute(&job.folder).map_err(ExportError::file("find", &job.folder))?;
     let total = missing.len();
-    let last = submit(options, &folder, &missing, round)?;
-    console.note(format_args!(
-        "{total} tasks submitted; job {last} puts their results together"
-    ));
-    if options.is_of_a_job() {
+    let last = submit(options, job, &folder, missing, round)?;
+    let then = match options.no_wait {
+        true => "puts their results together",
+        false => "does again what fails",
+    };
+    console.note(format_args!("{total} tasks submitted; job {last} {then}"));
+    if options.is_to_come_back() {
         return Ok(());
     }
     loop {
@@ -110,6 +118,32 @@ pub fn run(
     }
 }
 
+/// The words of a command line without those that say how it is run: what a task of it is started by.
+pub fn without_options(words: impl IntoIterator<Item = String>) -> Vec<String> {
+    const ALONE: [&str; 6] = ["--slurm", "--no-wait", "--quiet", "-q", "--json", "--"];
+    const WITH_VALUE: [&str; 6] = [
+        "--partition",
+        "--minutes",
+        "--cores",
+        "--merge-round",
+        "--task",
+        "--threads",
+    ];
+    let mut kept = Vec::new();
+    let mut words = words.into_iter();
+    while let Some(word) = words.next() {
+        let name = word.split('=').next().unwrap_or_default();
+        if WITH_VALUE.contains(&name) {
+            if name == word {
+                words.next();
+            }
+        } else if !ALONE.contains(&word.as_str()) {
+            kept.push(word);
+        }
+    }
+    kept
+}
+
 /// Name by which the jobs of a folder are known.
 fn job_name(folder: &Path) -> String {
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
@@ -124,12 +158,25 @@ fn job_name(folder: &Path) -> String {
 }
 
 /// Submits the array and the job that follows it; gives that job's number.
-fn submit(options: &Slurm, folder: &Path, missing: &[usize], round: u8) -> Result<String, Failure> {
+fn submit(
+    options: &Slurm,
+    job: &Job,
+    folder: &Path,
+    missing: &[usize],
+    round: u8,
+) -> Result<String, Failure> {
     let logs = folder.join("slurm");
     std::fs::create_dir_all(&logs).map_err(ExportError::file("create", &logs))?;
     let program = std::env::current_exe().map_err(ExportError::file("find", Path::new("washout")))?;
-    let (program, here) = (quoted(&program), quoted(folder));
     let cores = options.cores;
+    let words: Vec<String> = job.words.iter().map(|word| quoted_word(word)).collect();
+    let from = job.from.as_ref().map(|from| format!("cd {} || exit 1\n", quoted(from)));
+    let command = format!(
+        "{}exec {} --quiet --threads {cores} {}",
+        from.unwrap_or_default(),
+        quoted(&program),
+        words.join(" ")
+    );
     let mut head = format!(
         "#!/bin/bash\n#SBATCH --job-name={}\n#SBATCH --cpus-per-task={cores}\n#SBATCH --time={}\n#SBATCH --requeue\n",
         job_name(folder),
@@ -139,17 +186,19 @@ fn submit(options: &Slurm, folder: &Path, missing: &[usize], round: u8) -> Resul
         let _ = writeln!(head, "#SBATCH --partition={partition}");
     }
     let array = format!(
-        "{head}#SBATCH --array={}\n#SBATCH --output={}\nexec {program} --quiet --threads {cores} sweep --resume {here} --task \
-         \"$SLURM_ARRAY_TASK_ID\"\n",
+        "{head}#SBATCH --array={}\n#SBATCH --output={}\n{command} --task \"$SLURM_ARRAY_TASK_ID\"\n",
         ranges(missing),
         quoted(&logs.join("task-%a-%A.log")),
     );
     let mut more = format!(" --minutes {} --cores {cores}", options.minutes);
     if let Some(partition) = &options.partition {
-        let _ = write!(more, " --partition {partition}");
+        let _ = write!(more, " --partition {}", quoted_word(partition));
+    }
+    if options.no_wait {
+        more += " --no-wait";
     }
     let merge = format!(
-        "{head}#SBATCH --output={}\nexec {program} --quiet --threads {cores} sweep --resume {here} --slurm --merge-round {round}{more}\n",
+        "{head}#SBATCH --output={}\n{command} --slurm --merge-round {round}{more}\n",
         quoted(&logs.join("merge-%j.log")),
     );
     let (array_file, merge_file) = (logs.join("array.sh"), logs.join("merge.sh"));
@@ -193,7 +242,12 @@ fn is_any_job_left(folder: &Path) -> Result<bool, Failure> {
 }
 
 fn quoted(path: &Path) -> String {
-    format!("'{}'", path.display().to_string().replace('\'', "'\\''"))
+    quoted_word(&path.display().to_string())
+}
+
+/// One word of the shell.
+fn quoted_word(word: &str) -> String {
+    format!("'{}'", word.replace('\'', "'\\''"))
 }
 
 /// `0,3-7` for 0, 3, 4, 5, 6, 7.
@@ -225,5 +279,12 @@ mod tests {
     #[test]
     fn a_path_with_spaces_and_quotes_is_one_word_of_the_shell() {
         assert_eq!(quoted(Path::new("/a b/it's")), "'/a b/it'\\''s'");
+    }
+
+    #[test]
+    fn a_task_is_started_by_the_words_that_were_said_without_those_on_how_to_run_it() {
+        let said = "blind 12 --slurm --partition=night --minutes 30 --set a=1 --threads 4 -q --output x --no-wait";
+        let kept = without_options(said.split(' ').map(str::to_string));
+        assert_eq!(kept.join(" "), "blind 12 --set a=1 --output x");
     }
 }

@@ -8,16 +8,14 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 
 use crate::export::file::write_whole;
 use crate::export::pictures::sweep::scatter;
-use crate::export::sweep::{SweepSummary, read_plan, read_task, table, write_plan, write_task};
+use crate::export::sweep::{SweepSummary, read_plan, table, write_plan};
+use crate::export::tasks::{read_part, write_part};
 use crate::progress::Progress;
 use crate::sweep::points::MOST_CASES;
-use crate::sweep::{Axis, Base, Method, Row, SweepError, SweepPlan, Task, TaskResult, sensitivities, tasks};
+use crate::sweep::{Axis, Base, Method, Row, SweepError, SweepPlan, Task, sensitivities, tasks};
 
-use super::slurm::{self, Slurm};
+use super::tasks::{Job, MOST_TASKS, TaskArguments, Work, gone};
 use super::{Console, Failure};
-
-/// Most tasks that a job array is given.
-const MOST_TASKS: usize = 1000;
 
 /// Arguments of `washout sweep`.
 #[derive(Debug, Args)]
@@ -59,12 +57,9 @@ pub struct Sweep {
     /// Go on with the sweep of this folder
     #[arg(long, value_name = "DIR", conflicts_with_all = ["base", "vary", "set", "samples", "method"])]
     pub resume: Option<PathBuf>,
-    /// Do this task alone and write no table; for a scheduler
-    #[arg(long, value_name = "N", requires = "resume")]
-    pub task: Option<usize>,
-    /// On a cluster
+    /// Tasks
     #[command(flatten)]
-    pub slurm: Slurm,
+    pub tasks: TaskArguments,
 }
 
 /// A sweep that is ready to run.
@@ -79,38 +74,21 @@ struct Ready {
 impl Sweep {
     /// Does what is missing and writes the table.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let progress = console.progress();
         let mut ready = self.ready()?;
-        if let Some(number) = self.task {
-            let last = ready.tasks.len().saturating_sub(1);
-            let Some(task) = ready.tasks.get(number).cloned() else {
-                return Err(Failure::Option {
-                    option: "--task",
-                    reason: format!("there is no task {number}; they go from 0 to {last}"),
-                });
-            };
-            return ready.run(&[task], progress);
+        let folder = ready.folder.display();
+        let again = format!("washout sweep --resume {folder}");
+        let here = std::path::absolute(&ready.folder);
+        let here = here.map_err(crate::export::ExportError::file("find", &ready.folder))?;
+        let job = Job {
+            folder: ready.folder.clone(),
+            words: ["sweep".into(), "--resume".into(), here.display().to_string()].into(),
+            from: None,
+            again,
+        };
+        match self.tasks.finish(&mut ready, &job, console)? {
+            true => ready.merge(console),
+            false => Ok(()),
         }
-        let missing = ready.missing()?;
-        if self.slurm.is_wanted() && !missing.is_empty() {
-            let numbers = missing.iter().map(|task| task.number).collect();
-            let left = || Ok(ready.missing()?.len());
-            slurm::run(&self.slurm, &ready.folder, numbers, &left, console)?;
-            if self.slurm.is_of_a_job() && !ready.missing()?.is_empty() {
-                return Ok(());
-            }
-        } else if let Err(failure) = ready.run(&missing, progress) {
-            if matches!(failure, Failure::Interrupted(_)) {
-                let tasks = ready.tasks.len();
-                return Err(Failure::Unfinished {
-                    kept: tasks - ready.missing()?.len(),
-                    tasks,
-                    folder: ready.folder,
-                });
-            }
-            return Err(failure);
-        }
-        ready.merge(console)
     }
 
     /// The sweep of the folder, or that of the command line, checked.
@@ -196,7 +174,7 @@ impl Sweep {
                 ),
             });
         }
-        if self.slurm.is_wanted() {
+        if self.tasks.slurm.is_wanted() {
             let cases = plan.points().map_err(fault)?.len().min(MOST_CASES);
             plan.task_size = plan.task_size.max(cases.div_ceil(MOST_TASKS));
         }
@@ -222,23 +200,16 @@ impl Sweep {
     }
 }
 
-impl Ready {
-    /// Tasks without a result.
-    fn missing(&self) -> Result<Vec<Task>, Failure> {
-        let mut missing = Vec::new();
-        for task in &self.tasks {
-            if read_task(&self.folder, task)?.is_none() {
-                missing.push(task.clone());
-            }
-        }
-        Ok(missing)
+impl Work for Ready {
+    fn count(&self) -> usize {
+        self.tasks.len()
     }
 
-    /// Does tasks, side by side, and keeps each result as it comes.
-    fn run(&mut self, tasks: &[Task], progress: &Progress) -> Result<(), Failure> {
-        if tasks.is_empty() {
-            return Ok(());
-        }
+    fn is_done(&self, task: usize) -> Result<bool, Failure> {
+        Ok(self.kept(&self.tasks[task])?.is_some())
+    }
+
+    fn run(&mut self, tasks: &[usize], progress: &Progress) -> Result<(), Failure> {
         let fault = |source: SweepError| match source {
             SweepError::Cancelled(cancelled) => Failure::Interrupted(cancelled),
             source => Failure::Sweep {
@@ -247,9 +218,10 @@ impl Ready {
             },
         };
         self.base.prepare(progress).map_err(fault)?;
+        let this: &Ready = self;
+        let tasks: Vec<&Task> = tasks.iter().map(|task| &this.tasks[*task]).collect();
         let total: usize = tasks.iter().map(|task| task.cases.len()).sum();
         let done = AtomicUsize::new(0);
-        let this: &Ready = self;
         tasks.par_iter().try_for_each(|task| {
             let rows = task.cases.clone().into_par_iter().map(|case| {
                 let point = &this.points[case];
@@ -261,27 +233,28 @@ impl Ready {
                 progress.count(count, total, "cases");
                 Ok(row)
             });
-            let result = TaskResult {
-                key: task.key.clone(),
-                rows: rows.collect::<Result<Vec<Row>, Failure>>()?,
-            };
-            Ok(write_task(&this.folder, task, &result)?)
+            let rows = rows.collect::<Result<Vec<Row>, Failure>>()?;
+            Ok(write_part(&this.parts(), task.number, &task.key, &rows)?)
         })
+    }
+}
+
+impl Ready {
+    fn parts(&self) -> PathBuf {
+        self.folder.join("tasks")
+    }
+
+    /// What a task gave, if it was done.
+    fn kept(&self, task: &Task) -> Result<Option<Vec<Row>>, Failure> {
+        let rows: Option<Vec<Row>> = read_part(&self.parts(), task.number, &task.key)?;
+        Ok(rows.filter(|rows| rows.len() == task.cases.len()))
     }
 
     /// The table from all results, in the order of the cases.
     fn merge(&self, console: &Console) -> Result<(), Failure> {
         let mut rows = Vec::new();
         for task in &self.tasks {
-            match read_task(&self.folder, task)? {
-                Some(result) => rows.extend(result.rows),
-                None => {
-                    return Err(Failure::Option {
-                        option: "--resume",
-                        reason: format!("task {} has no result yet", task.number),
-                    });
-                }
-            }
+            rows.extend(self.kept(task)?.ok_or_else(|| gone(task.number))?);
         }
         let summary = SweepSummary::new(&self.plan, &rows, sensitivities(&self.plan, &rows));
         let table_file = self.folder.join("sweep.csv");

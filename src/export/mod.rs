@@ -40,6 +40,8 @@ pub mod stroke;
 
 pub mod sweep;
 
+pub mod tasks;
+
 pub mod summary;
 
 pub mod builder;

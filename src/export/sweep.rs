@@ -1,16 +1,16 @@
 //! Files of a sweep: what it is, results of its tasks, the table, its summary as text.
 
 use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::ExportError;
 use super::csv::table as csv_table;
-use super::file::write_whole;
+use super::tasks::write_json;
 use super::text::Table;
-use crate::sweep::{Row, Sensitivity, SweepPlan, Task, TaskResult};
+use crate::sweep::{Row, Sensitivity, SweepPlan};
 
 /// Failures that the page lists.
 const LISTED: usize = 8;
@@ -147,8 +147,7 @@ pub fn table(plan: &SweepPlan, rows: &[Row]) -> Result<Vec<u8>, ExportError> {
 /// # Errors
 /// If it cannot be written.
 pub fn write_plan(folder: &Path, plan: &SweepPlan) -> Result<(), ExportError> {
-    let tasks = folder.join("tasks");
-    std::fs::create_dir_all(&tasks).map_err(ExportError::file("create", &tasks))?;
+    std::fs::create_dir_all(folder).map_err(ExportError::file("create", folder))?;
     write_json(&folder.join("sweep.json"), plan)
 }
 
@@ -168,42 +167,4 @@ pub fn read_plan(folder: &Path) -> Result<Option<SweepPlan>, ExportError> {
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
         Err(error) => Err(ExportError::file("read", &path)(error)),
     }
-}
-
-/// The result of a task; none if it was not done, or of something else.
-///
-/// # Errors
-/// If it is there but cannot be read.
-pub fn read_task(folder: &Path, task: &Task) -> Result<Option<TaskResult>, ExportError> {
-    let path = task_file(folder, task);
-    match std::fs::read_to_string(&path) {
-        Ok(text) => {
-            let found = serde_json::from_str::<TaskResult>(&text).ok();
-            Ok(found.filter(|found| found.key == task.key && found.rows.len() == task.cases.len()))
-        }
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(ExportError::file("read", &path)(error)),
-    }
-}
-
-/// Keeps the result of a task.
-///
-/// # Errors
-/// If it cannot be written.
-pub fn write_task(folder: &Path, task: &Task, result: &TaskResult) -> Result<(), ExportError> {
-    write_json(&task_file(folder, task), result)
-}
-
-fn task_file(folder: &Path, task: &Task) -> PathBuf {
-    folder
-        .join("tasks")
-        .join(format!("{:06}-{}.json", task.number, task.key))
-}
-
-fn write_json(path: &Path, value: &impl Serialize) -> Result<(), ExportError> {
-    let text = serde_json::to_string_pretty(value).map_err(|error| ExportError::Encoding {
-        format: "JSON",
-        reason: error.to_string(),
-    })?;
-    write_whole(path, text.as_bytes())
 }

@@ -23,4 +23,4 @@ pub use evaluate::{Base, Figure, Row};
 pub use plan::SweepPlan;
 pub use points::{Method, points};
 pub use sensitivity::{Sensitivity, sensitivities};
-pub use task::{Task, TaskResult, tasks};
+pub use task::{Task, tasks};

@@ -2,12 +2,8 @@
 
 use std::ops::Range;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
-
-use super::evaluate::Row;
 use super::plan::SweepPlan;
+use crate::task::{key, stretches};
 
 /// Some cases of a sweep.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -20,39 +16,23 @@ pub struct Task {
     pub key: String,
 }
 
-/// What a task gave.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct TaskResult {
-    /// Key of the task.
-    pub key: String,
-    /// Rows of its cases.
-    pub rows: Vec<Row>,
-}
-
 /// The tasks of a sweep whose base has this `content`.
 pub fn tasks(plan: &SweepPlan, points: &[Vec<String>], content: &str) -> Vec<Task> {
-    let size = plan.task_size.max(1);
-    let starts = (0..points.len()).step_by(size).enumerate();
-    starts
-        .map(|(number, start)| {
-            let cases = start..(start + size).min(points.len());
-            let mut hash = Sha256::new();
-            for part in [env!("CARGO_PKG_VERSION"), content] {
-                hash.update(part.as_bytes());
-                hash.update([0]);
-            }
-            for point in &points[cases.clone()] {
-                for set in plan.sets(point) {
-                    hash.update(set.as_bytes());
-                    hash.update([0]);
-                }
-                hash.update([1]);
-            }
-            let digest = hash.finalize();
-            let key: String = digest.iter().take(16).map(|byte| format!("{byte:02x}")).collect();
-            Task { number, cases, key }
-        })
-        .collect()
+    let all = stretches(points.len(), plan.task_size).enumerate();
+    all.map(|(number, cases)| {
+        let mut parts = vec![content.to_string()];
+        for point in &points[cases.clone()] {
+            let sets = plan.sets(point);
+            parts.push(sets.len().to_string());
+            parts.extend(sets);
+        }
+        Task {
+            number,
+            cases,
+            key: key(parts),
+        }
+    })
+    .collect()
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ use check::{Fault, effects_not_listed, faults, is_named, room_of};
 /// Each room and the rooms that it may import. The order is the way the data flows.
 const ROOMS: &[(&str, &[&str])] = &[
     ("progress", &[]),
+    ("task", &[]),
     ("input", &["progress"]),
     ("geometry", &["progress", "input"]),
     ("mesh", &["progress", "input", "geometry"]),
@@ -89,6 +90,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "sweep",
         &[
             "progress",
+            "task",
             "input",
             "geometry",
             "mesh",
@@ -121,6 +123,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "export",
         &[
             "progress",
+            "task",
             "input",
             "geometry",
             "mesh",
@@ -145,6 +148,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "cli",
         &[
             "progress",
+            "task",
             "input",
             "geometry",
             "mesh",
