@@ -1,13 +1,12 @@
 //! `washout blind`: many diagnoses whose answer is known, and the scoreboard.
 
-use std::hash::{DefaultHasher, Hash, Hasher};
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::ops::Range;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
 
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::{Deserialize, Serialize};
 
 use crate::blind::{Blind, BlindError, Failed, Kind, Outcome, Scoreboard, Turned, scoreboard};
@@ -15,12 +14,16 @@ use crate::diagnose::DiagnoseError;
 use crate::export::ExportError;
 use crate::export::blind::page;
 use crate::export::file::write_whole;
+use crate::export::tasks::{read_json, write_json};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::StudyError;
+use crate::sweep::Base;
 use crate::synthesize::SynthesizeError;
+use crate::task::{key, stretches};
 
 use super::diagnose::candidates;
+use super::tasks::{Job, TaskArguments, Work, gone};
 use super::{Console, Failure};
 
 /// A case as its file holds it.
@@ -35,7 +38,7 @@ enum Case {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Run {
     version: String,
-    /// Of study and effects.
+    /// Of study, effects and version.
     content: String,
     /// What is not hidden; none before that is known.
     turned: Option<Vec<Turned>>,
@@ -48,6 +51,7 @@ struct Run {
   washout blind 290 --output night              150 without anything missing, 60 single, 30 pairs, 30 novel, 20 twins
   washout blind 20 --kind pair --kind twin      ten of each
   washout blind 290 --output night              the same again after an interruption: goes on where it stopped
+  washout blind 290 --output night --slurm --partition night --minutes 120 --task-size 2
 
 A development benchmark: the cases are made by washout itself, with other meshes and formulas and with background errors.
 Every case is a file in the output folder; scoreboard.md there lists the figures, every case and every miss.")]
@@ -73,18 +77,32 @@ pub struct TryBlind {
     /// Folder to write into [default: output/blind]
     #[arg(long, short, value_name = "DIR", default_value = "output/blind")]
     pub output: PathBuf,
+    /// Cases in one task
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub task_size: u32,
+    /// Tasks
+    #[command(flatten)]
+    pub tasks: TaskArguments,
+}
+
+/// A run that is ready: its cases, each with its file, and how they are cut into tasks.
+struct Ready<'a> {
+    verb: &'a TryBlind,
+    study: &'a LoadedStudy,
+    names: Vec<&'a str>,
+    run: Run,
+    cases: Vec<(Kind, u64, PathBuf)>,
+    tasks: Vec<Range<usize>>,
 }
 
 impl TryBlind {
     /// Runs what is missing of the cases and prints the scoreboard.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let progress = console.progress();
         let study = LoadedStudy::load_planned(&self.study, &self.set)?;
         let names = candidates(&study, &self.effect);
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let folder = self.output.join("cases");
         std::fs::create_dir_all(&folder).map_err(ExportError::file("create", &folder))?;
-        let mut run = self.same_run(&study, &names)?;
         let cases: Vec<(Kind, u64, PathBuf)> = (0..self.cases as usize)
             .map(|index| {
                 let of_this = self.kind.get(index % self.kind.len().max(1));
@@ -93,46 +111,31 @@ impl TryBlind {
                 (kind, seed, folder.join(format!("{}-{seed}.json", kind.word())))
             })
             .collect();
-        let mut known = Vec::new();
-        for (_, _, path) in &cases {
-            known.push(read(path)?);
-        }
-        let left = known.iter().filter(|case| case.is_none()).count();
-        if left > 0 {
-            progress.say(format_args!("{left} of {} cases to be diagnosed", self.cases));
-            let known_turned = run.turned.take();
-            let blind =
-                Blind::new(&study, names.clone(), known_turned, progress).map_err(|e| self.failed(e))?;
-            run.turned = Some(blind.turned.clone());
-            self.note(&run)?;
-            let done = AtomicUsize::new(0);
-            cases
-                .par_iter()
-                .zip(&mut known)
-                .filter(|(_, known)| known.is_none())
-                .try_for_each(|((kind, seed, path), known)| {
-                    let case = self.case(&blind, *kind, *seed, progress)?;
-                    let text =
-                        serde_json::to_string_pretty(&case).map_err(|error| Failure::Output(error.into()))?;
-                    write_whole(path, text.as_bytes())?;
-                    *known = Some(case);
-                    let count = done.fetch_add(1, Ordering::Relaxed) + 1;
-                    progress.say(format_args!("{count} of {left}: {} {seed}", kind.word()));
-                    Ok::<(), Failure>(())
-                })?;
+        let mut ready = Ready {
+            verb: self,
+            study: &study,
+            run: self.same_run(&study, &names)?,
+            names,
+            tasks: stretches(cases.len(), self.task_size as usize).collect(),
+            cases,
+        };
+        let job = Job::as_said(&self.output)?;
+        if !self.tasks.finish(&mut ready, &job, console)? {
+            return Ok(());
         }
         let (mut outcomes, mut failed) = (Vec::new(), Vec::new());
-        for case in known.into_iter().flatten() {
-            match case {
+        for (index, (_, _, path)) in ready.cases.iter().enumerate() {
+            match read_json(path)?.ok_or_else(|| gone(index / self.task_size as usize))? {
                 Case::Judged(outcome) => outcomes.push(*outcome),
                 Case::Failed(reason) => failed.push(reason),
             }
         }
+        // what is not hidden may have been found by other processes
+        let run = read_json::<Run>(&self.run_file())?.unwrap_or(ready.run);
         let board: Scoreboard = scoreboard(&outcomes, &failed, run.turned.as_deref().unwrap_or_default());
         let page = page(&study.study.name, &board, &outcomes);
-        let json = serde_json::to_string_pretty(&board).map_err(|error| Failure::Output(error.into()))?;
         write_whole(&self.output.join("scoreboard.md"), page.as_bytes())?;
-        write_whole(&self.output.join("scoreboard.json"), json.as_bytes())?;
+        write_json(&self.output.join("scoreboard.json"), &board)?;
         console.result(&page, &board)
     }
 
@@ -151,26 +154,23 @@ impl TryBlind {
 
     /// What the folder is of; refuses one that holds the cases of another run: their figures must not be added up.
     fn same_run(&self, study: &LoadedStudy, names: &[&str]) -> Result<Run, Failure> {
-        let mut content = study.clone();
-        content.path = PathBuf::new();
-        let mut hash = DefaultHasher::new();
-        format!("{content:?}{names:?}").hash(&mut hash);
+        let fault = |source| Failure::Sweep {
+            base: self.study.clone(),
+            source,
+        };
+        let content = Base::Study(Box::new(study.clone())).content().map_err(fault)?;
         let run = Run {
             version: env!("CARGO_PKG_VERSION").to_string(),
-            content: format!("{:016x}", hash.finish()),
+            content: key([&[content.as_str()], names].concat()),
             turned: None,
         };
         let path = self.run_file();
-        let text = match std::fs::read_to_string(&path) {
-            Ok(text) => text,
-            Err(error) if error.kind() == ErrorKind::NotFound => {
-                self.note(&run)?;
-                return Ok(run);
-            }
-            Err(error) => return Err(ExportError::file("read", path)(error).into()),
-        };
-        match serde_json::from_str::<Run>(&text) {
-            Ok(known) if known.version == run.version && known.content == run.content => Ok(known),
+        if !path.exists() {
+            write_json(&path, &run)?;
+            return Ok(run);
+        }
+        match read_json::<Run>(&path)? {
+            Some(known) if known.version == run.version && known.content == run.content => Ok(known),
             _ => Err(Failure::Option {
                 option: "--output",
                 reason: format!(
@@ -179,11 +179,6 @@ impl TryBlind {
                 ),
             }),
         }
-    }
-
-    fn note(&self, run: &Run) -> Result<(), Failure> {
-        let text = serde_json::to_string_pretty(run).map_err(|error| Failure::Output(error.into()))?;
-        Ok(write_whole(&self.run_file(), text.as_bytes())?)
     }
 
     fn run_file(&self) -> PathBuf {
@@ -205,6 +200,55 @@ impl TryBlind {
     }
 }
 
+impl Ready<'_> {
+    /// Cases of a task that have no file yet, or one of another version.
+    fn left(&self, task: usize) -> Result<Vec<usize>, Failure> {
+        let mut left = Vec::new();
+        for case in self.tasks[task].clone() {
+            if read_json::<Case>(&self.cases[case].2)?.is_none() {
+                left.push(case);
+            }
+        }
+        Ok(left)
+    }
+}
+
+impl Work for Ready<'_> {
+    fn count(&self) -> usize {
+        self.tasks.len()
+    }
+
+    fn is_done(&self, task: usize) -> Result<bool, Failure> {
+        Ok(self.left(task)?.is_empty())
+    }
+
+    fn run(&mut self, tasks: &[usize], progress: &Progress) -> Result<(), Failure> {
+        let left: Vec<Vec<usize>> = tasks
+            .iter()
+            .map(|task| self.left(*task))
+            .collect::<Result<_, _>>()?;
+        let left = left.concat();
+        progress.say(format_args!(
+            "{} of {} cases to be diagnosed",
+            left.len(),
+            self.cases.len()
+        ));
+        let known = self.run.turned.take();
+        let blind = Blind::new(self.study, self.names.clone(), known, progress);
+        let blind = blind.map_err(|error| self.verb.failed(error))?;
+        self.run.turned = Some(blind.turned.clone());
+        write_json(&self.verb.run_file(), &self.run)?;
+        let done = AtomicUsize::new(0);
+        left.par_iter().try_for_each(|case| {
+            let (kind, seed, path) = &self.cases[*case];
+            write_json(path, &self.verb.case(&blind, *kind, *seed, progress)?)?;
+            let count = done.fetch_add(1, Ordering::Relaxed) + 1;
+            progress.say(format_args!("{count} of {}: {} {seed}", left.len(), kind.word()));
+            Ok(())
+        })
+    }
+}
+
 fn kind(word: &str) -> Result<Kind, String> {
     let known = Kind::ALL.into_iter().find(|kind| kind.word() == word);
     known.ok_or_else(|| {
@@ -213,13 +257,4 @@ fn kind(word: &str) -> Result<Kind, String> {
             Kind::ALL.map(Kind::word).join(", ")
         )
     })
-}
-
-/// A case that was done before; none if its file is not there or was written by another version.
-fn read(path: &Path) -> Result<Option<Case>, Failure> {
-    match std::fs::read_to_string(path) {
-        Ok(text) => Ok(serde_json::from_str(&text).ok()),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(ExportError::file("read", path)(error).into()),
-    }
 }

@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::explore::ExploreError;
 use crate::explore::rods::search::{Workshop, read_twist};
-use crate::explore::rods::{Aim, Candidate, Choices, Found, Tolerances, band, search};
+use crate::explore::rods::{Aim, Candidate, Choices, Found, Tolerances, band};
 use crate::export::layouts::{BandSummary, Cause, LayoutRow, LayoutSummary, PieceRow};
 use crate::export::pictures;
 use crate::export::run::RunFolder;
@@ -17,7 +17,9 @@ use crate::lift::TwistAlongSpan;
 
 use super::case::{Case, DesignArguments};
 use super::flights::{can_fly, design_arguments};
+use super::layouts::Looks;
 use super::solve::solve;
+use super::tasks::{Job, TaskArguments, beside, unfinished};
 use super::{Console, Failure};
 
 /// Share of lift per power within which two layouts count as equally good.
@@ -30,12 +32,14 @@ const ALIKE: f64 = 0.01;
   washout design designs/twist-v2.toml --stock designs/stock.csv --like designs/twist-v2.toml    the round trip
   washout design designs/twist-v2.toml --stock designs/stock.csv --lift 25                     most lift per power from 25 mN on
   washout design designs/twist-v2.toml --stock designs/stock.csv --profile wanted.csv --spars 3,5 --tension 0,30
+  washout design designs/twist-v2.toml --stock designs/stock.csv --lift 25 --slurm --partition night    on a cluster
 
 The design gives outline, film, the section of its first spar, stroke and materials; rod, and spars and film tension where
 asked for, are chosen. A profile is a CSV table with r_mm and twist_deg, as washout pareto writes it; a list of rods has name,
 shape (round, half-round, tube), diameter_mm, material and, if wanted, inner_diameter_mm and tolerance_mm.
 Writes output/NAME-design/: layout.toml (a design to solve), template.svg and template.dxf at full size, profile.svg,
-profile.csv, layouts.csv, summary.json.")]
+profile.csv, layouts.csv, summary.json. What is solved is kept in output/NAME-design-tasks/: after an interruption the same
+command goes on where it stopped.")]
 pub struct DesignRod {
     /// The design
     #[command(flatten)]
@@ -78,6 +82,12 @@ pub struct DesignRod {
     /// Folder to write into [default: output/NAME-design]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Layouts of the first look in one task
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub task_size: u32,
+    /// Tasks
+    #[command(flatten)]
+    pub tasks: TaskArguments,
 }
 
 impl DesignRod {
@@ -93,7 +103,7 @@ impl DesignRod {
                 reason: "each layout has a mesh of its own; leave mesh.file out of the design".to_string(),
             });
         }
-        let (aim, words) = self.aim(&case, console)?;
+        let (aim, words, content) = self.aim(&case, console)?;
         let name = &case.loaded.design.name;
         let target = self.output.clone();
         let target = target.unwrap_or_else(|| PathBuf::from("output").join(format!("{name}-design")));
@@ -109,7 +119,14 @@ impl DesignRod {
             design: case.loaded.path.clone(),
             source,
         };
-        let found = search(&workshop, &choices, console.progress()).map_err(refused)?;
+        let parts = (beside(&target), content.as_str(), self.task_size as usize);
+        let mut looks = Looks::new(&case.loaded.path, &workshop, &choices, parts);
+        let job = Job::as_said(&looks.folder)?;
+        if !self.tasks.finish(&mut looks, &job, console)? {
+            return Ok(());
+        }
+        let found = looks.found(console.progress());
+        let found = found.map_err(|failure| unfinished(failure, &looks, &job))?;
         let Some(best) = found.candidates.first() else {
             return Err(refused(ExploreError::NoLayout));
         };
@@ -232,7 +249,8 @@ impl DesignRod {
         }
     }
 
-    fn aim(&self, case: &Case, console: &Console) -> Result<(Aim, String), Failure> {
+    /// The aim, the same in words, and what it is made of.
+    fn aim(&self, case: &Case, console: &Console) -> Result<(Aim, String, String), Failure> {
         if let Some(path) = &self.profile {
             let table = TwistTable::load(path)?;
             let [(_, points)] = table.profiles.as_slice() else {
@@ -249,16 +267,24 @@ impl DesignRod {
             let points = points.iter().map(|[r_mm, deg]| [r_mm * 1e-3, deg.to_radians()]);
             let twist = TwistAlongSpan::from_points(points.collect());
             let twist = twist.map_err(|error| Failure::design(path, error))?;
-            return Ok((Aim::Twist(twist), format!("the twist of {}", path.display())));
+            let content = format!("{twist:?}");
+            return Ok((
+                Aim::Twist(twist),
+                format!("the twist of {}", path.display()),
+                content,
+            ));
         }
         if let Some(path) = &self.like {
             let known = design_arguments(path, &self.design.set, self.design.refine).case(console)?;
             let solution = solve(&known, console.progress())?;
             let twist = read_twist(&known.loaded.design, &known.planform, &solution);
             let twist = twist.map_err(|error| Failure::design(path, error))?;
+            let known = &known.loaded;
             return Ok((
                 Aim::Twist(twist),
-                format!("the twist that {} has", known.loaded.design.name),
+                format!("the twist that {} has", known.design.name),
+                // not the twist itself: another machine may solve it to other last digits
+                format!("{}{:?}", known.design.to_toml(), known.air_table),
             ));
         }
         let least_mn = self.lift.unwrap_or(0.0);
@@ -276,6 +302,7 @@ impl DesignRod {
         Ok((
             aim,
             format!("the most lift per power from {least_mn} mN of lift on{stroke}"),
+            format!("{least_mn:?} mN"),
         ))
     }
 

@@ -29,6 +29,8 @@ pub mod lift_ratios;
 
 pub mod pareto;
 
+pub mod fronts;
+
 pub mod tasks;
 
 pub mod slurm;
@@ -36,6 +38,8 @@ pub mod slurm;
 pub mod sweep;
 
 pub mod design;
+
+pub mod layouts;
 
 pub mod divergence;
 

@@ -1,16 +1,15 @@
 //! `washout pareto`: the front between lift and efficiency over twist profiles.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
 use crate::effects::acting;
 use crate::explore::shape_factor::{Gained, with_strength};
-use crate::explore::twist_front::{area, efficiency_at, other_stops};
-use crate::explore::{Efficiency, ExploreError, FrontPoint, Nsga2, ShapeFactor, StagedTwist, TwistFront};
+use crate::explore::twist_front::{efficiency_at, other_stops};
+use crate::explore::{Efficiency, ExploreError, Nsga2, ShapeFactor, StagedTwist, TwistFront};
 use crate::export::pareto::{
-    Algorithm, Exhaustive, FittedFactor, FittedWing, Front, Gap, Marked, ParetoSummary, Profile,
-    UntwistedPoint,
+    Algorithm, FittedFactor, FittedWing, Front, Gap, Marked, ParetoSummary, UntwistedPoint,
 };
 use crate::export::pictures;
 use crate::export::run::RunFolder;
@@ -20,7 +19,9 @@ use crate::progress::Progress;
 
 use super::case::Case;
 use super::flights::{TwistSource, can_fly, design_arguments, is_profile, of_design, of_profile};
+use super::fronts::Searches;
 use super::lift_ratios::measured;
+use super::tasks::{Job, TaskArguments, beside};
 use super::{Console, Failure};
 
 /// Arguments of `washout pareto`.
@@ -30,12 +31,13 @@ use super::{Console, Failure};
   washout pareto designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml --rates 0.001,0.83 --exhaustive
   washout pareto designs/rigid.toml --no-gain --ramp 0      blade elements alone, the twist held over the stroke
   washout pareto designs/rigid.toml my-profile.csv --gain lift-gain-saturating --gain-strength 0.5
+  washout pareto designs/rigid.toml --no-gain --restarts 16 --slurm --partition night      sixteen seeds, one front, on a cluster
 
 The first design gives outline, air and stroke; the others, with their measured twist, and profiles (CSV: r_mm, twist_deg)
 are marked at that stroke, and the shape factor is fitted to the effective lift coefficients that were measured of them.
 Writes output/NAME-pareto/: front.svg, front.csv, profiles.svg, untwisted.csv, summary.json, and the ends of the front as profiles,
 highest-lift.csv and highest-efficiency.csv (of the front with the shape factor, unless --no-gain). The same seed gives the same
-front at any number of threads.")]
+front at any number of threads. The front of each seed is kept in output/NAME-pareto-tasks/ and found only once.")]
 pub struct Pareto {
     /// Design that gives outline, air and stroke
     pub design: PathBuf,
@@ -72,6 +74,9 @@ pub struct Pareto {
     /// Seed of the random numbers
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
+    /// Independent searches with this seed, the next, and so on; the front is that of them all
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    pub restarts: u16,
     /// Try every profile of a coarse family besides, and compare the areas of the fronts
     #[arg(long)]
     pub exhaustive: bool,
@@ -81,6 +86,9 @@ pub struct Pareto {
     /// Folder to write into [default: output/NAME-pareto]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Tasks
+    #[command(flatten)]
+    pub tasks: TaskArguments,
 }
 
 /// What counts as efficiency.
@@ -126,7 +134,10 @@ impl Pareto {
         let target = self.output.clone();
         let target = target.unwrap_or_else(|| PathBuf::from("output").join(format!("{name}-pareto")));
         let mut folder = RunFolder::create(&target)?;
-        let mut summary = self.searched(&case, stroke, &family, factor, &marks, console)?;
+        let found = self.searched(&case, stroke, &family, factor, &marks, &beside(&target), console)?;
+        let Some(mut summary) = found else {
+            return Ok(());
+        };
         pictures::pareto::add(&mut folder, &summary)?;
         summary.files = folder.listed();
         folder.add_summary(&summary)?;
@@ -197,6 +208,8 @@ impl Pareto {
             .map_err(|source| refused(case, source))
     }
 
+    /// What was found; none if it is not for this process to put it together.
+    #[allow(clippy::too_many_arguments)]
     fn searched(
         &self,
         case: &Case,
@@ -204,8 +217,9 @@ impl Pareto {
         family: &StagedTwist,
         factor: Option<ShapeFactor>,
         marks: &[Named],
+        parts: &Path,
         console: &Console,
-    ) -> Result<ParetoSummary, Failure> {
+    ) -> Result<Option<ParetoSummary>, Failure> {
         let design = &case.loaded.design;
         let efficiency = self.efficiency();
         let fault = |source: ExploreError| refused(case, source);
@@ -216,14 +230,14 @@ impl Pareto {
             None => design.clone(),
         };
         let design = &bare;
-        let mut models: Vec<(&str, Design)> = vec![("without shape factor", design.clone())];
+        let mut models: Vec<(&'static str, Design)> = vec![("without shape factor", design.clone())];
         if let Some(factor) = &factor {
             models.push((
                 "with shape factor",
                 with_strength(design, &factor.effect, factor.strength),
             ));
         }
-        let mut fronts = Vec::new();
+        let mut wings = Vec::new();
         let mut named: Vec<Marked> = Vec::new();
         for (name, gained) in &models {
             let share = self.ramp;
@@ -238,7 +252,6 @@ impl Pareto {
                 share,
             );
             let wing = wing.map_err(fault)?;
-            fronts.push(self.front(name, &wing, console.progress()).map_err(fault)?);
             for (index, mark) in marks.iter().enumerate() {
                 let [lift, efficiency] = wing.aims(&mark.twist).map_err(fault)?;
                 match named.get_mut(index) {
@@ -246,7 +259,26 @@ impl Pareto {
                     None => named.push(marked(mark, lift, efficiency, case.planform.length_m())),
                 }
             }
+            wings.push((*name, wing));
         }
+        let mut searches = Searches {
+            folder: parts.to_path_buf(),
+            design: &case.loaded.path,
+            wings,
+            algorithm: Nsga2 {
+                population: self.population,
+                generations: self.generations,
+                seed: self.seed,
+                ..Nsga2::default()
+            },
+            restarts: self.restarts.into(),
+            content: self.content(case, family, marks),
+        };
+        let job = Job::as_said(parts)?;
+        if !self.tasks.finish(&mut searches, &job, console)? {
+            return Ok(None);
+        }
+        let fronts = searches.fronts(self.exhaustive, console.progress())?;
         let stops: Vec<f64> = (2..=120).map(|half| 0.5 * f64::from(half)).collect();
         let curve = other_stops(design, &case.planform, stroke, table, efficiency, &stops).map_err(fault)?;
         let below: Vec<[f64; 3]> = curve.iter().copied().filter(|p| p[0] <= 60.0).collect();
@@ -262,7 +294,7 @@ impl Pareto {
                 factor.effect, factor.chi_squared, factor.freedom
             ));
         }
-        Ok(ParetoSummary {
+        Ok(Some(ParetoSummary {
             washout_version: env!("CARGO_PKG_VERSION").to_string(),
             name: design.name.clone(),
             frequency_hz: stroke.frequency_hz,
@@ -277,6 +309,7 @@ impl Pareto {
                 population: self.population,
                 generations: self.generations,
                 seed: self.seed,
+                restarts: self.restarts,
             },
             fronts,
             untwisted: curve
@@ -292,7 +325,25 @@ impl Pareto {
             shape_factor: factor.map(|factor| self.fitted(case, factor)).transpose()?,
             warnings,
             files: Vec::new(),
-        })
+        }))
+    }
+
+    /// What a front hangs on besides the search; the shape factor is told by what it is fitted to, for another machine may fit it
+    /// to other last digits.
+    fn content(&self, case: &Case, family: &StagedTwist, marks: &[Named]) -> String {
+        let gain = (!self.no_gain).then_some((&self.gain, self.gain_strength));
+        let numbers = |gained: &Gained| format!("{:.9e} {:.9e}", gained.effective, gained.sigma);
+        let marks = marks
+            .iter()
+            .map(|mark| (&mark.twist, mark.gained.as_ref().map(numbers)));
+        let marks: Vec<(&TwistAlongSpan, Option<String>)> = marks.collect();
+        format!(
+            "{}{:?}{family:?}{:?}{:?}{gain:?}{marks:?}",
+            case.loaded.design.to_toml(),
+            case.loaded.air_table,
+            self.efficiency,
+            self.ramp
+        )
     }
 
     fn efficiency(&self) -> Efficiency {
@@ -301,39 +352,6 @@ impl Pareto {
             EfficiencyName::LiftToDrag => Efficiency::LiftToDrag,
             EfficiencyName::LiftPerPower => Efficiency::LiftPerPower,
         }
-    }
-
-    fn front(&self, name: &str, wing: &TwistFront, progress: &Progress) -> Result<Front, ExploreError> {
-        let algorithm = Nsga2 {
-            population: self.population,
-            generations: self.generations,
-            seed: self.seed,
-            ..Nsga2::default()
-        };
-        let found = wing.search(&algorithm, progress)?;
-        let least = |of: fn(&FrontPoint) -> f64| found.iter().map(of).fold(f64::INFINITY, f64::min);
-        let corner = [least(|p| p.lift), least(|p| p.efficiency)];
-        let hypervolume = area(&found, corner);
-        let exhaustive = if self.exhaustive {
-            let (all, profiles) = wing.exhaust(7, 9, progress)?;
-            let theirs = area(&all, corner);
-            let on_steps = wing.search_on_steps(&algorithm, 7, 9, progress)?;
-            Some(Exhaustive {
-                profiles,
-                hypervolume: theirs,
-                found_over_exhaustive: hypervolume / theirs,
-                on_steps_over_exhaustive: area(&on_steps, corner) / theirs,
-            })
-        } else {
-            None
-        };
-        Ok(Front {
-            name: name.to_string(),
-            points: found.into_iter().map(profile).collect(),
-            hypervolume,
-            corner,
-            exhaustive,
-        })
     }
 
     fn fitted(&self, case: &Case, factor: ShapeFactor) -> Result<FittedFactor, Failure> {
@@ -385,16 +403,6 @@ fn refused(case: &Case, source: ExploreError) -> Failure {
     Failure::Explore {
         design: case.loaded.path.clone(),
         source,
-    }
-}
-
-fn profile(point: FrontPoint) -> Profile {
-    Profile {
-        lift: point.lift,
-        efficiency: point.efficiency,
-        tip_deg: point.tip_deg,
-        length_mm: point.stages.iter().map(|stage| stage[0]).collect(),
-        rate_deg_per_mm: point.stages.iter().map(|stage| stage[1]).collect(),
     }
 }
 

@@ -170,7 +170,10 @@ fn submit(
     let program = std::env::current_exe().map_err(ExportError::file("find", Path::new("washout")))?;
     let cores = options.cores;
     let words: Vec<String> = job.words.iter().map(|word| quoted_word(word)).collect();
-    let from = job.from.as_ref().map(|from| format!("cd {} || exit 1\n", quoted(from)));
+    let from = job
+        .from
+        .as_ref()
+        .map(|from| format!("cd {} || exit 1\n", quoted(from)));
     let command = format!(
         "{}exec {} --quiet --threads {cores} {}",
         from.unwrap_or_default(),
@@ -283,7 +286,8 @@ mod tests {
 
     #[test]
     fn a_task_is_started_by_the_words_that_were_said_without_those_on_how_to_run_it() {
-        let said = "blind 12 --slurm --partition=night --minutes 30 --set a=1 --threads 4 -q --output x --no-wait";
+        let said =
+            "blind 12 --slurm --partition=night --minutes 30 --set a=1 --threads 4 -q --output x --no-wait";
         let kept = without_options(said.split(' ').map(str::to_string));
         assert_eq!(kept.join(" "), "blind 12 --set a=1 --output x");
     }

@@ -1,6 +1,7 @@
 //! The front between lift and efficiency over twist profiles of a wing, and the same wing without twist at other stops.
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use serde::{Deserialize, Serialize};
 
 use crate::coupling::BladeAir;
 use crate::geometry::Planform;
@@ -58,7 +59,7 @@ pub struct TwistFront {
 }
 
 /// A profile with what it gives.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FrontPoint {
     /// Stages `[length_mm, rate_deg_per_mm]` from the base outward.
     pub stages: Vec<[f64; 2]>,

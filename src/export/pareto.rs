@@ -56,8 +56,10 @@ pub struct Algorithm {
     pub population: usize,
     /// Generations after the first.
     pub generations: usize,
-    /// Seed of the random numbers.
+    /// Seed of the random numbers of the first search.
     pub seed: u64,
+    /// Searches, each with the seed after that of the one before.
+    pub restarts: u16,
 }
 
 /// A front.

@@ -33,7 +33,12 @@ pub fn read_part<T: DeserializeOwned>(
 ///
 /// # Errors
 /// If it cannot be written.
-pub fn write_part(folder: &Path, number: usize, key: &str, result: &impl Serialize) -> Result<(), ExportError> {
+pub fn write_part(
+    folder: &Path,
+    number: usize,
+    key: &str,
+    result: &impl Serialize,
+) -> Result<(), ExportError> {
     std::fs::create_dir_all(folder).map_err(ExportError::file("create", folder))?;
     let key = key.to_string();
     write_json(&part_file(folder, number, &key), &Part { key, result })

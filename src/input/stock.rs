@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
+use serde::{Deserialize, Serialize};
+
 use super::design::{Flat, Section};
 use super::error::{InputError, Range};
 use super::file;
 use super::table::{Record, Table};
 
 /// A rod on the shelf.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StockRod {
     /// Its name.
     pub name: String,

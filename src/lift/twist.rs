@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use serde::{Deserialize, Serialize};
+
 use crate::coupling::solution::StripLoad;
 
 use super::error::LiftError;
@@ -10,7 +12,7 @@ use super::error::LiftError;
 pub const PAPER_RAMP: f64 = 0.2;
 
 /// Washout along the span: straight between points, held beyond the first and the last.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TwistAlongSpan {
     points: Vec<[f64; 2]>,
 }

@@ -33,7 +33,13 @@ mod tests {
     #[test]
     fn a_key_is_the_same_for_the_same_parts_and_another_for_any_others() {
         assert_eq!(key(["ab", "c"]), key(["ab", "c"]));
-        let others = [vec!["ab", "c"], vec!["a", "bc"], vec!["abc"], vec!["c", "ab"], vec![]];
+        let others = [
+            vec!["ab", "c"],
+            vec!["a", "bc"],
+            vec!["abc"],
+            vec!["c", "ab"],
+            vec![],
+        ];
         let mut keys: Vec<String> = others.into_iter().map(key).collect();
         assert!(keys.iter().all(|key| key.len() == 32));
         keys.sort();

@@ -1,11 +1,13 @@
 //! What a builder chooses: pieces of rod from the shelf, places of the spars, tension of the film.
 
+use serde::{Deserialize, Serialize};
+
 use crate::input::design::{Design, RodSegment, Section};
 use crate::input::stock::StockRod;
 use crate::input::{InputError, design::Spar};
 
 /// A layout of rod, spars and film.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Layout {
     /// Pieces of the rod, from the base to the tip.
     pub pieces: Vec<Piece>,
@@ -16,7 +18,7 @@ pub struct Layout {
 }
 
 /// A piece of rod.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Piece {
     /// The rod that it is cut from.
     pub rod: StockRod,

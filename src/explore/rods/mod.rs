@@ -7,5 +7,5 @@ pub mod search;
 pub mod tolerance;
 
 pub use layout::{Layout, Piece};
-pub use search::{Aim, Candidate, Choices, Found, search};
+pub use search::{Aim, Candidate, Choices, Closer, Found, Search};
 pub use tolerance::{Band, PieceBand, Tolerances, band};

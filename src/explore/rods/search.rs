@@ -1,6 +1,9 @@
 //! The search: every sequence of rods with its break on a few places, the best of them refined, each in the coupled model.
 
-use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use std::ops::Range;
+
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use serde::{Deserialize, Serialize};
 
 use crate::coupling::solution::Solution;
 use crate::coupling::{self, BladeAir};
@@ -43,7 +46,7 @@ pub struct Choices {
 }
 
 /// A layout with what it gives.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Candidate {
     /// The layout.
     pub layout: Layout,
@@ -206,111 +209,151 @@ pub fn distance_deg(a: &TwistAlongSpan, b: &TwistAlongSpan, tip_m: f64) -> f64 {
     (square / STATIONS as f64).sqrt()
 }
 
-/// The layouts that come nearest to the aim.
+/// The search in its steps: a first look at every layout, each by itself; a closer look at the best of them, each by itself.
 ///
 /// Deterministic: every layout is solved from the wing at rest, whatever was solved before.
-///
-/// # Errors
-/// If no layout can be solved, the design refuses them all, or the user asks to stop.
-pub fn search(workshop: &Workshop, choices: &Choices, progress: &Progress) -> Result<Found, ExploreError> {
-    let length_mm = workshop.design.planform.length_mm.value();
-    let mut first: Vec<Vec<Layout>> = Vec::new();
-    for spars_mm in &choices.spars_mm {
-        for pretension in &choices.pretensions_n_per_m {
-            let layout = |pieces: Vec<Piece>| Layout {
-                pieces,
-                spars_mm: spars_mm.clone(),
-                pretension_n_per_m: *pretension,
-            };
-            let piece = |rod: &StockRod, to_mm: f64| Piece {
-                rod: rod.clone(),
-                to_mm,
-            };
-            for inner in &choices.stock {
-                first.push(vec![layout(vec![piece(inner, length_mm)])]);
-                for outer in choices
-                    .stock
-                    .iter()
-                    .filter(|rod| choices.pieces > 1 && rod.name != inner.name)
-                {
-                    let at =
-                        |share: &f64| layout(vec![piece(inner, share * length_mm), piece(outer, length_mm)]);
-                    first.push(BREAKS.iter().map(at).collect());
+#[derive(Debug, Clone)]
+pub struct Search<'a> {
+    workshop: &'a Workshop<'a>,
+    refine: f64,
+    /// All layouts, each with the number of its sequence of rods, spars and tension.
+    pub layouts: Vec<(usize, Layout)>,
+}
+
+/// What a closer look at a layout found.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Closer {
+    /// Layouts that were solved.
+    solved: usize,
+    /// The best of them.
+    best: Option<Candidate>,
+}
+
+impl<'a> Search<'a> {
+    /// All layouts that can be chosen.
+    pub fn new(workshop: &'a Workshop<'a>, choices: &Choices) -> Search<'a> {
+        let length_mm = workshop.design.planform.length_mm.value();
+        let piece = |rod: &StockRod, to_mm: f64| Piece {
+            rod: rod.clone(),
+            to_mm,
+        };
+        let mut sequences: Vec<Vec<Layout>> = Vec::new();
+        for spars_mm in &choices.spars_mm {
+            for pretension in &choices.pretensions_n_per_m {
+                let layout = |pieces: Vec<Piece>| Layout {
+                    pieces,
+                    spars_mm: spars_mm.clone(),
+                    pretension_n_per_m: *pretension,
+                };
+                for inner in &choices.stock {
+                    sequences.push(vec![layout(vec![piece(inner, length_mm)])]);
+                    for outer in choices
+                        .stock
+                        .iter()
+                        .filter(|rod| choices.pieces > 1 && rod.name != inner.name)
+                    {
+                        let at = |share: &f64| {
+                            layout(vec![piece(inner, share * length_mm), piece(outer, length_mm)])
+                        };
+                        sequences.push(BREAKS.iter().map(at).collect());
+                    }
                 }
             }
         }
-    }
-    let unseen = progress.unseen();
-    let flat: Vec<(usize, &Layout)> = first
-        .iter()
-        .enumerate()
-        .flat_map(|(at, layouts)| layouts.iter().map(move |layout| (at, layout)))
-        .collect();
-    progress.say(format_args!("first look at {} layouts", flat.len()));
-    let looked: Vec<(usize, Result<Candidate, ExploreError>)> = flat
-        .into_par_iter()
-        .map(|(at, layout)| (at, workshop.try_layout(layout, choices.refine, &unseen)))
-        .collect();
-    progress.check()?;
-    let mut solved = 0;
-    let mut refused: Option<ExploreError> = None;
-    let mut best: Vec<Option<Candidate>> = vec![None; first.len()];
-    let looked_at = looked.len();
-    for (at, outcome) in looked {
-        match outcome {
-            Ok(candidate) => {
-                solved += 1;
-                if best[at]
-                    .as_ref()
-                    .is_none_or(|known| candidate.score < known.score)
-                {
-                    best[at] = Some(candidate);
-                }
-            }
-            Err(error) => refused = Some(error),
+        let numbered = sequences.into_iter().enumerate();
+        Search {
+            workshop,
+            refine: choices.refine,
+            layouts: numbered
+                .flat_map(|(number, layouts)| layouts.into_iter().map(move |layout| (number, layout)))
+                .collect(),
         }
     }
-    let mut best: Vec<Candidate> = best.into_iter().flatten().collect();
-    if let (true, Some(error)) = (best.is_empty(), refused) {
-        return Err(error);
+
+    /// The first look at some of the layouts: the score of each, the smaller the better; none where it has no equilibrium that is
+    /// found.
+    ///
+    /// # Errors
+    /// If the user asked to stop.
+    pub fn look(&self, layouts: Range<usize>, progress: &Progress) -> Result<Vec<Option<f64>>, ExploreError> {
+        let unseen = progress.unseen();
+        let score = |(_, layout): &(usize, Layout)| {
+            let found = self.workshop.try_layout(layout, self.refine, &unseen);
+            found.ok().map(|candidate| candidate.score)
+        };
+        let scores = self.layouts[layouts].par_iter().map(score).collect();
+        progress.check()?;
+        Ok(scores)
     }
-    let mut unsolved = looked_at - solved;
-    best.sort_by(|a, b| a.score.total_cmp(&b.score));
-    best.truncate(CLOSE);
-    progress.say(format_args!("a closer look at {} of them", best.len()));
-    let step_mm = 0.5 * (BREAKS[1] - BREAKS[0]) * length_mm;
-    let closer: Vec<(usize, Option<Candidate>)> = best
-        .par_iter()
-        .map(|candidate| refine_break(workshop, candidate, step_mm * 2.0, &unseen))
-        .collect();
-    progress.check()?;
-    solved += closer.iter().map(|(count, _)| count).sum::<usize>();
-    let mut candidates: Vec<Candidate> = closer
-        .into_iter()
-        .filter_map(|(_, candidate)| candidate)
-        .collect();
-    unsolved += best.len() - candidates.len();
-    candidates.sort_by(|a, b| a.score.total_cmp(&b.score));
-    Ok(Found {
-        candidates,
-        solved,
-        unsolved,
-    })
+
+    /// The layouts that deserve a closer look, best first, from the scores of all.
+    ///
+    /// # Errors
+    /// If none has a score: why the last one has none.
+    pub fn best(&self, scores: &[Option<f64>], progress: &Progress) -> Result<Vec<usize>, ExploreError> {
+        let sequences = self.layouts.last().map_or(0, |(number, _)| number + 1);
+        let mut best: Vec<Option<(f64, usize)>> = vec![None; sequences];
+        for (index, ((number, _), score)) in self.layouts.iter().zip(scores).enumerate() {
+            if let Some(score) = score
+                && best[*number].is_none_or(|(known, _)| *score < known)
+            {
+                best[*number] = Some((*score, index));
+            }
+        }
+        let mut best: Vec<(f64, usize)> = best.into_iter().flatten().collect();
+        if let (true, Some((_, last))) = (best.is_empty(), self.layouts.last()) {
+            self.workshop.try_layout(last, self.refine, progress)?;
+        }
+        best.sort_by(|a, b| a.0.total_cmp(&b.0));
+        best.truncate(CLOSE);
+        Ok(best.into_iter().map(|(_, index)| index).collect())
+    }
+
+    /// A closer look at one of them, on the mesh of the design: its break moved to where it is best.
+    ///
+    /// # Errors
+    /// If the user asked to stop.
+    pub fn closer(&self, index: usize, progress: &Progress) -> Result<Closer, ExploreError> {
+        let length_mm = self.workshop.design.planform.length_mm.value();
+        let step_mm = 0.5 * (BREAKS[1] - BREAKS[0]) * length_mm;
+        let (solved, best) = refine_break(
+            self.workshop,
+            &self.layouts[index].1,
+            step_mm * 2.0,
+            &progress.unseen(),
+        );
+        progress.check()?;
+        Ok(Closer { solved, best })
+    }
+
+    /// The result, from the scores of all layouts and the closer looks at the best.
+    pub fn found(&self, scores: &[Option<f64>], closer: Vec<Closer>) -> Found {
+        let first = scores.iter().flatten().count();
+        let looks = closer.len();
+        let solved = first + closer.iter().map(|closer| closer.solved).sum::<usize>();
+        let mut candidates: Vec<Candidate> = closer.into_iter().filter_map(|closer| closer.best).collect();
+        candidates.sort_by(|a, b| a.score.total_cmp(&b.score));
+        Found {
+            solved,
+            unsolved: scores.len() - first + looks - candidates.len(),
+            candidates,
+        }
+    }
 }
 
 /// Golden section on the break of a layout, within `reach_mm` on either side, on the mesh of the design.
 fn refine_break(
     workshop: &Workshop,
-    from: &Candidate,
+    from: &Layout,
     reach_mm: f64,
     progress: &Progress,
 ) -> (usize, Option<Candidate>) {
     let mut solved = 1;
-    let mut best = workshop.try_layout(&from.layout, 1.0, progress).ok();
-    if from.layout.pieces.len() < 2 {
+    let mut best = workshop.try_layout(from, 1.0, progress).ok();
+    if from.pieces.len() < 2 {
         return (solved, best);
     }
-    let centre_mm = from.layout.pieces[0].to_mm;
+    let centre_mm = from.pieces[0].to_mm;
     let length_mm = workshop.design.planform.length_mm.value();
     let (mut low, mut high) = (
         (centre_mm - reach_mm).max(0.05 * length_mm),
@@ -319,7 +362,7 @@ fn refine_break(
     let share = 0.5 * (5.0_f64.sqrt() - 1.0);
     let mut at = |mm: f64| -> f64 {
         solved += 1;
-        let layout = from.layout.with_break(0, mm);
+        let layout = from.with_break(0, mm);
         let candidate = layout.and_then(|layout| workshop.try_layout(&layout, 1.0, progress).ok());
         let score = candidate
             .as_ref()
