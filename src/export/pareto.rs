@@ -62,6 +62,16 @@ pub struct Algorithm {
     pub restarts: u16,
 }
 
+impl Algorithm {
+    /// The seeds in words.
+    fn seeds(&self) -> String {
+        match self.restarts {
+            1 => format!("seed {}", self.seed),
+            more => format!("{more} seeds from {} on", self.seed),
+        }
+    }
+}
+
 /// A front.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Front {
@@ -222,7 +232,7 @@ impl ParetoSummary {
         page += &wrapped(
             &format!(
                 "{} stages of at least {} mm and {} to {} deg/mm, tip at most {} deg; {} Hz, ±{} deg, ramp over {} % of each \
-                 half-stroke; population {}, {} generations, seed {}. Lift and efficiency are over those of the wing without \
+                 half-stroke; population {}, {} generations, {}. Lift and efficiency are over those of the wing without \
                  twist at its stop of {} deg.",
                 self.stages,
                 number(self.shortest_stage_mm, 0),
@@ -234,7 +244,7 @@ impl ParetoSummary {
                 number(100.0 * self.ramp, 0),
                 self.algorithm.population,
                 self.algorithm.generations,
-                self.algorithm.seed,
+                self.algorithm.seeds(),
                 number(self.stop_angle_deg, 0),
             ),
             2,

@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::{Said, washout};
 
 /// A rod on the bench under three torques; `stations` at which its twist is to be read, sigma 0.01 deg; values yet to come.
-fn campaign(folder: &Path, stations: &[u32]) {
+pub fn campaign(folder: &Path, stations: &[u32]) {
     fs::write(
         folder.join("rod.toml"),
         "format = 1\nname = 'rod'\n[planform]\nlength_mm = 100.0\noutline = [[0.0, 20.0], [100.0, 20.0]]\ntip_cut = 1.0\n\
@@ -53,7 +53,8 @@ fn json(said: &Said) -> serde_json::Value {
     serde_json::from_str(&said.out).unwrap()
 }
 
-const MANY: [u32; 10] = [10, 20, 30, 40, 50, 60, 70, 80, 90, 100];
+/// Stations that tell effects apart.
+pub const MANY: [u32; 10] = [10, 20, 30, 40, 50, 60, 70, 80, 90, 100];
 
 #[test]
 fn a_campaign_without_values_can_be_judged_but_not_compared() {

@@ -36,6 +36,8 @@ mod study;
 
 mod sweep;
 
+mod tasks;
+
 mod verify;
 
 mod writing;
