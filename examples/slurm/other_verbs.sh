@@ -19,7 +19,7 @@ blind=(blind 4 --study studies/three-rods.toml --set mesh.refine=0.3 --effect ro
 
 same() { # WHAT FOLDER FOLDER
     for file in "$2"/*.*; do cmp "$file" "$3/$(basename "$file")"; done
-    echo "$1: the same files, bit for bit ($(find "$here" -path "*cluster-$1*/slurm/task-*.log" | wc -l) tasks)"
+    echo "$1: the same files, bit for bit ($(find "$here/cluster-$1-tasks/slurm" -name 'task-*.log' | wc -l) tasks)"
 }
 for what in front layout; do
     declare -n words=$what
@@ -29,7 +29,7 @@ for what in front layout; do
 done
 
 # times of diagnoses differ, and nothing else
-board() { sed 's/| [0-9]* |$//; s/Median *$//; /^time of a diagnosis/d; s/time of a diagnosis.*//' "$1/scoreboard.md"; }
+board() { sed 's/ Median time .*//; s/| [0-9]* |$/|/' "$1/scoreboard.md"; }
 washout "${blind[@]}" --output "$here/alone-blind"
 washout "${blind[@]}" --output "$here/cluster-blind" "${cluster[@]}"
 cmp <(board "$here/alone-blind") <(board "$here/cluster-blind")

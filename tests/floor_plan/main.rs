@@ -172,7 +172,7 @@ const ROOMS: &[(&str, &[&str])] = &[
 ];
 
 /// Files of the `effects` room that are not effects.
-const NOT_EFFECTS: &[&str] = &["mod", "bind", "error", "card", "seam", "custom"];
+const NOT_EFFECTS: &[&str] = &["mod", "bind", "error", "card", "seam", "custom", "library"];
 
 fn sources() -> Vec<(PathBuf, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
