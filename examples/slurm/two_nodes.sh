@@ -26,7 +26,7 @@ squeue -o "%i %j %T %N"
 find "$here/cluster/tasks" -name '*.json' -printf '%f %T@\n' | sort >"$here/before.txt"
 echo "killing n2 with what it runs, $(done_) of $tasks tasks done"
 pkill -9 -F "$here/slurmd-n2.pid"
-pkill -9 -f "spooln2" || true
+for pid in $(pgrep -f "$here/spooln2"); do kill -9 "$pid" 2>/dev/null || true; done
 wait $waiting || { cat "$here/washout.log"; exit 1; }
 cat "$here/washout.log"
 
