@@ -32,9 +32,8 @@ CONF
 export SLURM_CONF=$conf
 stop() {
     scancel --user=root 2>/dev/null || true
-    for pid in "$here"/*.pid; do [ -f "$pid" ] && kill "$(cat "$pid")" 2>/dev/null; done
-    [ -n "${munge:-}" ] && kill "$munge" 2>/dev/null
-    true
+    for pid in "$here"/*.pid; do kill "$(cat "$pid")" 2>/dev/null || true; done
+    [ -z "${munge:-}" ] || kill "$munge" 2>/dev/null || true
 }
 trap stop EXIT
 
