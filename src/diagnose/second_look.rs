@@ -89,10 +89,7 @@ pub fn second_look(
 
 /// How all observables answer to steps of a plausible size of the effects `members` about a fit, per prior standard deviation
 /// (observables × missing effects; zero for all others, and where the model has no solution).
-///
-/// # Errors
-/// If the user asked to stop.
-pub fn steps(
+fn steps(
     baseline: &Baseline,
     fit: &Fit,
     members: &[usize],
