@@ -18,7 +18,7 @@ impl Effect for TaperedRod {
             source: "definition",
             when_right: "a rod sanded by hand; prefer rod-ends-early if the change is a step",
             gets_wrong: "the thinner rod bends more too, which is left out; s = 1 cannot be",
-            case: "the example's own: a torque at the tip twists it by −ln(1 − s)/s times as much",
+            case: "the example's own: a torque at the tip twists it by −ln(1 − s)/s times as much there",
             seam: Seam::Structure,
             parameters: &[Parameter {
                 name: "strength",

@@ -334,3 +334,73 @@ fn a_blind_run_goes_on_where_it_stopped_and_gives_the_same_scoreboard() {
         "{page}"
     );
 }
+
+/// Two rods alike under three torques each, one of them split from half its length on.
+#[test]
+fn damage_on_one_wing_is_found_on_that_wing_and_added_there() {
+    let here = tempfile::tempdir().unwrap();
+    campaign(here.path(), &MANY);
+    let rows = fs::read_to_string(here.path().join("m.csv")).unwrap();
+    let others: String = rows
+        .lines()
+        .filter_map(|row| row.strip_prefix("m-"))
+        .map(|row| format!("n-{row}\n"))
+        .collect();
+    fs::write(here.path().join("m.csv"), rows + &others).unwrap();
+    let case = |name: &str, letter: char| {
+        format!(
+            "[[case]]\ndesign = 'rod.toml'\nset = ['name=\"{name}\"', 'load[0].moment_n_m=[{{m*0.001}}, 0, 0]']\n\
+             measurement = 'm.csv'\nmeasured = '{letter}-{{m}}'\n"
+        )
+    };
+    let study = format!(
+        "format = 1\nname = 'two'\ncandidates = ['rod-shear-modulus', 'root-flexure', 'rod-split']\n{}{}",
+        case("rod", 'm'),
+        case("other", 'n')
+    );
+    fs::write(here.path().join("two.toml"), study).unwrap();
+    let hide = [
+        "synthesize",
+        "two.toml",
+        "--effect",
+        "rod-split@other=0.5",
+        "--seed",
+        "5",
+        "--output",
+        "try",
+    ];
+    assert_eq!(washout(here.path(), &hide).code, Some(0));
+    let diagnose = |output: &str| {
+        let arguments = ["diagnose", "try/two.toml", "--output", output, "--json"];
+        json(&washout(here.path(), &arguments))
+    };
+    let said = diagnose("first");
+    assert_eq!(said["verdict"], "effect", "{}", said["sentence"]);
+    let place = &said["hypotheses"][0]["strengths"][0]["place"];
+    assert_eq!(place["wing"], "other", "{place}");
+    assert!(
+        said["sentence"].as_str().unwrap().contains("on other"),
+        "{}",
+        said["sentence"]
+    );
+    let from = format!("from={}", place["value"]);
+    let add = [
+        "add",
+        "rod-split",
+        "--number",
+        &from,
+        "--on",
+        "other",
+        "--to",
+        "try/two.toml",
+        "--json",
+    ];
+    let added = json(&washout(here.path(), &add));
+    assert!(
+        (added["strength"][0].as_f64().unwrap() - 0.5).abs() < 0.1,
+        "{}",
+        added["strength"]
+    );
+    let said = diagnose("second");
+    assert_eq!(said["verdict"], "nothing", "{}", said["sentence"]);
+}
