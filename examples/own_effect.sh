@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # An effect that no library has: hidden, not named for something else, added by a formula of one's own, gone.
 #
-#   cargo build --release && examples/own_effect.sh        (half a minute on two cores)
+#   cargo build --release && examples/own_effect.sh        (a minute and a half on two cores)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 washout() { target/release/washout --quiet "$@" --json; }

@@ -60,15 +60,12 @@ pub fn distances(blind: &Blind, hidden: &[Hidden]) -> Result<Vec<Distance>, Blin
 
 /// The strength of `effect` at `spot`, of sign `sign` if it may have that, which is seen at distance `target`; the largest plausible
 /// one if that is nearer.
-///
-/// # Errors
-/// If the model without the effect has no solution.
 pub fn strength_seen_at(
     blind: &Blind,
     (effect, spot): (&PlannedEffect, Spot),
     target: f64,
     sign: f64,
-) -> Result<f64, BlindError> {
+) -> f64 {
     let [low, high] =
         named(&effect.effect).map_or([0.0, effect.scale], |known| known.card().parameters[0].plausible);
     let sign = if sign < 0.0 && low >= 0.0 { 1.0 } else { sign };
@@ -99,7 +96,7 @@ pub fn strength_seen_at(
             _ => next.min(most),
         };
     }
-    Ok(sign * best.1)
+    sign * best.1
 }
 
 /// Effects that would be seen whose signature turns with errors of outline, stiffness and air law of one percent: they are
@@ -123,7 +120,7 @@ pub fn turned(blind: &Blind, progress: &Progress) -> Result<Vec<Turned>, BlindEr
         let Some(spot) = Spot::of(&blind.campaign, &somewhere) else {
             return Ok(None);
         };
-        let strength = strength_seen_at(blind, (effect, spot), COMPARED, 1.0)?;
+        let strength = strength_seen_at(blind, (effect, spot), COMPARED, 1.0);
         let of = |campaign: &Campaign| -> Option<_> {
             let spot = Spot::of(campaign, &somewhere)?;
             campaign.predict(&spot.with(&campaign.start(), strength)).ok()

@@ -94,6 +94,6 @@ fn hidden(blind: &Blind, effect: &PlannedEffect, draws: Draws, which: u64) -> Re
         kind: "with an effect",
         reason: "the effect acts on none of its wings",
     })?;
-    let strength = strength_seen_at(blind, (effect, spot), target, sign)?;
+    let strength = strength_seen_at(blind, (effect, spot), target, sign);
     Ok(spot.hidden(&blind.campaign, &effect.effect, strength))
 }

@@ -248,30 +248,34 @@ impl Add {
                 return Err(fault(format!("{} is not in this study", self.effect)));
             }
             tables.retain(|table| !is_it(table));
-        } else if let Some(table) = tables.iter_mut().find(|table| is_it(table)) {
-            table["strength"] = value(strength);
-            for (name, number) in numbers {
-                if let (Some(number), Some(own)) = (number.as_float(), table.get_mut("numbers")) {
-                    own[name.as_str()] = value(number);
-                }
-            }
         } else {
-            let mut table = toml_edit::Table::new();
-            table["name"] = value(self.effect.as_str());
-            table["strength"] = value(strength);
-            table["sigma"] = value(sigma);
-            if !self.on.is_empty() {
-                let wings: toml_edit::Array = self.on.iter().map(String::as_str).collect();
-                table["designs"] = value(wings);
+            if !stands {
+                let mut table = toml_edit::Table::new();
+                table["name"] = value(self.effect.as_str());
+                table["strength"] = value(strength);
+                table["sigma"] = value(sigma);
+                tables.push(table);
             }
-            if !numbers.is_empty() {
+            // one that stands there already takes what is given now, and keeps the rest
+            if let Some(table) = tables.iter_mut().find(|table| is_it(table)) {
+                table["strength"] = value(strength);
+                if !self.on.is_empty() {
+                    let wings: toml_edit::Array = self.on.iter().map(String::as_str).collect();
+                    table["designs"] = value(wings);
+                }
                 let text = toml::to_string(numbers).map_err(|error| fault(error.to_string()))?;
-                let own: DocumentMut = text
+                let given: DocumentMut = text
                     .parse()
                     .map_err(|error: toml_edit::TomlError| fault(error.to_string()))?;
-                table["numbers"] = value(own.as_table().clone().into_inline_table());
+                if !given.is_empty() {
+                    let own = table
+                        .entry("numbers")
+                        .or_insert(value(toml_edit::InlineTable::new()));
+                    for (name, number) in given.iter() {
+                        own[name] = number.clone();
+                    }
+                }
             }
-            tables.push(table);
         }
         if tables.is_empty() {
             document.remove("effect");

@@ -84,6 +84,20 @@ pub fn hide(
                     "stands in the study already; take it out (washout add NAME --to STUDY --remove), or hide another",
                 ));
             }
+            if let Some(wing) = &effect.wing
+                && !study.cases.iter().any(|case| case.loaded.design.name == *wing)
+            {
+                let mut wings: Vec<&str> = study
+                    .cases
+                    .iter()
+                    .map(|case| case.loaded.design.name.as_str())
+                    .collect();
+                wings.dedup();
+                return Err(effect.fault(format!(
+                    "there is no wing {wing} in this study; it has {}",
+                    wings.join(", ")
+                )));
+            }
             match named(&effect.name) {
                 Some(known) => hide_known(study, effect, &known.card(), formulas),
                 None if effect.table.contains_key("kind") => hide_own(study, effect),

@@ -403,4 +403,35 @@ fn damage_on_one_wing_is_found_on_that_wing_and_added_there() {
     );
     let said = diagnose("second");
     assert_eq!(said["verdict"], "nothing", "{}", said["sentence"]);
+    // given again for the other rod, it moves there
+    let moved = [
+        "add",
+        "rod-split",
+        "--on",
+        "rod",
+        "--to",
+        "try/two.toml",
+        "--json",
+    ];
+    assert_eq!(washout(here.path(), &moved).code, Some(0));
+    let text = fs::read_to_string(here.path().join("try/two.toml")).unwrap();
+    assert!(
+        text.contains("designs = [\"rod\"]") && text.contains("from = "),
+        "{text}"
+    );
+    let nowhere = [
+        "synthesize",
+        "two.toml",
+        "--effect",
+        "rod-split@none=0.5",
+        "--output",
+        "no",
+    ];
+    let said = washout(here.path(), &nowhere);
+    assert_eq!(said.code, Some(2), "{}", said.err);
+    assert!(
+        said.err.contains("no wing none") && said.err.contains("rod, other"),
+        "{}",
+        said.err
+    );
 }
