@@ -267,12 +267,13 @@ impl Add {
                 let given: DocumentMut = text
                     .parse()
                     .map_err(|error: toml_edit::TomlError| fault(error.to_string()))?;
+                let given = given.as_table().clone().into_inline_table();
                 if !given.is_empty() {
                     let own = table
                         .entry("numbers")
                         .or_insert(value(toml_edit::InlineTable::new()));
                     for (name, number) in given.iter() {
-                        own[name] = number.clone();
+                        own[name] = value(number.clone());
                     }
                 }
             }
