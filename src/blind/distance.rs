@@ -17,7 +17,7 @@ use crate::synthesize::{Hidden, Recipe, unlike};
 
 /// Tries for a strength, and the share of the wanted distance within which one is good.
 const TRIES: usize = 10;
-const NEAR: f64 = 0.15;
+pub const NEAR: f64 = 0.15;
 /// Largest factor from one try to the next.
 const LONGEST: f64 = 8.0;
 
@@ -58,28 +58,28 @@ pub fn distances(blind: &Blind, hidden: &[Hidden]) -> Result<Vec<Distance>, Blin
     Ok(found)
 }
 
-/// The strength of `effect` at `spot`, of sign `sign` if it may have that, which is seen at distance `target`; the largest plausible
-/// one if that is nearer.
+/// The strength of `effect` at `spot`, of sign `sign` if it may have that, which is seen at distance `target`, or the largest plausible
+/// one if that is nearer; and the distance at which it is seen.
 pub fn strength_seen_at(
     blind: &Blind,
     (effect, spot): (&PlannedEffect, Spot),
     target: f64,
     sign: f64,
-) -> f64 {
+) -> (f64, f64) {
     let [low, high] =
         named(&effect.effect).map_or([0.0, effect.scale], |known| known.card().parameters[0].plausible);
     let sign = if sign < 0.0 && low >= 0.0 { 1.0 } else { sign };
     let sign = if sign > 0.0 && high <= 0.0 { -1.0 } else { sign };
     let most = if sign < 0.0 { -low } else { high };
     let mut size = (effect.scale * target / effect.detectability).min(most);
-    let mut best = (f64::INFINITY, size);
+    let mut best = (f64::INFINITY, size, 0.0);
     let [mut too_small, mut too_large] = [None, None];
     for _ in 0..TRIES {
         // a strength with which the wing has no equilibrium is too large
         let seen = distance(blind, spot, sign * size).map_or(f64::INFINITY, |distance| distance.seen);
         let off = (seen / target).max(1e-9).ln().abs();
         if off < best.0 {
-            best = (off, size);
+            best = (off, size, seen);
         }
         if off < NEAR || (seen < target && size >= most) {
             break;
@@ -96,7 +96,7 @@ pub fn strength_seen_at(
             _ => next.min(most),
         };
     }
-    sign * best.1
+    (sign * best.1, best.2)
 }
 
 /// Effects that would be seen whose signature turns with errors of outline, stiffness and air law of one percent: they are
@@ -120,7 +120,7 @@ pub fn turned(blind: &Blind, progress: &Progress) -> Result<Vec<Turned>, BlindEr
         let Some(spot) = Spot::of(&blind.campaign, &somewhere) else {
             return Ok(None);
         };
-        let strength = strength_seen_at(blind, (effect, spot), COMPARED, 1.0);
+        let (strength, _) = strength_seen_at(blind, (effect, spot), COMPARED, 1.0);
         let of = |campaign: &Campaign| -> Option<_> {
             let spot = Spot::of(campaign, &somewhere)?;
             campaign.predict(&spot.with(&campaign.start(), strength)).ok()

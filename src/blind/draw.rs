@@ -1,6 +1,6 @@
 //! What is hidden in a case.
 
-use super::distance::strength_seen_at;
+use super::distance::{NEAR, strength_seen_at};
 use super::novel::novel;
 use super::spot::Spot;
 use super::{Blind, BlindError, Kind};
@@ -16,12 +16,18 @@ const TWINS: f64 = 0.98;
 /// Refinements of the wing that is measured over that of the model.
 const MESHES: [f64; 3] = [1.2, 1.3, 0.85];
 
-/// The recipe of a case; each kind and seed has its own.
+/// The recipe of a case; each kind and seed has its own, and another for each try.
 ///
 /// # Errors
-/// If the campaign allows no such case.
-pub fn recipe(blind: &Blind, kind: Kind, seed: u64, progress: &Progress) -> Result<Recipe, BlindError> {
-    let draws = Draws::new(seed.wrapping_mul(1000).wrapping_add(kind as u64));
+/// If the campaign allows no such case, or the wing with it has no solution.
+pub fn recipe(
+    blind: &Blind,
+    (kind, seed): (Kind, u64),
+    attempt: u64,
+    progress: &Progress,
+) -> Result<Recipe, BlindError> {
+    let own = seed.wrapping_mul(1000).wrapping_add(kind as u64);
+    let draws = Draws::new(own.wrapping_add(attempt * 1_000_000_007));
     // the diagnosis draws its noise with seed 1: another seed, whatever the case
     let mut recipe = Recipe::new(1_000_000 + 1000 * seed + kind as u64);
     recipe.made.mesh = MESHES[(draws.uniform(1, 0) * MESHES.len() as f64) as usize];
@@ -94,6 +100,12 @@ fn hidden(blind: &Blind, effect: &PlannedEffect, draws: Draws, which: u64) -> Re
         kind: "with an effect",
         reason: "the effect acts on none of its wings",
     })?;
-    let strength = strength_seen_at(blind, (effect, spot), target, sign);
+    let (strength, seen) = strength_seen_at(blind, (effect, spot), target, sign);
+    if seen < low * (1.0 - NEAR) {
+        return Err(BlindError::TooFaint {
+            effect: effect.effect.clone(),
+            seen,
+        });
+    }
     Ok(spot.hidden(&blind.campaign, &effect.effect, strength))
 }

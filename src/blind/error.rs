@@ -17,6 +17,14 @@ pub enum BlindError {
         /// Why.
         reason: &'static str,
     },
+    /// A drawn effect is hardly seen where it was drawn to sit.
+    #[error("{effect} at its plausible size is seen at {seen:.1} sigma there, too few to be asked for")]
+    TooFaint {
+        /// The effect.
+        effect: String,
+        /// Distance at which it is seen, sigma.
+        seen: f64,
+    },
     /// The study has no solution.
     #[error(transparent)]
     Study(#[from] StudyError),

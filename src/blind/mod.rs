@@ -37,9 +37,12 @@ use crate::diagnose::{self, Settings, judged};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::{Campaign, Forward};
-use crate::synthesize::synthesize;
+use crate::synthesize::{Recipe, Synthetic, synthesize};
 
 use distance::turned;
+
+/// Draws for a case before it counts as failed.
+const DRAWS: u64 = 6;
 
 /// Kinds of cases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
@@ -195,13 +198,26 @@ impl<'a> Blind<'a> {
         Ok(blind)
     }
 
+    /// What is hidden in a case and its measurements; drawn anew where a wing has no equilibrium with it.
+    fn drawn(&self, kind: Kind, seed: u64, progress: &Progress) -> Result<(Recipe, Synthetic), BlindError> {
+        let mut attempt = 0;
+        loop {
+            let made = draw::recipe(self, (kind, seed), attempt, progress)
+                .and_then(|recipe| Ok((synthesize(self.study, &recipe, progress)?, recipe)));
+            attempt += 1;
+            match made {
+                Err(error) if !error.is_of_run() && attempt < DRAWS => {}
+                made => return made.map(|(made, recipe)| (recipe, made)),
+            }
+        }
+    }
+
     /// Makes, diagnoses and judges one case.
     ///
     /// # Errors
     /// If no case of the kind can be drawn, or the user asked to stop.
     pub fn case(&self, kind: Kind, seed: u64, progress: &Progress) -> Result<Outcome, BlindError> {
-        let recipe = draw::recipe(self, kind, seed, progress)?;
-        let made = synthesize(self.study, &recipe, progress)?;
+        let (recipe, made) = self.drawn(kind, seed, progress)?;
         let started = Instant::now();
         let (campaign, shared) = match self.campaign.with_readings_of(&made.study) {
             Some(campaign) => (campaign, Some(&self.shared)),

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
+use super::cure::cured;
 use super::error::CouplingError;
-use super::fixed_point::cured;
 use crate::effects::{Bound, Motion, Structure};
 use crate::input::design::{Design, Kinematics};
 use crate::mesh::Mesh;

@@ -60,6 +60,12 @@ pub enum CouplingError {
         /// What to try, of what is not in use.
         cure: String,
     },
+    /// A trial that Newton's method did not settle.
+    #[error("given up after {steps} Newton steps: too far from the last solution for a trial")]
+    GivenUp {
+        /// Newton steps made.
+        steps: usize,
+    },
     /// There is no periodic motion over the stroke.
     #[error(
         "no periodic motion over the stroke: {reason}; leave out the effects that need it (washout effects)"
@@ -136,6 +142,7 @@ impl CouplingError {
             CouplingError::Diverged { .. }
             | CouplingError::Unstable { .. }
             | CouplingError::OutOfPatience { .. }
+            | CouplingError::GivenUp { .. }
             | CouplingError::NoPeriodic { .. } => true,
             CouplingError::Structure(error) => {
                 matches!(

@@ -7,7 +7,7 @@ use super::wing::Wing;
 use crate::input::design::{self, Coupling, Structure};
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Loads, Model, NewtonSettings};
+use crate::structure::{Equilibrium, Loads, NewtonSettings};
 
 /// Angle of attack below which the air hardly loads a strip, rad.
 const FEATHERED_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;
@@ -50,31 +50,6 @@ impl Coupled {
             critical_ratio: None,
         }
     }
-}
-
-/// The shape without load; with film pre-tension the one that it pulls the wing into.
-///
-/// # Errors
-/// If it has no equilibrium.
-pub fn cured(
-    model: &Model,
-    equilibrium: &mut Equilibrium,
-    progress: &Progress,
-) -> Result<(State, usize), CouplingError> {
-    if let Some(blend) = &model.blend {
-        return Ok((blend.rest.clone(), 0));
-    }
-    let nodes = model.nodes.len();
-    let (mut state, none) = (State::at_rest(nodes), Loads::none(nodes));
-    let mut sheets = model.sheets.iter();
-    if sheets.all(|sheet| sheet.pretension_n_per_m == 0.0) {
-        return Ok((state, 0));
-    }
-    // hold the flat film by forces and let go of them
-    let inner = equilibrium.internal_loads(&state);
-    let settings = NewtonSettings::default();
-    let report = equilibrium.solve(&mut state, &inner, &none, &settings, progress)?;
-    Ok((state, report.steps))
 }
 
 /// Iterates from the shape `rest` (in equilibrium without load).

@@ -12,6 +12,8 @@ pub mod blade;
 
 pub mod build;
 
+pub mod cure;
+
 pub mod engineering;
 
 pub mod error;
@@ -93,25 +95,43 @@ pub fn solve_from(
 ) -> Result<Solution, CouplingError> {
     progress.check()?;
     let wing = Wing::new(design, mesh, air_table)?;
-    let nearby = nearby.map(|solution| (solution, None));
-    Ok(solve_wing(design, &wing, mesh, nearby, progress)?.0)
+    let near = nearby.map(|solution| Near {
+        solution,
+        step: None,
+        is_trial: false,
+    });
+    Ok(solve_wing(design, &wing, mesh, near.as_ref(), progress)?.0)
 }
 
-/// As [`solve_from`], of the wing of a design that is set up already; beside the solution nearby the step from there, by
-/// freedom, to where the shape is expected. Besides, the structure's tangent at the solution, factorized.
+/// Where a solve starts.
+#[derive(Debug)]
+pub struct Near<'a> {
+    /// A solution of a design nearby.
+    pub solution: &'a Solution,
+    /// Step by freedom from there to where the shape is expected, to first order.
+    pub step: Option<Vec<f64>>,
+    /// Whether it is a trial that can be given up: where Newton's method does not settle, the slow fixed point is not asked.
+    pub is_trial: bool,
+}
+
+/// As [`solve_from`], of the wing of a design that is set up already. Besides, the structure's tangent at the solution,
+/// factorized.
 ///
 /// # Errors
-/// As [`solve`].
+/// As [`solve`]; of a trial, if Newton's method does not settle on a stable shape.
 pub fn solve_wing(
     design: &Design,
     wing: &Wing,
     mesh: &Mesh,
-    nearby: Option<(&Solution, Option<&[f64]>)>,
+    near: Option<&Near>,
     progress: &Progress,
 ) -> Result<(Solution, Tangent), CouplingError> {
     let mut equilibrium = Equilibrium::new(&wing.model)?;
-    let (rest, steps) = fixed_point::cured(&wing.model, &mut equilibrium, progress)?;
-    let mut coupled = couple(design, wing, &mut equilibrium, &rest, nearby, progress)?;
+    let (rest, steps) = match near {
+        None => cure::cured(&wing.model, &mut equilibrium, progress)?,
+        Some(near) => cure::cured_near(wing, &mut equilibrium, near, progress)?,
+    };
+    let mut coupled = couple(design, wing, &mut equilibrium, &rest, near, progress)?;
     coupled.newton_steps += steps;
     let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false);
     if let Some(Air { law, .. }) = &wing.air {
@@ -141,7 +161,7 @@ fn couple(
     wing: &Wing,
     equilibrium: &mut Equilibrium,
     rest: &State,
-    nearby: Option<(&Solution, Option<&[f64]>)>,
+    near: Option<&Near>,
     progress: &Progress,
 ) -> Result<Coupled, CouplingError> {
     let Design {
@@ -149,9 +169,12 @@ fn couple(
     } = design;
     let mut lost = 0;
     if coupling.accelerator == Accelerator::Newton && !wing.linear && structure.load_increments == 1 {
-        let nearby = nearby.and_then(|(solution, step)| Some((newton::carried(wing, solution)?, step)));
-        let near = nearby.iter().map(|(shape, step)| (shape, true, *step));
-        for (shape, is_loaded, step) in near.chain([(rest, false, None)]) {
+        let nearby = near.and_then(|near| {
+            let shape = newton::carried(wing, &near.solution.mesh, &near.solution.state)?;
+            Some((shape, near.step.as_deref()))
+        });
+        let nearby = nearby.iter().map(|(shape, step)| (shape, true, *step));
+        for (shape, is_loaded, step) in nearby.chain([(rest, false, None)]) {
             let start = newton::Start {
                 rest,
                 shape,
@@ -169,6 +192,9 @@ fn couple(
                 }
                 Err(steps) => lost += steps,
             }
+        }
+        if near.is_some_and(|near| near.is_trial) {
+            return Err(CouplingError::GivenUp { steps: lost });
         }
     }
     let mut found = fixed_point::iterate(wing, equilibrium, rest, coupling, structure, progress)?;

@@ -7,9 +7,9 @@
 use super::error::CouplingError;
 use super::feedback::Feedback;
 use super::fixed_point::{Coupled, largest_difference, twists};
-use super::solution::Solution;
 use super::wing::Wing;
 use crate::input::design::Coupling;
+use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::state::State;
 use crate::structure::{Equilibrium, Loads, Mixed};
@@ -98,20 +98,20 @@ pub fn iterate(
     }
 }
 
-/// The shape of a solution on the mesh of a wing, whose nodes may stand elsewhere at rest: each moves as its rotation has it,
+/// A shape of `mesh` on the mesh of a wing, whose nodes may stand elsewhere at rest: each moves as its rotation has it,
 /// so that the films are not strained. `None` if the mesh has another pattern.
-pub fn carried(wing: &Wing, solution: &Solution) -> Option<State> {
+pub fn carried(wing: &Wing, mesh: &Mesh, shape: &State) -> Option<State> {
     let model = &wing.model;
     let triangles = model.shells.iter().map(|shell| shell.nodes);
-    let is_alike = model.nodes.len() == solution.mesh.nodes.len()
-        && (model.shells.is_empty() || triangles.eq(solution.mesh.triangles.iter().copied()))
-        && (model.beams.iter().map(|beam| beam.nodes)).eq(solution.mesh.beams.iter().map(|beam| beam.nodes));
+    let is_alike = model.nodes.len() == mesh.nodes.len()
+        && (model.shells.is_empty() || triangles.eq(mesh.triangles.iter().copied()))
+        && (model.beams.iter().map(|beam| beam.nodes)).eq(mesh.beams.iter().map(|beam| beam.nodes));
     if !is_alike {
         return None;
     }
-    let mut state = solution.state.clone();
+    let mut state = shape.clone();
     let nodes = state.displacement.iter_mut().zip(&state.rotation);
-    for ((u, q), (to, from)) in nodes.zip(model.nodes.iter().zip(&solution.mesh.nodes)) {
+    for ((u, q), (to, from)) in nodes.zip(model.nodes.iter().zip(&mesh.nodes)) {
         let step = to - Vector3::from(*from);
         *u += q * step - step;
     }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::CouplingError;
 use super::build::{built, large_share};
-use super::fixed_point;
+use super::cure::cured;
 use super::solution::Solution;
 use super::wing::Wing;
 use crate::effects::bind;
@@ -40,7 +40,7 @@ impl Standing {
         progress: &Progress,
     ) -> Result<Self, CouplingError> {
         let wing = Wing::new(design, mesh, air_table)?;
-        let (state, _) = fixed_point::cured(&wing.model, &mut Equilibrium::new(&wing.model)?, progress)?;
+        let (state, _) = cured(&wing.model, &mut Equilibrium::new(&wing.model)?, progress)?;
         let loads = Loads::none(mesh.nodes.len());
         Ok(Standing {
             model: wing.model,

@@ -122,8 +122,10 @@ fn refit_heaviest(
         if scored[pair].ln_weight() < weight - PAIR_CHANCE {
             break;
         }
-        progress.say("refit of a pair");
         let trial = &judgement.pairs[pair];
+        let name = |family: &usize| judgement.families[*family].name.as_str();
+        let names: Vec<&str> = trial.families.iter().map(name).collect();
+        progress.say(format_args!("refit of {}", names.join(" with ")));
         let (members, estimates) = starts[pair]
             .clone()
             .unwrap_or_else(|| (trial.members.clone(), trial.linear.estimate.to_vec()));

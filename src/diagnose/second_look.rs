@@ -77,8 +77,9 @@ pub fn second_look(
         if ln_weight <= judgement.singles[index].ln_prior {
             break;
         }
-        progress.say("refit after a second look");
         let members = judgement.singles[index].members.clone();
+        let name = &unknowns[data.missing[members[0]]].name;
+        progress.say(format_args!("refit after a second look: {name}"));
         if let Some(found) = refits.refit(&members, &[estimate])? {
             judgement.ln_evidence[index] = found.ln_evidence;
             judgement.refits.push((index, found));

@@ -4,13 +4,13 @@ use std::cell::OnceCell;
 
 use nalgebra::Vector3;
 
-use super::case::{Asked, Columns, Near, PreparedCase, Solved};
+use super::case::{Asked, Columns, PreparedCase, Solved};
 use super::error::StudyError;
 use super::footing::Column;
 use super::work::Work;
-use crate::coupling::Sensitivity;
 use crate::coupling::sensitivity::{Nearby, Rate};
 use crate::coupling::strips::Strips;
+use crate::coupling::{Near, Sensitivity};
 use crate::input::Design;
 use crate::progress::Progress;
 use crate::structure::Tangent;
@@ -64,6 +64,7 @@ impl PreparedCase {
                     let from = Near {
                         solution: &solved.solution,
                         step: rate.filter(|rate| !rate.moves_mesh).map(way),
+                        is_trial: false,
                     };
                     let (there, _) = self.solve(&design, Some(&from), progress)?;
                     work += there.work();

@@ -22,6 +22,8 @@ const TOLERANCE: f64 = 1e-2;
 /// Fall of Q that the linear model promises, at most, for a last step that the model itself is not asked about any more: it is
 /// less than a tenth of a standard deviation long, over which the model is linear.
 const LITTLE: f64 = 1e-2;
+/// Trials without a solution, each followed by a shorter step, after which the search is given up: it walks along a cliff.
+const CLIFF: usize = 8;
 /// Damping above which a step is held back, so that a small one tells nothing.
 const HELD_BACK: f64 = 1e-3;
 
@@ -99,6 +101,7 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
     let mut fall = f64::INFINITY;
     // why a trial had no solution, until whole steps succeed again: a search held back by such trials has found nothing
     let mut unsolved: Option<StudyError> = None;
+    let mut failures = 0;
     for step in 0..PATIENCE {
         let here = Local::new(forward, task, &at, &linear);
         let moved = here.step(forward, &free, &at, damping);
@@ -123,6 +126,10 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
         match ask(footing.as_ref(), &moved.at) {
             Err(cancelled @ StudyError::Cancelled(_)) => return Err(cancelled),
             Err(error) => {
+                failures += 1;
+                if failures == CLIFF {
+                    return Err(error);
+                }
                 unsolved = Some(error);
                 damping *= 10.0;
             }

@@ -12,9 +12,8 @@ use super::forward::{Condition, Observable};
 use super::work::Work;
 use crate::aero::Flow;
 use crate::coupling::sensitivity::Nearby;
-use crate::coupling::solution::Solution;
 use crate::coupling::wing::Wing;
-use crate::coupling::{self, BladeAir, CouplingError};
+use crate::coupling::{self, BladeAir, CouplingError, Near};
 use crate::effects::{acting, is_applicable, named};
 use crate::geometry::Planform;
 use crate::input::Design;
@@ -60,15 +59,6 @@ pub struct Asked {
     pub switch: Option<f64>,
     /// Numbers of an effect that is off, with which it would act: dotted key, value.
     pub placed: Option<Vec<(String, f64)>>,
-}
-
-/// Where a solve starts.
-#[derive(Debug)]
-pub struct Near<'a> {
-    /// A solution of the case with other values.
-    pub solution: &'a Solution,
-    /// Step by freedom from there to where the shape is expected.
-    pub step: Option<Vec<f64>>,
 }
 
 /// A solved case: design, outline and solution, and the wing that was solved.
@@ -214,10 +204,14 @@ impl PreparedCase {
         progress.check()?;
         let (planform, mesh) = self.mesh(design).map_err(|error| self.failed(error))?;
         let base = self.base.as_deref();
-        let start = near.map(|near| (near.solution, near.step.as_deref()));
-        let start = start.or(base.map(|base| (&base.at.solution, None)));
+        let from_base = base.map(|base| Near {
+            solution: &base.at.solution,
+            step: None,
+            is_trial: false,
+        });
+        let start = near.or(from_base.as_ref());
         let alike = base.filter(|base| base.at.solution.mesh == mesh);
-        let (alike, nearby) = (alike.map(|base| &base.wing), start.map(|(nearby, _)| nearby));
+        let (alike, nearby) = (alike.map(|base| &base.wing), start.map(|near| near.solution));
         let wing = Wing::near(design, &mesh, self.air_table.as_deref(), alike, nearby)
             .map_err(|error| self.unsolved(error))?;
         let solution = coupling::solve_wing(design, &wing, &mesh, start, progress);

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::case::{Near, Solved};
+use super::case::Solved;
+use crate::coupling::Near;
 
 /// A point at which all cases were solved.
 #[derive(Debug)]
@@ -41,7 +42,7 @@ impl Ground {
         values.all(|(unknown, (old, new))| old.to_bits() == new.to_bits() || !touches(unknown))
     }
 
-    /// Where the solve of a case at another point starts: its shape there to first order, as far as that is known.
+    /// Where the trial solve of a case at another point starts: its shape there to first order, as far as that is known.
     pub fn near(&self, case: usize, at: &[f64]) -> Near<'_> {
         let stand = &self.cases[case];
         let mut step: Option<Vec<f64>> = None;
@@ -57,6 +58,7 @@ impl Ground {
         Near {
             solution: &stand.solved.at.solution,
             step,
+            is_trial: true,
         }
     }
 }
