@@ -45,7 +45,7 @@ impl Console {
             (false, true) => Ok(()),
             (false, false) => {
                 self.progress.finish();
-                print(page)
+                print(page.as_bytes())
             }
         }
     }
@@ -54,7 +54,13 @@ impl Console {
     pub fn document(&self, document: &impl Serialize) -> Result<(), Failure> {
         self.progress.finish();
         let text = serde_json::to_string_pretty(document).map_err(|error| Failure::Output(error.into()))?;
-        print(&(text + "\n"))
+        print((text + "\n").as_bytes())
+    }
+
+    /// Prints text that is meant for another program as it is, whatever the options say.
+    pub fn text(&self, text: &[u8]) -> Result<(), Failure> {
+        self.progress.finish();
+        print(text)
     }
 
     /// Says something on standard error that is no result and no failure.
@@ -66,9 +72,9 @@ impl Console {
 }
 
 /// Prints on standard output; a reader that has gone away is no failure.
-fn print(text: &str) -> Result<(), Failure> {
+fn print(text: &[u8]) -> Result<(), Failure> {
     let mut output = io::stdout().lock();
-    match output.write_all(text.as_bytes()).and_then(|()| output.flush()) {
+    match output.write_all(text).and_then(|()| output.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
         _ => Ok(()),
     }

@@ -17,9 +17,10 @@ use super::{Console, Failure};
 /// Arguments of `washout mesh`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout mesh designs/twist-v2.toml                        output/twist-v2-mesh/mesh.vtu, mesh.msh
+  washout mesh designs/twist-v2.toml                        output/twist-v2-mesh: mesh.vtu, mesh.msh, outline.geo
   washout mesh designs/twist-v2.toml --refine 2
-  washout solve designs/twist-v2.toml --mesh output/twist-v2-mesh/mesh.msh")]
+  washout solve designs/twist-v2.toml --mesh output/twist-v2-mesh/mesh.msh
+  gmsh -2 -clscale 0.5 output/twist-v2-mesh/outline.geo     Gmsh's own mesh, half as coarse, for --mesh; MSH 4.1 or 2.2")]
 pub struct WriteMesh {
     /// The design
     #[command(flatten)]
@@ -66,6 +67,9 @@ impl WriteMesh {
         let mut folder = RunFolder::create(&target)?;
         folder.add("mesh.vtu", &mesh_grid(design, &case.mesh).to_vtu()?)?;
         folder.add("mesh.msh", gmsh::write(&case.mesh).as_bytes())?;
+        if let Some(outline) = gmsh::geometry(&case.mesh) {
+            folder.add("outline.geo", outline.as_bytes())?;
+        }
         let quality = Quality::of(&case.mesh);
         let report = MeshReport {
             name: design.name.clone(),

@@ -69,6 +69,12 @@ pub mod export;
 
 pub mod verify;
 
+pub mod doctor;
+
+pub mod completions;
+
+pub mod man;
+
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
@@ -152,6 +158,12 @@ pub enum Verb {
     Export(export::Export),
     /// Run the published cases that say how far to trust the solver
     Verify(verify::Verify),
+    /// Print version, features and threads, and check some solves with a known answer
+    Doctor(doctor::Doctor),
+    /// Print the completions of a shell
+    Completions(completions::Completions),
+    /// Write manual pages
+    Man(man::Man),
 }
 
 /// The program: parses the arguments of the process, runs one verb, and says by the exit code how it ended. A program that adds
@@ -203,6 +215,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Diff(verb) => verb.run(&console),
         Verb::Export(verb) => verb.run(&console),
         Verb::Verify(verb) => verb.run(&console),
+        Verb::Doctor(verb) => verb.run(&console),
+        Verb::Completions(verb) => verb.run(&console),
+        Verb::Man(verb) => verb.run(&console),
     };
     console.progress().finish();
     result

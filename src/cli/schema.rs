@@ -66,6 +66,8 @@ pub enum Output {
     Measure,
     /// `washout init --json`
     Init,
+    /// `washout doctor --json`
+    Doctor,
     /// `washout compare STUDY --json`
     Study,
     /// `washout diagnose --json`
@@ -114,6 +116,7 @@ impl Schema {
             Some(Output::Answer) => schemars::schema_for!(Answer),
             Some(Output::Blind) => schemars::schema_for!(Scoreboard),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
+            Some(Output::Doctor) => schemars::schema_for!(super::doctor::DoctorReport),
             Some(Output::Export) => schemars::schema_for!(super::export::ExportReport),
             Some(Output::Verify) => schemars::schema_for!(VerifyReport),
         };

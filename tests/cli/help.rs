@@ -3,20 +3,30 @@
 use crate::{folder, washout};
 
 /// Every verb of the program.
-pub const VERBS: [&str; 14] = [
+pub const VERBS: [&str; 24] = [
     "solve",
     "compare",
     "lift",
     "pareto",
+    "sweep",
     "design",
     "divergence",
     "modes",
     "mesh",
+    "measure",
     "init",
     "schema",
+    "diagnose",
+    "add",
+    "synthesize",
+    "blind",
+    "effects",
     "diff",
     "export",
     "verify",
+    "doctor",
+    "completions",
+    "man",
     "help",
 ];
 

@@ -30,6 +30,8 @@ mod real_data;
 
 mod schema;
 
+mod shell;
+
 mod solve;
 
 mod study;

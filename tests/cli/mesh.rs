@@ -9,7 +9,10 @@ fn the_files_are_those_that_the_document_lists() {
     assert_eq!((said.code, said.err.as_str()), (Some(0), ""));
     conforms(&said.document(), &schema(&["--output", "mesh"]));
     let target = here.path().join("output/twist-v2-mesh");
-    assert_eq!(entries(&target), ["mesh.msh", "mesh.vtu", "summary.json"]);
+    assert_eq!(
+        entries(&target),
+        ["mesh.msh", "mesh.vtu", "outline.geo", "summary.json"]
+    );
     let summary = std::fs::read_to_string(target.join("summary.json")).expect("a summary");
     assert_eq!(summary, said.out);
 }

@@ -128,7 +128,10 @@ fn a_full_disk_ends_with_1_names_the_file_and_keeps_the_earlier_run() {
         said.err
     );
     assert!(said.err.contains("free some space there"), "{}", said.err);
-    assert_eq!(said.out, ".:\nrun\n\nrun:\nmesh.msh\nmesh.vtu\nsummary.json\n");
+    assert_eq!(
+        said.out,
+        ".:\nrun\n\nrun:\nmesh.msh\nmesh.vtu\noutline.geo\nsummary.json\n"
+    );
 }
 
 #[test]

@@ -109,8 +109,8 @@ fn files_that_are_no_mesh() {
         "wing.msh:1: not a Gmsh file: it starts with `solid wing` instead of $MeshFormat"
     );
     assert_eq!(
-        message("4.1 0 8", "2.2 0 8"),
-        "wing.msh:2: MSH version `2.2`; this reads 4.1: save it again (gmsh: -format msh41)"
+        message("4.1 0 8", "4.0 0 8"),
+        "wing.msh:2: MSH version `4.0`; this reads 4.1 and 2.2: save it again (gmsh: -format msh41)"
     );
     assert_eq!(
         error_of(&vec![b'1'; (512 << 20) + 1]),

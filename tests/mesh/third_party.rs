@@ -71,3 +71,9 @@ fn chord_lines_of_an_unstructured_mesh_reproduce_linear_fields_from_edge_to_edge
         }
     }
 }
+
+#[test]
+fn the_same_mesh_saved_as_msh_2_2_is_the_same_wing() {
+    // gmsh -2 -format msh22: no entities, and an element of two groups stands there twice
+    assert_eq!(read(include_bytes!("bay-22.msh"), "bay-22.msh").unwrap(), bay());
+}

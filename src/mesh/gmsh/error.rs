@@ -47,8 +47,8 @@ pub enum FileDefect {
         /// Its first line.
         start: String,
     },
-    /// A version that is not 4.1.
-    #[error("MSH version `{version}`; this reads 4.1: save it again (gmsh: -format msh41)")]
+    /// A version that is neither 4.1 nor 2.2.
+    #[error("MSH version `{version}`; this reads 4.1 and 2.2: save it again (gmsh: -format msh41)")]
     Version {
         /// What stands there.
         version: String,

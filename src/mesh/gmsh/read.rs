@@ -1,4 +1,4 @@
-//! A mesh from a Gmsh file, MSH 4.1 in text, whoever wrote it.
+//! A mesh from a Gmsh file, MSH 4.1 or 2.2 in text, whoever wrote it.
 
 use std::collections::BTreeMap;
 
@@ -146,7 +146,8 @@ impl File<'_> {
             let sets = self.sets.get(&element.entity).map_or(&[][..], Vec::as_slice);
             if element.count == 3 {
                 if sets.is_empty() {
-                    let entity = element.entity.1;
+                    // without a group, MSH 2.2 names the entity by a negative tag
+                    let entity = element.entity.1.abs();
                     return Err(self
                         .lines
                         .error(Some(element.line), FileDefect::SurfaceWithoutSet { entity }));

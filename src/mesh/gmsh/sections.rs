@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::error::{FileDefect, GmshError};
-use super::lines::{Lines, shorten};
+use super::lines::{Line, Lines, shorten};
+use super::version_2;
 
 /// What the four sections hold that a wing needs.
 #[derive(Debug, Default)]
@@ -48,7 +49,7 @@ const SECTIONS: [&str; 4] = ["$PhysicalNames", "$Entities", "$Nodes", "$Elements
 
 /// Splits a file into its sections; others than the four are skipped.
 pub fn sections(lines: &mut Lines) -> Result<Sections, GmshError> {
-    header(lines)?;
+    let version = header(lines)?;
     let mut sections = Sections::default();
     let mut seen = [false; 4];
     while let Some(line) = lines.next_line() {
@@ -68,15 +69,23 @@ pub fn sections(lines: &mut Lines) -> Result<Sections, GmshError> {
                 },
             ));
         }
-        match place {
-            0 => names(lines, &mut sections)?,
-            1 => entities(lines, &mut sections)?,
-            2 => nodes(lines, &mut sections)?,
-            _ => elements(lines, &mut sections)?,
+        match (place, version) {
+            (0, _) => names(lines, &mut sections)?,
+            (1, Version::Four) => entities(lines, &mut sections)?,
+            (2, Version::Four) => nodes(lines, &mut sections)?,
+            (_, Version::Four) => elements(lines, &mut sections)?,
+            (1, Version::Two) => {
+                skip(lines, section)?;
+                continue;
+            }
+            (2, Version::Two) => version_2::nodes(lines, &mut sections)?,
+            (_, Version::Two) => version_2::elements(lines, &mut sections)?,
         }
         lines.close(section)?;
     }
-    match seen.iter().position(|&is_seen| !is_seen) {
+    let is_missing =
+        |place: usize| !seen[place] && (version == Version::Four || version_2::needs(SECTIONS[place]));
+    match (0..SECTIONS.len()).find(|&place| is_missing(place)) {
         Some(place) => Err(lines.error(
             None,
             FileDefect::MissingSection {
@@ -87,7 +96,16 @@ pub fn sections(lines: &mut Lines) -> Result<Sections, GmshError> {
     }
 }
 
-fn header(lines: &mut Lines) -> Result<(), GmshError> {
+/// Formats that are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Version {
+    /// MSH 2.2.
+    Two,
+    /// MSH 4.1.
+    Four,
+}
+
+fn header(lines: &mut Lines) -> Result<Version, GmshError> {
     let section = "$MeshFormat";
     let line = lines.line_of(section)?;
     if line.text != section {
@@ -101,8 +119,9 @@ fn header(lines: &mut Lines) -> Result<(), GmshError> {
     let line = lines.line_of(section)?;
     let words: Vec<&str> = line.text.split_whitespace().collect();
     match words[..] {
-        ["4.1", "0", _] => lines.close(section),
-        ["4.1", "1", _] => Err(lines.error(Some(line.number), FileDefect::Binary)),
+        ["4.1", "0", _] => lines.close(section).map(|()| Version::Four),
+        ["2.2", "0", _] => lines.close(section).map(|()| Version::Two),
+        ["4.1" | "2.2", "1", _] => Err(lines.error(Some(line.number), FileDefect::Binary)),
         [version, _, _] => Err(lines.error(
             Some(line.number),
             FileDefect::Version {
@@ -189,22 +208,7 @@ fn nodes(lines: &mut Lines, sections: &mut Sections) -> Result<(), GmshError> {
         }
         for tag in tags {
             let line = lines.line_of(section)?;
-            let words: Vec<&str> = line.text.split_whitespace().collect();
-            let mut position = [0.0; 3];
-            if words.len() < 3 {
-                return Err(lines.record(line, "the coordinates x y z of a node"));
-            }
-            for (value, word) in position.iter_mut().zip(&words) {
-                *value = match word.parse::<f64>() {
-                    Ok(number) if number.is_finite() => number,
-                    Ok(_) => {
-                        return Err(
-                            lines.error(Some(line.number), FileDefect::Coordinate { found: shorten(word) })
-                        );
-                    }
-                    Err(_) => return Err(lines.record(line, "the coordinates x y z of a node")),
-                };
-            }
+            let position = coordinates(lines, line, line.text, "the coordinates x y z of a node")?;
             sections.nodes.push(RawNode {
                 tag,
                 position,
@@ -228,14 +232,7 @@ fn elements(lines: &mut Lines, sections: &mut Sections) -> Result<(), GmshError>
             4,
             "dimension, entity, element type and number of elements of a block",
         )?;
-        let kind = u64::try_from(block[2]).unwrap_or(0);
-        let Some((dimension, count)) = [(15, (0, 1)), (1, (1, 2)), (2, (2, 3))]
-            .into_iter()
-            .find_map(|(known, shape)| (known == kind).then_some(shape))
-        else {
-            let name = type_name(kind);
-            return Err(lines.error(Some(number), FileDefect::ElementType { kind, name }));
-        };
+        let (dimension, count) = shape_of(lines, number, block[2])?;
         for _ in 0..block[3] {
             let (line, numbers) = lines.numbers::<u64>(section, 1 + count, "tag and nodes of an element")?;
             let mut nodes = [0; 3];
@@ -251,6 +248,44 @@ fn elements(lines: &mut Lines, sections: &mut Sections) -> Result<(), GmshError>
         }
     }
     Ok(())
+}
+
+/// The first three numbers of `words`, which stand in `line`.
+pub(super) fn coordinates(
+    lines: &Lines,
+    line: Line,
+    words: &str,
+    expected: &'static str,
+) -> Result<[f64; 3], GmshError> {
+    let words: Vec<&str> = words.split_whitespace().collect();
+    let mut position = [0.0; 3];
+    if words.len() < 3 {
+        return Err(lines.record(line, expected));
+    }
+    for (value, word) in position.iter_mut().zip(&words) {
+        *value = match word.parse::<f64>() {
+            Ok(number) if number.is_finite() => number,
+            Ok(_) => {
+                let found = shorten(word);
+                return Err(lines.error(Some(line.number), FileDefect::Coordinate { found }));
+            }
+            Err(_) => return Err(lines.record(line, expected)),
+        };
+    }
+    Ok(position)
+}
+
+/// Dimension and number of nodes of an element type, which stands in line `number`.
+pub(super) fn shape_of(lines: &Lines, number: usize, kind: i64) -> Result<(usize, usize), GmshError> {
+    let kind = u64::try_from(kind).unwrap_or(0);
+    let shapes = [(15, (0, 1)), (1, (1, 2)), (2, (2, 3))];
+    let found = shapes
+        .into_iter()
+        .find_map(|(known, shape)| (known == kind).then_some(shape));
+    found.ok_or_else(|| {
+        let name = type_name(kind);
+        lines.error(Some(number), FileDefect::ElementType { kind, name })
+    })
 }
 
 /// Names of the element types that Gmsh writes most.

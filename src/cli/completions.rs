@@ -1,0 +1,26 @@
+//! `washout completions`: what a shell needs to complete verbs and options, made from the command line's own definition.
+
+use clap::{Args, CommandFactory};
+use clap_complete::{Shell, generate};
+
+use super::{Arguments, Console, Failure};
+
+/// Arguments of `washout completions`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout completions bash > ~/.local/share/bash-completion/completions/washout
+  washout completions zsh > ~/.zfunc/_washout        with fpath+=~/.zfunc before compinit
+  washout completions fish > ~/.config/fish/completions/washout.fish")]
+pub struct Completions {
+    /// The shell
+    pub shell: Shell,
+}
+
+impl Completions {
+    /// Prints the script.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let mut script = Vec::new();
+        generate(self.shell, &mut Arguments::command(), "washout", &mut script);
+        console.text(&script)
+    }
+}

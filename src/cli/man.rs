@@ -1,0 +1,44 @@
+//! `washout man`: a manual page for every verb, made from the command line's own definition.
+
+use std::path::PathBuf;
+
+use clap::{Args, Command, CommandFactory};
+use clap_mangen::Man as Page;
+
+use crate::export::ExportError;
+use crate::export::file::write_whole;
+
+use super::{Arguments, Console, Failure};
+
+/// Arguments of `washout man`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout man ~/.local/share/man/man1           then: man washout-solve
+  washout man pages && man pages/washout.1")]
+pub struct Man {
+    /// Folder to write into; it is made if there is none
+    #[arg(value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+impl Man {
+    /// Writes washout.1 and washout-VERB.1.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        std::fs::create_dir_all(&self.output).map_err(ExportError::file("create", &self.output))?;
+        let mut whole = Arguments::command();
+        whole.build();
+        let verbs: Vec<Command> = whole.get_subcommands().cloned().collect();
+        let verbs = verbs.into_iter().filter(|verb| verb.get_name() != "help");
+        // a verb that was built calls itself by both names in its page
+        let named = verbs.map(|verb| (format!("washout-{}", verb.get_name()), verb));
+        let mut written = Vec::new();
+        for (name, command) in [("washout".to_string(), whole.clone())].into_iter().chain(named) {
+            let path = self.output.join(format!("{name}.1"));
+            let mut page = Vec::new();
+            Page::new(command).render(&mut page).map_err(Failure::Output)?;
+            write_whole(&path, &page)?;
+            written.push(path.display().to_string());
+        }
+        console.result(&(written.join("\n") + "\n"), &written)
+    }
+}
