@@ -8,7 +8,15 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::compare::Comparison;
+use crate::coupling::engineering::engineering;
+use crate::coupling::solution::Solution;
+use crate::export::collect::{Solved, summarize};
 use crate::export::comparison;
+use crate::export::html::document::Shown;
+use crate::export::html::table::HtmlTable;
+use crate::export::html::{self, Digits, Document, Page, REPORT, Wing};
+use crate::export::pictures::profile::StripRow;
+use crate::export::pictures::wing::figure as wing_figure;
 use crate::export::pictures::write::add_wing;
 use crate::export::run::RunFolder;
 use crate::export::text::{Table, number};
@@ -30,6 +38,7 @@ use super::{Console, Failure};
   washout compare designs/twist-v2.toml --with measurements/colmenares-as-restated.csv
   washout compare designs/twist-v2.toml --reference designs/rigid.toml      ratios of lift and efficiency too
   washout compare studies/paper-wings.toml                                  all cases of a study, before and after calibration
+  washout compare designs/twist-v2.toml --report                            report.html besides: the wing in 3D, pictures, tables
 
 Columns of a measurement file: see the files in measurements/.
 Writes output/NAME-compare/: model against measurement, and residuals in units and in sigma, as pictures (SVG) with the
@@ -50,6 +59,9 @@ pub struct Compare {
     /// Folder to write into [default: output/NAME-compare]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Write report.html besides: the wing in 3D, pictures and tables in one file for a browser
+    #[arg(long)]
+    pub report: bool,
 }
 
 /// What `washout compare` prints.
@@ -94,6 +106,7 @@ impl Compare {
                 &self.design.design,
                 &self.study_sets()?,
                 self.output.as_ref(),
+                self.report,
                 console,
             );
         }
@@ -118,6 +131,10 @@ impl Compare {
             modelled = Some(named(name, &found, &case)?);
         }
         let reading = Reading::of(&case, &solution, &whole_wing)?;
+        let run = self
+            .report
+            .then(|| run_page(&case, &solution, &reading, console))
+            .transpose()?;
         let Some(comparison) = reading.measured else {
             return Err(Failure::NoMeasurement {
                 design: case.loaded.path,
@@ -126,11 +143,22 @@ impl Compare {
         let mut page = comparison::page(&comparison);
         page.extend(modelled.as_ref().map(|ratios| format!("\n{}", table(ratios))));
         add_wing(&mut folder, &comparison, &reading.profile)?;
-        let report = CompareReport {
+        let mut report = CompareReport {
             comparison,
             ratios: modelled,
             files: folder.listed(),
         };
+        if let Some(mut run) = run {
+            report.files.insert(report.files.len() - 1, REPORT.to_string());
+            let document = Document::new("comparison", &report)?;
+            run.section(
+                "ratios",
+                "Against the reference wing",
+                ratios_table(&document, &report),
+            );
+            run.documents.push(document);
+            folder.add(REPORT, run.html().as_bytes())?;
+        }
         folder.add_summary(&report)?;
         progress.check()?;
         let written = folder.commit()?;
@@ -245,4 +273,65 @@ fn table(modelled: &ModelledRatios) -> String {
         number(modelled.rate_ratio, 4),
         table.render()
     )
+}
+
+/// The report of the run behind a comparison.
+fn run_page(case: &Case, solution: &Solution, reading: &Reading, console: &Console) -> Result<Page, Failure> {
+    let design = &case.loaded.design;
+    let numbers = engineering(design, &case.planform, solution, console.progress());
+    let numbers = numbers.map_err(|source| Failure::Coupling {
+        design: case.loaded.path.clone(),
+        source,
+    })?;
+    let summary = summarize(&Solved {
+        loaded: &case.loaded,
+        planform: &case.planform,
+        solution,
+        profile: &reading.profile,
+        stages: reading.stages.as_ref(),
+        measured: reading.measured.as_ref(),
+        lift: reading.lift.as_ref(),
+        uncertainty: None,
+        engineering: &numbers,
+    });
+    let strips: Vec<StripRow> = solution.strips.iter().map(StripRow::of).collect();
+    let wing = Wing::of_solution(&design.name, design, &case.planform, solution);
+    Ok(html::run::page(&summary, wing, &strips)?)
+}
+
+/// The report of a comparison whose run is not at hand.
+pub fn report_page(report: &CompareReport) -> Result<Page, Failure> {
+    let document = Document::new("comparison", report)?;
+    let found = &report.comparison;
+    let mut page = Page {
+        title: found.wing.clone(),
+        ..Page::default()
+    };
+    let twist = html::picture::picture(&wing_figure(found, None))?;
+    let measured = html::compared::comparison(&document, "/comparison", found)?;
+    page.section("measured", "Against the measurement", twist + &measured);
+    page.section(
+        "ratios",
+        "Against the reference wing",
+        ratios_table(&document, report),
+    );
+    page.documents.push(document);
+    Ok(page)
+}
+
+fn ratios_table(document: &Document, report: &CompareReport) -> String {
+    let Some(modelled) = &report.ratios else {
+        return String::new();
+    };
+    let heads = ["ratio", "as both flap", "at equal stroke"];
+    let mut table = HtmlTable::new(&heads).caption(&format!("Modelled ratios to {}", modelled.reference));
+    for (index, ratio) in modelled.ratios.iter().enumerate() {
+        let at = |name: &str| document.number(&format!("/ratios/ratios/{index}/{name}"), Digits::After(3));
+        table.row(vec![
+            Shown::text(&ratio.name),
+            at("as_solved"),
+            at("at_equal_rate"),
+        ]);
+    }
+    table.html()
 }

@@ -1,23 +1,24 @@
 //! `washout diagnose`: which physics the model of a study lacks, and how sure that is.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use crate::diagnose::{DiagnoseError, Diagnosis, Settings, diagnose_with};
 use crate::effects::all;
 use crate::export::diagnosis::{DiagnosisReport, page};
+use crate::export::html::{self, REPORT};
 use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
 use crate::input::study::LoadedStudy;
-use crate::study::{Campaign, Forward, Work};
+use crate::study::{Campaign, Forward};
 
 use super::study::{listed, target};
 use super::{Console, Failure};
 
 /// The document that lists the files of a diagnosis.
-const DIAGNOSIS: &str = "diagnosis.json";
+pub const DIAGNOSIS: &str = "diagnosis.json";
 
 /// Arguments of `washout diagnose`.
 #[derive(Debug, Args)]
@@ -25,6 +26,7 @@ const DIAGNOSIS: &str = "diagnosis.json";
   washout diagnose studies/pre-pazy-skin.toml
   washout diagnose my-study.toml --effect root-flexure --effect tip-loss-prandtl       these two only
   washout diagnose my-study.toml --plan                  before any measurement: what could be seen, what told apart
+  washout diagnose my-study.toml --report                report.html besides: the wings with and without what is found
   washout diagnose my-study.toml --json | jq .verdict
 
 The verdict comes first, in one sentence; then what it rests on. With tables [[experiment]] in the study (as [[case]], the
@@ -55,6 +57,9 @@ pub struct Diagnose {
     /// Folder to write into [default: output/NAME-diagnosis]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Write report.html besides: the wings without and with what is found, pictures and tables in one file for a browser
+    #[arg(long, conflicts_with = "plan")]
+    pub report: bool,
 }
 
 impl Diagnose {
@@ -65,7 +70,9 @@ impl Diagnose {
             true => LoadedStudy::load_planned(&self.study, &self.set)?,
             false => LoadedStudy::load(&self.study, &self.set)?,
         };
-        self.refuse_own_word(&study)?;
+        if !self.own_data && !self.plan {
+            refuse_own_word(&self.study, &study, self.seed)?;
+        }
         let target = target(self.output.as_ref(), &study.study.name, "diagnosis");
         // A plan is words only.
         let folder = (!self.plan)
@@ -93,17 +100,17 @@ impl Diagnose {
         let experiments = experiments.map_err(|error| fault(error.into()))?;
         let candidates = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
         let diagnosis = diagnose_with(&campaign, candidates, &settings, progress).map_err(fault)?;
-        self.written(&campaign.name, diagnosis, campaign.work(), folder, console)
+        self.written(&campaign, diagnosis, folder, console)
     }
 
     fn written(
         &self,
-        study: &str,
+        campaign: &Campaign,
         diagnosis: Diagnosis,
-        work: Work,
         folder: Option<RunFolder>,
         console: &Console,
     ) -> Result<(), Failure> {
+        let (study, work) = (campaign.name.as_str(), campaign.work());
         let mut report = DiagnosisReport {
             diagnosis,
             work,
@@ -113,6 +120,12 @@ impl Diagnose {
         if let Some(mut folder) = folder {
             add_diagnosis(&mut folder, study, &report.diagnosis)?;
             report.files = folder.listed();
+            if self.report {
+                report.files.insert(report.files.len() - 1, REPORT.to_string());
+                let wings = super::study::found(campaign, &report.diagnosis, console)?;
+                let page = html::diagnosis::page(study, &report, &wings)?;
+                folder.add(REPORT, page.html().as_bytes())?;
+            }
             folder.add_summary(&report)?;
             console.progress().check()?;
             let written = folder.commit()?;
@@ -120,21 +133,55 @@ impl Diagnose {
         }
         console.result(&text, &report)
     }
+}
 
-    fn refuse_own_word(&self, study: &LoadedStudy) -> Result<(), Failure> {
-        let own = study
-            .cases
-            .iter()
-            .find_map(|case| Some((case, case.made?.is_own_word(self.seed)?)));
-        match own {
-            Some((case, what)) if !self.own_data && !self.plan => Err(Failure::OwnWord {
-                study: self.study.clone(),
-                case: case.name.clone(),
-                what,
-            }),
-            _ => Ok(()),
-        }
+/// Data that were made with what the diagnosis itself would use prove nothing.
+fn refuse_own_word(path: &Path, study: &LoadedStudy, seed: u64) -> Result<(), Failure> {
+    let own = study
+        .cases
+        .iter()
+        .find_map(|case| Some((case, case.made?.is_own_word(seed)?)));
+    match own {
+        Some((case, what)) => Err(Failure::OwnWord {
+            study: path.to_path_buf(),
+            case: case.name.clone(),
+            what,
+        }),
+        None => Ok(()),
     }
+}
+
+/// A study diagnosed as `washout diagnose STUDY` does it, with the campaign that it was diagnosed by.
+pub fn diagnosed(
+    path: &Path,
+    study: &LoadedStudy,
+    console: &Console,
+) -> Result<(Campaign, DiagnosisReport), Failure> {
+    let progress = console.progress();
+    let settings = Settings::default();
+    refuse_own_word(path, study, settings.seed)?;
+    let fault = |source: DiagnoseError| Failure::Diagnosis {
+        study: path.to_path_buf(),
+        source,
+    };
+    let names = candidates(study, &[]);
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let campaign = Campaign::new(study, &names, progress).map_err(|error| fault(error.into()))?;
+    let settings = Settings {
+        slop: campaign.slop,
+        start: Some(campaign.start()),
+        ..settings
+    };
+    let experiments = Campaign::of_experiments(study, &names, progress);
+    let experiments = experiments.map_err(|error| fault(error.into()))?;
+    let next = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
+    let diagnosis = diagnose_with(&campaign, next, &settings, progress).map_err(fault)?;
+    let report = DiagnosisReport {
+        diagnosis,
+        work: campaign.work(),
+        files: Vec::new(),
+    };
+    Ok((campaign, report))
 }
 
 /// Effects to be tried: those asked for, those that the study names, or all.

@@ -191,6 +191,17 @@ pub enum Failure {
         /// The design file.
         design: PathBuf,
     },
+    /// Nothing that a report could be made of.
+    #[error(
+        "{}: {reason}",
+        path.display()
+    )]
+    NoReport {
+        /// What was named.
+        path: PathBuf,
+        /// What is wrong, and the cure.
+        reason: String,
+    },
     /// Results cannot be written or read.
     #[error(transparent)]
     Export(#[from] ExportError),
@@ -280,7 +291,8 @@ impl Failure {
             Failure::Scheduler { .. } => 1,
             Failure::Study(source) | Failure::OfStudy { source, .. } => source.exit_code(),
             Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
-            Failure::Name { .. } | Failure::Exists { .. } | Failure::NoMeasurement { .. } => 2,
+            Failure::Name { .. } | Failure::Exists { .. } => 2,
+            Failure::NoMeasurement { .. } | Failure::NoReport { .. } => 2,
             Failure::Export(
                 ExportError::NoRun { .. }
                 | ExportError::ForeignSummary { .. }

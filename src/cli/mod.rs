@@ -59,6 +59,8 @@ pub mod diagnose;
 
 pub mod add;
 
+pub mod report;
+
 pub mod synthesize;
 
 pub mod blind;
@@ -154,6 +156,8 @@ pub enum Verb {
     Effects(effects::ListEffects),
     /// Compare two runs: inputs, results, twist
     Diff(diff::Diff),
+    /// One HTML file of a run or a study: the wing in 3D, pictures, tables, for a browser or a printer
+    Report(report::Report),
     /// Write a run as input for another program, for a second opinion
     Export(export::Export),
     /// Run the published cases that say how far to trust the solver
@@ -213,6 +217,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Verb::Blind(verb) => verb.run(&console),
         Verb::Effects(verb) => verb.run(&console),
         Verb::Diff(verb) => verb.run(&console),
+        Verb::Report(verb) => verb.run(&console),
         Verb::Export(verb) => verb.run(&console),
         Verb::Verify(verb) => verb.run(&console),
         Verb::Doctor(verb) => verb.run(&console),

@@ -82,6 +82,8 @@ pub enum Output {
     Answer,
     /// `washout blind --json`
     Blind,
+    /// `washout report --json`
+    Report,
     /// `washout export --json`
     Export,
     /// `washout verify --json`, and `verify.json`
@@ -117,6 +119,7 @@ impl Schema {
             Some(Output::Blind) => schemars::schema_for!(Scoreboard),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
             Some(Output::Doctor) => schemars::schema_for!(super::doctor::DoctorReport),
+            Some(Output::Report) => schemars::schema_for!(super::report::ReportMade),
             Some(Output::Export) => schemars::schema_for!(super::export::ExportReport),
             Some(Output::Verify) => schemars::schema_for!(VerifyReport),
         };

@@ -31,6 +31,7 @@ use super::{Console, Failure};
   washout solve designs/twist-v2.toml --uncertainty        a band instead of a line, and what it comes from
   washout solve designs/twist-v2.toml --stroke 36          the wing in motion over its stroke, for ParaView: stroke.pvd
   washout solve designs/twist-v2.toml --stroke-quasi-static 9        the same as if each phase stood still
+  washout solve designs/twist-v2.toml --report             report.html besides: the wing in 3D, pictures, tables
   washout solve designs/twist-v2.toml --json | jq .tip
 
 Writes output/NAME/: wing.vtu, wing-rest.vtu and wing.pvd for ParaView, profile.csv, strips.csv, summary.json;
@@ -53,6 +54,9 @@ pub struct Solve {
     /// N phases from mid-stroke to the reversal instead, each solved as if it stood still: no inertia, no flip
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=99), conflicts_with = "stroke")]
     pub stroke_quasi_static: Option<u16>,
+    /// Write report.html besides: the wing in 3D, pictures and tables in one file for a browser
+    #[arg(long)]
+    pub report: bool,
 }
 
 impl Solve {
@@ -101,7 +105,7 @@ impl Solve {
             summary.warnings.extend(of_stroke(&stroke.summary));
             summary.stroke = Some(stroke.summary);
         }
-        write_files(&mut folder, &solved, &mut summary)?;
+        write_files(&mut folder, &solved, &mut summary, self.report)?;
         progress.check()?;
         let earlier = read_summary(&target).ok();
         let path = folder.commit()?;

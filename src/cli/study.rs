@@ -4,12 +4,16 @@ use std::path::{Path, PathBuf};
 
 use crate::compare::StudyComparison;
 use crate::compare::study::compare_study;
+use crate::diagnose::Diagnosis;
+use crate::export::html::study::{StudyParts, page as study_page};
+use crate::export::html::{REPORT, Wing};
 use crate::export::pictures::write::add_study;
 use crate::export::run::RunFolder;
 use crate::export::study::{StudyReport, page};
 use crate::input::study::LoadedStudy;
-use crate::study::{Campaign, StudyError};
+use crate::study::{Campaign, Forward, StudyError};
 
+use super::report::assumed;
 use super::{Console, Failure};
 
 /// The document that lists the files of a comparison.
@@ -20,17 +24,23 @@ pub fn compare(
     path: &Path,
     sets: &[String],
     output: Option<&PathBuf>,
+    with_report: bool,
     console: &Console,
 ) -> Result<(), Failure> {
     let study = LoadedStudy::load(path, sets)?;
     let target = target(output, &study.study.name, "compare");
     let mut folder = RunFolder::listed_by(&target, COMPARISON)?;
-    let comparison = compared_loaded(path, &study, console)?;
-    add_study(&mut folder, &comparison)?;
-    let report = StudyReport {
-        comparison,
+    let compared = Compared::new(path, &study, console)?;
+    let parts = with_report.then(|| compared.parts(&study, console)).transpose()?;
+    add_study(&mut folder, &compared.comparison)?;
+    let mut report = StudyReport {
+        comparison: compared.comparison,
         files: folder.listed(),
     };
+    if let Some(parts) = parts {
+        report.files.insert(report.files.len() - 1, REPORT.to_string());
+        folder.add(REPORT, study_page(&report, &parts)?.html().as_bytes())?;
+    }
     folder.add_summary(&report)?;
     console.progress().check()?;
     let written = folder.commit()?;
@@ -56,14 +66,111 @@ pub fn listed(folder: &Path, files: &[String]) -> String {
 
 /// A study, solved and compared with its measurements.
 pub fn compared(path: &Path, sets: &[String], console: &Console) -> Result<StudyComparison, Failure> {
-    compared_loaded(path, &LoadedStudy::load(path, sets)?, console)
+    Ok(Compared::new(path, &LoadedStudy::load(path, sets)?, console)?.comparison)
 }
 
-fn compared_loaded(path: &Path, study: &LoadedStudy, console: &Console) -> Result<StudyComparison, Failure> {
-    let fault = |source: StudyError| Failure::OfStudy {
-        study: path.to_path_buf(),
-        source,
+/// A study compared, and the campaign that it was compared by.
+#[derive(Debug)]
+pub struct Compared {
+    /// Its cases, solved.
+    pub campaign: Campaign,
+    /// The comparison.
+    pub comparison: StudyComparison,
+}
+
+/// Cases of a study whose wings a report shows; of more, some evenly among them.
+const SHOWN: usize = 12;
+
+impl Compared {
+    /// Solves and compares.
+    pub fn new(path: &Path, study: &LoadedStudy, console: &Console) -> Result<Compared, Failure> {
+        let fault = |source: StudyError| Failure::OfStudy {
+            study: path.to_path_buf(),
+            source,
+        };
+        let campaign = Campaign::new(study, &[], console.progress()).map_err(fault)?;
+        let comparison = compare_study(&campaign, &study.study.title).map_err(fault)?;
+        Ok(Compared { campaign, comparison })
+    }
+
+    /// What a report shows besides: the wings as stated and as calibrated, what the designs assume.
+    pub fn parts(&self, study: &LoadedStudy, console: &Console) -> Result<StudyParts, Failure> {
+        let mut calibrated = self.campaign.start();
+        for found in &self.comparison.unknowns {
+            put(&self.campaign, &mut calibrated, &found.unknown.name, found.value);
+        }
+        let mut wings = wings(&self.campaign, "as stated", &self.campaign.start(), console)?;
+        if !self.comparison.unknowns.is_empty() {
+            wings.extend(self::wings(&self.campaign, "calibrated", &calibrated, console)?);
+        }
+        Ok(StudyParts {
+            wings,
+            assumed: assumed(study),
+            diagnosis: None,
+        })
+    }
+}
+
+/// The wings as stated, and with what a diagnosis holds most probable.
+pub fn found(campaign: &Campaign, diagnosis: &Diagnosis, console: &Console) -> Result<Vec<Wing>, Failure> {
+    let mut wings = wings(campaign, "as stated", &campaign.start(), console)?;
+    wings.extend(explained(campaign, diagnosis, console)?);
+    Ok(wings)
+}
+
+/// The wings with what a diagnosis holds most probable, if it names an effect.
+pub fn explained(campaign: &Campaign, found: &Diagnosis, console: &Console) -> Result<Vec<Wing>, Failure> {
+    let Some(first) = found
+        .hypotheses
+        .iter()
+        .find(|hypothesis| !hypothesis.strengths.is_empty())
+    else {
+        return Ok(Vec::new());
     };
-    let campaign = Campaign::new(study, &[], console.progress()).map_err(fault)?;
-    compare_study(&campaign, &study.study.title).map_err(fault)
+    let mut at = campaign.start();
+    for strength in &first.strengths {
+        put(campaign, &mut at, &strength.unknown, strength.value);
+    }
+    wings(
+        campaign,
+        &format!("with {}", first.effects.join(" + ")),
+        &at,
+        console,
+    )
+}
+
+fn put(campaign: &Campaign, at: &mut [f64], name: &str, value: f64) {
+    let index = campaign
+        .unknowns()
+        .iter()
+        .position(|unknown| unknown.name == name);
+    if let Some(slot) = index.and_then(|index| at.get_mut(index)) {
+        *slot = value;
+    }
+}
+
+/// The wings of a campaign with these values of its unknowns; a case without a solution there is left out.
+fn wings(campaign: &Campaign, state: &str, at: &[f64], console: &Console) -> Result<Vec<Wing>, Failure> {
+    let count = campaign.cases().len();
+    let mut wings = Vec::new();
+    for place in 0..count.min(SHOWN) {
+        let index = place * count / count.min(SHOWN);
+        let case = &campaign.cases()[index];
+        console
+            .progress()
+            .say(format_args!("{}: {} {state}", campaign.name, case.name));
+        let solved = campaign.solved_at(index, at);
+        console.progress().check()?;
+        if let Ok(solved) = solved {
+            let found = &solved.at;
+            let name = format!("{}, {state}", case.name);
+            wings.push(Wing::of_solution(
+                &name,
+                &found.design,
+                &found.planform,
+                &found.solution,
+            ));
+        }
+    }
+    Ok(wings)
 }

@@ -12,6 +12,7 @@ use crate::observation::field::twist_at_nodes;
 use crate::observation::{Place, TwistProfile, TwistReading};
 use crate::study::Uncertainty;
 
+use super::html::{self, REPORT};
 use super::run::RunFolder;
 use super::summary::{
     AssumedChoice, AssumedInput, CellLegend, FORMAT, FlowSummary, MeshSummary, Outcome, ProfileRow,
@@ -88,11 +89,12 @@ pub fn summarize(solved: &Solved) -> RunSummary {
     summary
 }
 
-/// Adds all files of a run to its folder; `summary.files` is filled with their names.
+/// Adds all files of a run to its folder; `summary.files` is filled with their names. `with_report`: the report too.
 pub fn write_files(
     folder: &mut RunFolder,
     solved: &Solved,
     summary: &mut RunSummary,
+    with_report: bool,
 ) -> Result<(), ExportError> {
     let (solution, design) = (solved.solution, &solved.loaded.design);
     let twist_deg = twist_at_nodes(solved.planform, solution);
@@ -113,6 +115,12 @@ pub fn write_files(
         folder.add("strips.csv", &csv::strips(&solution.strips)?)?;
     }
     summary.files = folder.listed();
+    if with_report {
+        // Before the summary, which the report holds as it will be written.
+        summary.files.insert(summary.files.len() - 1, REPORT.to_string());
+        let page = html::run::of_files(summary, folder.target(), &|name| folder.read(name))?;
+        folder.add(REPORT, page.html().as_bytes())?;
+    }
     folder.add_summary(summary)
 }
 
@@ -291,7 +299,7 @@ mod tests {
         };
         let mut summary = summarize(&solved);
         let mut folder = RunFolder::create(target).expect("a folder");
-        write_files(&mut folder, &solved, &mut summary).expect("files");
+        write_files(&mut folder, &solved, &mut summary, true).expect("files");
         folder.commit().expect("a run");
         summary
     }
@@ -327,6 +335,49 @@ mod tests {
             (summary.tip.displacement_mm[2] - 6.93).abs() < 1e-9,
             "{:?}",
             summary.tip
+        );
+    }
+
+    /// The text of an element of data in a page.
+    fn embedded(page: &str, id: &str) -> serde_json::Value {
+        let rest = page.split(&format!("id=\"{id}\">")).nth(1).expect("an element");
+        serde_json::from_str(rest.split("</script>").next().expect("its end")).expect("JSON")
+    }
+
+    #[test]
+    fn the_report_holds_the_summary_and_shows_its_numbers_as_they_stand_there() {
+        let parent = tempfile::tempdir().expect("a folder");
+        let summary = write(&parent.path().join("run"));
+        let page = std::fs::read_to_string(parent.path().join("run/report.html")).expect("a report");
+        let document = embedded(&page, "summary");
+        assert_eq!(document, serde_json::to_value(&summary).expect("JSON"));
+        let mut shown = 0;
+        for piece in page.split("<data value=\"").skip(1) {
+            let value = piece.split('"').next().expect("a value");
+            let place = piece.split("data-of=\"").nth(1).expect("a place");
+            let place = place.split('"').next().expect("a place");
+            let text = piece.split('>').nth(1).and_then(|text| text.split('<').next());
+            let found = document.pointer(place).unwrap_or_else(|| panic!("{place}"));
+            assert_eq!(found.to_string(), value, "{place}");
+            let (found, text) = (found.as_f64().expect("a number"), text.expect("text"));
+            let read: f64 = text.parse().unwrap_or_else(|_| panic!("{place}: {text}"));
+            assert!(
+                (read - found).abs() <= 0.06 * found.abs() + 0.06,
+                "{place}: {text} for {found}"
+            );
+            shown += 1;
+        }
+        assert!(shown > 100, "{shown} numbers");
+        for row in 0..summary.profile.len() {
+            assert!(
+                page.contains(&format!("data-of=\"/profile/{row}/twist_deg\"")),
+                "{row}"
+            );
+        }
+        let wing = &embedded(&page, "wing-data")["wings"][0];
+        assert_eq!(
+            wing["triangles"].as_array().map(Vec::len),
+            Some(3 * summary.mesh.triangles)
         );
     }
 

@@ -4,7 +4,11 @@ pub mod error;
 
 pub mod file;
 
+pub mod html;
+
 pub mod vtu;
+
+pub mod vtu_read;
 
 pub mod wing;
 

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -14,6 +14,7 @@ use serde::de::DeserializeOwned;
 use tempfile::TempDir;
 
 use super::ExportError;
+use super::html::{GENERATOR, REPORT};
 use super::summary::RunSummary;
 
 /// Name of the file that lists the files of a run.
@@ -66,6 +67,20 @@ impl RunFolder {
         write().map_err(ExportError::file("write", self.target.join(name)))?;
         self.names.push(name.to_string());
         Ok(())
+    }
+
+    /// Where the folder will stand.
+    pub fn target(&self) -> &Path {
+        &self.target
+    }
+
+    /// What was added under a name.
+    ///
+    /// # Errors
+    /// If nothing was, or it cannot be read back.
+    pub fn read(&self, name: &str) -> Result<Vec<u8>, ExportError> {
+        let path = self.partial.path().join(name);
+        fs::read(path).map_err(ExportError::file("read", self.target.join(name)))
     }
 
     /// Names of all files of the folder, the summary among them, as its `files` must list them.
@@ -188,7 +203,10 @@ fn refuse_foreign(target: &Path, summary: &str) -> Result<(), ExportError> {
         found.insert(entry.file_name().to_string_lossy().into_owned());
     }
     let known = files_of_run(target, summary);
-    let foreign = |name: &String| !known.contains(name) && !is_run(&target.join(name));
+    let foreign = |name: &String| {
+        let path = target.join(name);
+        !known.contains(name) && !is_run(&path) && !(name == REPORT && is_report(&path))
+    };
     match found.into_iter().find(foreign) {
         None => Ok(()),
         Some(entry) => Err(ExportError::ForeignEntry {
@@ -201,6 +219,13 @@ fn refuse_foreign(target: &Path, summary: &str) -> Result<(), ExportError> {
 /// Whether a folder holds a run and nothing else, such as the deck that `washout export` puts beside the files of a run.
 fn is_run(folder: &Path) -> bool {
     folder.join(SUMMARY).is_file() && refuse_foreign(folder, SUMMARY).is_ok()
+}
+
+/// Whether a file is a report that washout wrote.
+pub fn is_report(path: &Path) -> bool {
+    let mut head = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(1024).read_to_end(&mut head));
+    read.is_ok() && String::from_utf8_lossy(&head).contains(GENERATOR)
 }
 
 /// The files that a run lists in its summary; none if there is no readable summary.
@@ -270,6 +295,19 @@ mod tests {
         let error = write_run(&target, "second").expect_err("foreign file");
         assert!(error.to_string().contains("'notes.txt'"), "{error}");
         assert_eq!(entries(&target), ["notes.txt", "profile.csv", "summary.json"]);
+    }
+
+    #[test]
+    fn a_report_beside_a_run_goes_with_it_but_not_a_page_of_the_user() {
+        let parent = tempfile::tempdir().expect("folder");
+        let target = parent.path().join("run");
+        write_run(&target, "first").expect("written");
+        let page = super::super::html::Page::default().html();
+        fs::write(target.join(REPORT), page).expect("file");
+        write_run(&target, "second").expect("replaced");
+        fs::write(target.join(REPORT), "<p>mine</p>").expect("file");
+        let error = write_run(&target, "third").expect_err("foreign file");
+        assert!(error.to_string().contains("'report.html'"), "{error}");
     }
 
     #[test]

@@ -223,6 +223,20 @@ impl Campaign {
         Ok(design)
     }
 
+    /// A case solved with these values of the unknowns.
+    ///
+    /// # Errors
+    /// If it has no solution there.
+    pub fn solved_at(&self, case: usize, at: &[f64]) -> Result<Arc<Solved>, StudyError> {
+        let (prepared, design) = (&self.cases[case], self.design_at(case, at)?);
+        if let Some(base) = prepared.base_at(&design) {
+            return Ok(base);
+        }
+        let (solved, _) = prepared.solve(&design, None, &self.progress.unseen())?;
+        self.tally.add(solved.work());
+        Ok(Arc::new(solved))
+    }
+
     /// What each case gives, side by side, solved from `footing` if there is one; before the ruler.
     fn each<T: Send>(
         &self,

@@ -16,6 +16,8 @@ pub mod panels;
 
 pub mod pareto;
 
+pub mod profile;
+
 pub mod residuals;
 
 pub mod sweep;

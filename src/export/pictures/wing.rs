@@ -8,8 +8,8 @@ use crate::plot::{Chart, Figure, Ink, Key, Limit, Mark, Panel, Point, Sample, Sh
 use super::panels::Compared;
 use super::{compared, residuals};
 
-/// Model against measurement; `profile` is the whole modelled profile.
-pub fn figure(comparison: &Comparison, profile: &TwistProfile) -> Figure {
+/// Model against measurement; `profile` is the whole modelled profile, if it is at hand.
+pub fn figure(comparison: &Comparison, profile: Option<&TwistProfile>) -> Figure {
     let mut rest = Compared::of_wing(comparison);
     let has_twists = comparison
         .span
@@ -98,10 +98,11 @@ fn title(span: &SpanComparison) -> String {
     }
 }
 
-fn chart(comparison: &Comparison, span: &SpanComparison, profile: &TwistProfile) -> Panel {
-    let is_same_instrument =
-        profile.instrument == comparison.instrument && profile.camera_axis == comparison.camera_axis;
-    let modelled: Vec<[f64; 2]> = if is_same_instrument {
+fn chart(comparison: &Comparison, span: &SpanComparison, profile: Option<&TwistProfile>) -> Panel {
+    let same = profile.filter(|profile| {
+        profile.instrument == comparison.instrument && profile.camera_axis == comparison.camera_axis
+    });
+    let modelled: Vec<[f64; 2]> = if let Some(profile) = same {
         let values = profile
             .readings
             .iter()

@@ -5,7 +5,7 @@ use crate::diagnose::Diagnosis;
 use crate::export::ExportError;
 use crate::export::run::RunFolder;
 use crate::observation::TwistProfile;
-use crate::plot::Figure;
+use crate::plot::{Figure, Panel};
 
 use super::ladder::Fall;
 use super::panels::{Compared, distinct};
@@ -41,7 +41,7 @@ pub fn add_wing(
     add_compared(
         folder,
         &found,
-        &wing::figure(comparison, profile),
+        &wing::figure(comparison, Some(profile)),
         &wing::residuals(comparison),
     )?;
     if !comparison.span.is_empty() {
@@ -126,11 +126,7 @@ pub fn add_falls(folder: &mut RunFolder, study: &str, falls: &[Fall]) -> Result<
 
 /// Adds a picture: `NAME.svg`, and `NAME-2.svg` and so on where it has too many panels for one.
 fn add_picture(folder: &mut RunFolder, name: &str, figure: &Figure) -> Result<(), ExportError> {
-    for (index, panels) in figure.panels.chunks(PANELS).enumerate() {
-        let page = Figure {
-            panels: panels.to_vec(),
-            ..figure.clone()
-        };
+    for (index, page) in sheets(figure).into_iter().enumerate() {
         let name = match index {
             0 => format!("{name}.svg"),
             _ => format!("{name}-{}.svg", index + 1),
@@ -138,4 +134,13 @@ fn add_picture(folder: &mut RunFolder, name: &str, figure: &Figure) -> Result<()
         folder.add(&name, page.to_svg()?.as_bytes())?;
     }
     Ok(())
+}
+
+/// A picture in as many sheets as its panels need.
+pub fn sheets(figure: &Figure) -> Vec<Figure> {
+    let sheet = |panels: &[Panel]| Figure {
+        panels: panels.to_vec(),
+        ..figure.clone()
+    };
+    figure.panels.chunks(PANELS).map(sheet).collect()
 }

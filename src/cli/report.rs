@@ -1,0 +1,198 @@
+//! `washout report`: one HTML file of a run or a study, for a browser or a printer.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use schemars::JsonSchema;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use crate::export::ExportError;
+use crate::export::diagnosis::DiagnosisReport;
+use crate::export::file::write_whole;
+use crate::export::html::study::StudyParts;
+use crate::export::html::{Page, REPORT, diagnosis, run, study};
+use crate::export::run::{SUMMARY, is_report, read_summary};
+use crate::export::study::StudyReport;
+use crate::input::study::LoadedStudy;
+
+use super::compare::CompareReport;
+use super::study::COMPARISON;
+use super::{Console, Failure};
+
+/// Arguments of `washout report`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  washout solve designs/twist-v2.toml
+  washout report output/twist-v2                           output/twist-v2/report.html
+  washout report studies/paper-wings.toml                  solved, compared, and every wing before and after calibration
+  washout report studies/paper-wings.toml --diagnose       what the model lacks besides
+  washout solve designs/twist-v2.toml --report             the same as the first two in one
+
+A run is the folder that solve, compare or diagnose wrote. The file needs no network and no other file; what is not 3D is
+there without JavaScript too. The documents that its numbers come from stand in it, for programs.")]
+pub struct Report {
+    /// Folder of a run, or a study file
+    #[arg(value_name = "RUN|STUDY")]
+    pub what: PathBuf,
+    /// Diagnose the study besides
+    #[arg(long)]
+    pub diagnose: bool,
+    /// Change a key in every design of the study; can be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// File to write [default: report.html in the folder of the run; output/NAME-report.html of a study]
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// What `washout report` prints.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ReportMade {
+    /// The file.
+    pub file: String,
+    /// Its size.
+    pub bytes: usize,
+    /// Its sections, in their order.
+    pub sections: Vec<String>,
+}
+
+impl Report {
+    /// Makes the report.
+    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let (page, default) = if self.what.is_dir() {
+            self.refuse_options()?;
+            (of_folder(&self.what)?, self.what.join(REPORT))
+        } else {
+            self.of_study(console)?
+        };
+        let path = self.output.clone().unwrap_or(default);
+        if path.exists() && !is_report(&path) {
+            return Err(Failure::Exists { path });
+        }
+        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+            fs::create_dir_all(folder).map_err(ExportError::file("create", folder))?;
+        }
+        let html = page.html();
+        console.progress().check()?;
+        write_whole(&path, html.as_bytes())?;
+        let shown = page.sections.iter().filter(|section| !section.html.is_empty());
+        let made = ReportMade {
+            file: path.display().to_string(),
+            bytes: html.len(),
+            sections: shown.map(|section| section.title.to_string()).collect(),
+        };
+        let kilobytes = made.bytes.div_ceil(1000);
+        let text = format!(
+            "{}\n\nReport in {} ({kilobytes} kB): {}\n",
+            page.title,
+            made.file,
+            made.sections.join(", ")
+        );
+        console.result(&text, &made)
+    }
+
+    /// Options that a folder has no use for.
+    fn refuse_options(&self) -> Result<(), Failure> {
+        let others = [("--diagnose", self.diagnose), ("--set", !self.set.is_empty())];
+        match others.into_iter().find(|(_, is_given)| *is_given) {
+            None => Ok(()),
+            Some((option, _)) => Err(Failure::Option {
+                option,
+                reason: "belongs to a study; a run is reported as it was solved".to_string(),
+            }),
+        }
+    }
+
+    fn of_study(&self, console: &Console) -> Result<(Page, PathBuf), Failure> {
+        if !LoadedStudy::is_study(&self.what)? {
+            return Err(Failure::NoReport {
+                path: self.what.clone(),
+                reason: format!(
+                    "a design; a report is made of a run or a study. Try: washout solve {} --report",
+                    self.what.display()
+                ),
+            });
+        }
+        let loaded = LoadedStudy::load(&self.what, &self.set)?;
+        let default = PathBuf::from("output").join(format!("{}-{REPORT}", loaded.study.name));
+        let compared = super::study::Compared::new(&self.what, &loaded, console)?;
+        let diagnosed = self
+            .diagnose
+            .then(|| super::diagnose::diagnosed(&self.what, &loaded, console))
+            .transpose()?;
+        let mut parts = compared.parts(&loaded, console)?;
+        if let Some((campaign, report)) = diagnosed {
+            parts
+                .wings
+                .extend(super::study::explained(&campaign, &report.diagnosis, console)?);
+            parts.diagnosis = Some(report);
+        }
+        let report = StudyReport {
+            comparison: compared.comparison,
+            files: Vec::new(),
+        };
+        Ok((study::page(&report, &parts)?, default))
+    }
+}
+
+/// The report of the folder of a run.
+fn of_folder(folder: &Path) -> Result<Page, Failure> {
+    let comparison = folder.join(COMPARISON);
+    let diagnosed = folder.join(super::diagnose::DIAGNOSIS);
+    if folder.join(SUMMARY).is_file() {
+        let summary = read_summary(folder)?;
+        let read = |name: &str| {
+            let path = folder.join(name);
+            fs::read(&path).map_err(ExportError::file("read", path))
+        };
+        return Ok(run::of_files(&summary, folder, &read)?);
+    }
+    if comparison.is_file() {
+        // Of a study, or of a single wing.
+        if let Ok(report) = read_document::<StudyReport>(&comparison) {
+            return Ok(study::page(&report, &StudyParts::default())?);
+        }
+        let report: CompareReport = read_document(&comparison)?;
+        return super::compare::report_page(&report);
+    }
+    if diagnosed.is_file() {
+        let report: DiagnosisReport = read_document(&diagnosed)?;
+        let name = folder.file_name().map(|name| name.to_string_lossy().into_owned());
+        let name = name.unwrap_or_default();
+        let study = name.strip_suffix("-diagnosis").unwrap_or(&name);
+        return Ok(diagnosis::page(study, &report, &[])?);
+    }
+    Err(Failure::NoReport {
+        path: folder.to_path_buf(),
+        reason: format!(
+            "no run: there is neither {SUMMARY} nor {COMPARISON} nor {} in it; give the folder that washout solve, compare or \
+             diagnose wrote, or a study file",
+            super::diagnose::DIAGNOSIS
+        ),
+    })
+}
+
+fn read_document<T: DeserializeOwned>(path: &Path) -> Result<T, Failure> {
+    let text = fs::read_to_string(path).map_err(ExportError::file("read", path))?;
+    serde_json::from_str(&text).map_err(|error| {
+        Failure::Export(ExportError::ForeignSummary {
+            path: path.to_path_buf(),
+            reason: error.to_string(),
+        })
+    })
+}
+
+/// Designs of a study with what each assumes, each once.
+pub fn assumed(loaded: &LoadedStudy) -> Vec<(String, Vec<crate::input::Assumption>)> {
+    let mut designs = BTreeMap::new();
+    for case in &loaded.cases {
+        let design = &case.loaded.design;
+        designs
+            .entry(design.name.clone())
+            .or_insert_with(|| design.assumptions());
+    }
+    designs.into_iter().collect()
+}

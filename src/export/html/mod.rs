@@ -1,0 +1,38 @@
+//! The report: one HTML file that needs nothing else, for a browser, a printer or a colleague.
+//!
+//! Every number that a table shows is taken from the document that stands in the page (`summary.json`, `comparison.json`,
+//! `diagnosis.json`) and says from where: `<data value="20.58…" data-of="/tip/twist_deg">20.58</data>`.
+
+pub mod escape;
+
+pub mod document;
+
+pub mod table;
+
+pub mod page;
+
+pub mod picture;
+
+pub mod wing;
+
+pub mod still;
+
+pub mod run;
+
+pub mod inputs;
+
+pub mod compared;
+
+pub mod study;
+
+pub mod diagnosis;
+
+pub use document::{Digits, Document};
+pub use page::{Page, Section};
+pub use wing::Wing;
+
+/// Name of the report in the folder of a run.
+pub const REPORT: &str = "report.html";
+
+/// How a report is known as one: this stands in its head.
+pub const GENERATOR: &str = "<meta name=\"generator\" content=\"washout ";
