@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::compare::StudyComparison;
 use crate::compare::study::compare_study;
-use crate::diagnose::Diagnosis;
+use crate::diagnose::{Diagnosis, Verdict};
 use crate::export::html::study::{StudyParts, page as study_page};
 use crate::export::html::{REPORT, Wing};
 use crate::export::pictures::write::add_study;
@@ -120,6 +120,9 @@ pub fn found(campaign: &Campaign, diagnosis: &Diagnosis, console: &Console) -> R
 
 /// The wings with what a diagnosis holds most probable, if it names an effect.
 pub fn explained(campaign: &Campaign, found: &Diagnosis, console: &Console) -> Result<Vec<Wing>, Failure> {
+    if !matches!(found.verdict, Verdict::Effect | Verdict::Set | Verdict::Pair) {
+        return Ok(Vec::new());
+    }
     let Some(first) = found
         .hypotheses
         .iter()

@@ -3,7 +3,7 @@
 use crate::{folder, washout};
 
 /// Every verb of the program.
-pub const VERBS: [&str; 24] = [
+pub const VERBS: [&str; 25] = [
     "solve",
     "compare",
     "lift",
@@ -22,6 +22,7 @@ pub const VERBS: [&str; 24] = [
     "blind",
     "effects",
     "diff",
+    "report",
     "export",
     "verify",
     "doctor",

@@ -28,6 +28,8 @@ mod modest;
 
 mod real_data;
 
+mod report;
+
 mod schema;
 
 mod shell;

@@ -157,3 +157,50 @@ fn options_that_belong_to_a_design_and_unknown_effects_are_refused() {
     assert_eq!(said.code, Some(2));
     assert!(said.err.contains("there is no effect magic"), "{}", said.err);
 }
+
+#[test]
+fn a_study_and_its_diagnosis_are_reported_with_every_wing_before_and_after() {
+    let folder = tempfile::tempdir().unwrap();
+    bench(folder.path());
+    let run = |arguments: &[&str]| washout(folder.path(), arguments);
+    let few = ["--effect", "rod-shear-modulus"];
+    let said = run(&[&["diagnose", "study.toml", "--report", "--json"][..], &few].concat());
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    let page = read("output/bench-diagnosis/report.html");
+    let embedded = |page: &str, id: &str| -> serde_json::Value {
+        let rest = page.split(&format!("id=\"{id}\">")).nth(1).unwrap();
+        serde_json::from_str(rest.split("</script>").next().unwrap()).unwrap()
+    };
+    assert_eq!(embedded(&page, "diagnosis"), said.document());
+    let names = |page: &str| -> Vec<String> {
+        let wings = embedded(page, "wing-data")["wings"].as_array().unwrap().clone();
+        wings
+            .iter()
+            .map(|wing| wing["name"].as_str().unwrap().to_string())
+            .collect()
+    };
+    assert_eq!(
+        names(&page),
+        [
+            "m-1, as stated",
+            "m-2, as stated",
+            "m-3, as stated",
+            "m-1, with rod-shear-modulus",
+            "m-2, with rod-shear-modulus",
+            "m-3, with rod-shear-modulus",
+        ]
+    );
+    assert!(page.contains("<details><summary>rod-shear-modulus against the residual</summary>"));
+
+    assert_eq!(run(&["compare", "study.toml", "--quiet"]).code, Some(0));
+    let said = run(&["report", "output/bench-compare", "--quiet"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let of_folder = read("output/bench-compare/report.html");
+    assert_eq!(run(&["report", "study.toml"]).code, Some(0));
+    let of_study = read("output/bench-report.html");
+    let rows = |page: &str| embedded(page, "comparison")["rows"].clone();
+    assert_eq!(rows(&of_folder), rows(&of_study));
+    // The ruler alone is uncertain, which turns no wing.
+    assert_eq!(names(&of_study).len(), 6);
+}

@@ -73,7 +73,7 @@
   function camera(points, centre, width, height) {
     var ct = Math.cos(view.turn), st = Math.sin(view.turn), ci = Math.cos(view.tilt), si = Math.sin(view.tilt);
     var far = 2.6 * centre.size;
-    var unit = view.zoom * 0.98 * Math.min(width / centre.size, 1.55 * height / centre.size) * far;
+    var unit = view.zoom * Math.min(0.98 * width / centre.size, 1.9 * height / centre.size) * far;
     var out = new Float64Array(points.length);
     for (var i = 0; i < points.length; i += 3) {
       var x = points[i] - centre.at[0], y = points[i + 1] - centre.at[1], z = points[i + 2] - centre.at[2];

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Opens reports in Debian's Chromium without a screen: no error, the wing drawn, every number shown as the documents in the
+# page have it, the same without JavaScript. Writes the screenshots of docs/report.md. Installs chromium where it is not.
+# Usage: .ci/report_in_chromium.sh [STUDY]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export DEBIAN_FRONTEND=noninteractive
+study=${1:-studies/paper-wings.toml}
+out=target/report
+mkdir -p "$out" docs/pictures
+
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo -n "$@"; fi; }
+
+if ! command -v chromium >/dev/null; then
+    as_root apt-get update -q
+    as_root apt-get install -qy --no-install-recommends chromium fonts-dejavu-core
+fi
+
+cargo build --release --quiet
+target/release/washout solve designs/twist-v2.toml --quiet --report --output "$out/run"
+target/release/washout report "$study" --quiet --output "$out/study.html"
+python3 .ci/report_in_chromium.py "$out/run/report.html" "$out/study.html" --pictures docs/pictures --work "$out"

@@ -1,0 +1,73 @@
+//! `washout report`, and `--report` of the verbs that solve.
+
+use std::fs;
+
+use crate::{below, conforms, design, entries, folder, schema, washout};
+
+/// The document in an element of data of a page.
+fn embedded(page: &str, id: &str) -> serde_json::Value {
+    let rest = page.split(&format!("id=\"{id}\">")).nth(1).expect("an element");
+    serde_json::from_str(rest.split("</script>").next().expect("its end")).expect("JSON")
+}
+
+#[test]
+fn a_run_is_reported_in_one_file_with_its_summary_and_reported_again_to_the_same_bytes() {
+    let here = folder();
+    let run = |arguments: &[&str]| washout(here.path(), arguments);
+    let wing = design("twist-v2.toml");
+    let said = run(&["solve", &wing, "--report", "--json"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let target = here.path().join("output/twist-v2");
+    assert!(entries(&target).contains(&"report.html".to_string()));
+    let page = fs::read_to_string(target.join("report.html")).expect("a report");
+    assert_eq!(embedded(&page, "summary"), said.document());
+    for outside in ["src=", "href=\"http", "@import", "url("] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    for words in [
+        "<canvas id=\"wing-canvas\"",
+        "◆",
+        "data-of=\"/tip/twist_deg\">20.58<",
+    ] {
+        assert!(page.contains(words), "{words}");
+    }
+
+    let made = run(&["report", "output/twist-v2", "--json"]);
+    assert_eq!(made.code, Some(0), "{}", made.err);
+    conforms(&made.document(), &schema(&["--output", "report"]));
+    let again = fs::read_to_string(target.join("report.html")).expect("a report");
+    assert!(again == page, "another page from the same run");
+
+    // A report goes with its run, a page of the user does not.
+    assert_eq!(run(&["solve", &wing, "--quiet"]).code, Some(0));
+    assert!(!target.join("report.html").exists());
+    fs::write(here.path().join("mine.html"), "mine").expect("a file");
+    let refused = run(&["report", "output/twist-v2", "--output", "mine.html"]);
+    assert_eq!(refused.code, Some(2));
+    assert_eq!(
+        refused.err,
+        "washout: mine.html exists already; give another name, or move it away\n"
+    );
+    assert_eq!(
+        fs::read_to_string(here.path().join("mine.html")).expect("a file"),
+        "mine"
+    );
+}
+
+#[test]
+fn what_cannot_be_reported_ends_with_2_and_says_what_to_give() {
+    let here = folder();
+    let refused = |arguments: &[&str], words: &str| {
+        let said = washout(here.path(), arguments);
+        assert_eq!((said.code, said.out.as_str()), (Some(2), ""), "{arguments:?}");
+        assert!(said.err.contains(words), "{words:?} is not in\n{}", said.err);
+    };
+    refused(&["report", &design("rigid.toml")], "rigid.toml --report");
+    refused(&["report", &below(here.path(), "")], "no run");
+    refused(&["report", "nowhere"], "nowhere");
+    refused(
+        &["report", &below(here.path(), ""), "--diagnose"],
+        "belongs to a study",
+    );
+    assert!(entries(here.path()).is_empty());
+}
