@@ -170,11 +170,11 @@ fn twist(document: &Document, summary: &RunSummary) -> Result<String, ExportErro
         "twist (deg)",
         "σ of reading (deg)",
         "angle of attack (deg)",
-        "deflection of the leading edge (mm)",
-        "sweep of the leading edge (mm)",
+        "LE deflection (mm)",
+        "LE sweep (mm)",
     ];
     let mut table =
-        HtmlTable::new(&heads).caption("As the design's instrument reads it; positive twist is washout");
+        HtmlTable::new(&heads).caption("As the design's instrument reads it; positive twist is washout; LE: leading edge, across and in the wing plane");
     for (index, row) in summary.profile.iter().enumerate() {
         let at = |name: &str, digits: usize| {
             document.number(&format!("/profile/{index}/{name}"), Digits::After(digits))
@@ -303,8 +303,8 @@ fn sure(document: &Document, summary: &RunSummary) -> String {
     let exact = |place: &str| document.exact(place).html;
     let small = |place: &str| document.number(place, Digits::Significant(2)).html;
     let branch = match summary.solve.negative_pivots {
-        0 => "The branch is stable (no negative pivot of the tangent).".to_string(),
-        count => format!("The branch is NOT stable: {count} negative pivots of the tangent."),
+        0 => "The branch is stable (no negative pivot of the tangent)".to_string(),
+        count => format!("The branch is NOT stable: {count} negative pivots of the tangent"),
     };
     let divergence = match summary.solve.critical_pressure_ratio {
         // The ratio is an estimate from this shape, so far away it only says that twist takes load off the wing.
@@ -318,7 +318,7 @@ fn sure(document: &Document, summary: &RunSummary) -> String {
     };
     let mut html = format!(
         "<p>Equations: converged in {} updates of the air load and {} Newton steps; coupled residual {} of the load, last change of \
-         twist {}°. {branch} {divergence}.</p>\n<p>Mesh: {} nodes, {} triangles, {} beam elements, {} degrees of freedom. \
+         twist {}°. {branch}; {divergence}.</p>\n<p>Mesh: {} nodes, {} triangles, {} beam elements, {} degrees of freedom. \
          What a finer mesh would change, <code>--refine 2</code> says.</p>\n\
          <p>Physics: quasi-steady air on blade elements, the wing at one instant without its motion, film as the design has it. \
          How far that holds against published cases is said in “How far to trust washout”.</p>\n",

@@ -11,7 +11,7 @@ use crate::geometry::Planform;
 use crate::input::Design;
 use crate::observation::field::twist_at_nodes;
 
-use super::escape::{escaped, in_script};
+use super::escape::in_script;
 use super::still::still;
 
 /// Colours from the lowest to the highest value: cividis (J. R. Nuñez, C. R. Anderton, R. S. Renslow, PLOS ONE 13 (2018)
@@ -210,11 +210,9 @@ pub fn section(wings: &[Wing]) -> Result<String, ExportError> {
         in_script(&shown.join(","))
     );
     if wings.len() > 1 {
-        let names: Vec<String> = wings.iter().map(|wing| escaped(&wing.name)).collect();
-        let _ = writeln!(
-            html,
-            "<p class=\"quiet\">All wings share one scale of colours: {}.</p>",
-            names.join("; ")
+        html.push_str(
+            "<p class=\"quiet screen\">All wings share one scale of colours. Two states of a wing are held against each other by \
+             choosing one as wing and the other as ghost.</p>\n",
         );
     }
     Ok(html)

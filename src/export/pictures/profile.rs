@@ -46,6 +46,22 @@ pub fn twist(summary: &RunSummary) -> Figure {
         ink: Ink::Curve(0),
         weight: Weight::Thick,
     });
+    let instrument = summary.design.observation.instrument;
+    let foreign = summary
+        .measured
+        .as_ref()
+        .filter(|measured| measured.instrument != instrument);
+    for span in foreign.iter().flat_map(|measured| &measured.span).take(1) {
+        key(
+            "model as the instrument of the measurement reads it",
+            Sample::Line(Ink::Curve(2), Weight::Thick),
+        );
+        marks.push(Mark::Line {
+            points: span.stations.iter().map(|s| [s.r_mm, s.modelled_deg]).collect(),
+            ink: Ink::Curve(2),
+            weight: Weight::Thick,
+        });
+    }
     for span in summary.measured.iter().flat_map(|measured| &measured.span) {
         let run = match span.run.as_str() {
             "" => String::new(),
