@@ -205,7 +205,8 @@ fn refuse_foreign(target: &Path, summary: &str) -> Result<(), ExportError> {
     let known = files_of_run(target, summary);
     let foreign = |name: &String| {
         let path = target.join(name);
-        !known.contains(name) && !is_run(&path) && !(name == REPORT && is_report(&path))
+        let is_ours = name == REPORT && is_report(&path);
+        !known.contains(name) && !is_run(&path) && !is_ours
     };
     match found.into_iter().find(foreign) {
         None => Ok(()),
