@@ -45,7 +45,7 @@ def tubes(lines, view, colour):
     surface = simple.ExtractSurface(Input=lines)
     tube = simple.Tube(Input=surface, Radius=0.3, NumberofSides=12)
     shown = simple.Show(tube, view)
-    simple.ColorBy(shown, None)
+    shown.ColorArrayName = [None, ""]
     shown.DiffuseColor = colour
 
 
@@ -77,7 +77,7 @@ def show(folder):
     tubes(part(loaded, ROD, ROD), view, [0.1, 0.1, 0.1])
     tubes(part(loaded, SPAR, SPAR), view, [0.3, 0.3, 0.3])
     ghost = simple.Show(simple.FeatureEdges(Input=simple.ExtractSurface(Input=rest)), view)
-    simple.ColorBy(ghost, None)
+    ghost.ColorArrayName = [None, ""]
     ghost.AmbientColor = ghost.DiffuseColor = [0.6, 0.6, 0.6]
     view.UseColorPaletteForBackground = 0
     view.Background = [1.0, 1.0, 1.0]
@@ -86,7 +86,7 @@ def show(folder):
     view.CameraPosition = [160.0, -110.0, 90.0]
     view.CameraFocalPoint = [35.0, 10.0, 0.0]
     view.CameraViewUp = [0.0, 0.0, 1.0]
-    view.ResetCamera(False, 0.9)
+    view.ResetCamera()
     simple.Render(view)
     return view
 

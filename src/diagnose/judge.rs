@@ -184,13 +184,17 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         pair_is_accepted: false,
         is_novel: false,
     };
+    let footing = baseline
+        .footing
+        .as_ref()
+        .map(|footing| forward.for_trials(footing));
     let refits = Refits {
         forward,
         data,
         scatter: &baseline.scatter,
         baseline: &baseline.fit,
         slopes: &baseline.slopes,
-        footing: baseline.footing.as_ref(),
+        footing: footing.as_ref(),
         likelihood: baseline.likelihood,
     };
     let count = if is_null {

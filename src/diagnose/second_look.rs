@@ -99,6 +99,7 @@ fn steps(
     let (forward, data) = (baseline.forward, &baseline.data);
     let unknowns = forward.unknowns();
     let mut slopes = DMatrix::zeros(fit.predicted.len(), data.missing.len());
+    let footing = fit.footing.as_ref().map(|footing| forward.for_trials(footing));
     for &member in members {
         let unknown = data.missing[member];
         let Some((name, _, scale, one_sided)) = effect_of(&unknowns[unknown]) else {
@@ -118,7 +119,7 @@ fn steps(
         }
         let mut at = fit.at.clone();
         at[unknown] += step;
-        let there = forward.linearize_from(fit.footing.as_ref(), &at, &|_| false);
+        let there = forward.linearize_from(footing.as_ref(), &at, &|_| false);
         let Ok((Linear { value: moved, .. }, _)) = there else {
             continue;
         };

@@ -404,9 +404,22 @@ impl Forward for Campaign {
         }
         let ground = Ground {
             at: at.to_vec(),
+            is_for_trials: footing
+                .and_then(Footing::get::<Ground>)
+                .is_some_and(|ground| ground.is_for_trials),
             cases: stands,
         };
         Ok((Linear { value, jacobian }, Some(Footing::new(ground))))
+    }
+
+    fn for_trials(&self, footing: &Footing) -> Footing {
+        match footing.get::<Ground>() {
+            None => footing.clone(),
+            Some(ground) => Footing::new(Ground {
+                is_for_trials: true,
+                ..ground.clone()
+            }),
+        }
     }
 
     fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {

@@ -7,10 +7,12 @@ use super::case::Solved;
 use crate::coupling::Near;
 
 /// A point at which all cases were solved.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Ground {
     /// Value of every unknown.
     pub at: Vec<f64>,
+    /// Whether solves from here are trials that can be given up.
+    pub is_for_trials: bool,
     /// Each case there.
     pub cases: Vec<Stand>,
 }
@@ -42,7 +44,7 @@ impl Ground {
         values.all(|(unknown, (old, new))| old.to_bits() == new.to_bits() || !touches(unknown))
     }
 
-    /// Where the trial solve of a case at another point starts: its shape there to first order, as far as that is known.
+    /// Where the solve of a case at another point starts: its shape there to first order, as far as that is known.
     pub fn near(&self, case: usize, at: &[f64]) -> Near<'_> {
         let stand = &self.cases[case];
         let mut step: Option<Vec<f64>> = None;
@@ -58,7 +60,7 @@ impl Ground {
         Near {
             solution: &stand.solved.at.solution,
             step,
-            is_trial: true,
+            is_trial: self.is_for_trials,
         }
     }
 }

@@ -193,6 +193,11 @@ pub trait Forward: Sync {
         Ok((self.linearize(at, wanted)?, None))
     }
 
+    /// A footing for trials: answers from there, and from what they leave, may give up where a solution is hard to find.
+    fn for_trials(&self, footing: &Footing) -> Footing {
+        footing.clone()
+    }
+
     /// As [`Forward::moment_response`], from a footing.
     ///
     /// # Errors
