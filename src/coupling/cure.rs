@@ -11,7 +11,7 @@ use crate::structure::{Equilibrium, Loads, Mixed, Model, NewtonSettings};
 /// Mixed steps allowed from one start.
 const PATIENCE: usize = 40;
 
-/// The shape without load and the Newton steps it took.
+/// The shape without load and the Newton steps it took: the flat film is held by forces, which are let go of.
 ///
 /// # Errors
 /// If it has no equilibrium.
@@ -20,71 +20,52 @@ pub fn cured(
     equilibrium: &mut Equilibrium,
     progress: &Progress,
 ) -> Result<(State, usize), CouplingError> {
-    let flat = State::at_rest(model.nodes.len());
-    match quickly(model, equilibrium, &[&flat], progress)? {
-        (Some(state), steps) => Ok((state, steps)),
-        (None, lost) => slowly(equilibrium, flat, lost, progress),
+    if let Some(known) = without_cure(model) {
+        return Ok((known, 0));
     }
+    let mut state = State::at_rest(model.nodes.len());
+    let inner = equilibrium.internal_loads(&state);
+    let none = Loads::none(state.displacement.len());
+    let settings = NewtonSettings::default();
+    let report = equilibrium.solve(&mut state, &inner, &none, &settings, progress)?;
+    Ok((state, report.steps))
 }
 
-/// The same of a wing with a solution nearby: from its shape without load. A trial is given up where that leads nowhere.
+/// The same for a trial, by mixed steps from the shape without load of the solution nearby, or else from the flat wing; given up where they
+/// do not settle on a shape that is stable. Where films buckle under cure it may be another one than [`cured`] finds.
 ///
 /// # Errors
-/// If no equilibrium is found.
+/// If it is given up.
 pub fn cured_near(
     wing: &Wing,
     equilibrium: &mut Equilibrium,
     near: &Near,
     progress: &Progress,
 ) -> Result<(State, usize), CouplingError> {
+    if let Some(known) = without_cure(&wing.model) {
+        return Ok((known, 0));
+    }
     let flat = State::at_rest(wing.model.nodes.len());
     let nearby = carried(wing, &near.solution.mesh, &near.solution.rest);
-    let starts: Vec<&State> = nearby.iter().chain([&flat]).collect();
-    match quickly(&wing.model, equilibrium, &starts, progress)? {
-        (Some(state), steps) => Ok((state, steps)),
-        (None, steps) if near.is_trial => Err(CouplingError::GivenUp { steps }),
-        (None, lost) => slowly(equilibrium, flat, lost, progress),
-    }
-}
-
-/// By mixed steps from the first start that they lead from to a stable shape, if any; and how many they were.
-fn quickly(
-    model: &Model,
-    equilibrium: &mut Equilibrium,
-    starts: &[&State],
-    progress: &Progress,
-) -> Result<(Option<State>, usize), CouplingError> {
-    if let Some(blend) = &model.blend {
-        return Ok((Some(blend.rest.clone()), 0));
-    }
-    let mut sheets = model.sheets.iter();
-    if sheets.all(|sheet| sheet.pretension_n_per_m == 0.0) {
-        return Ok((Some(State::at_rest(model.nodes.len())), 0));
-    }
     let mut lost = 0;
-    for start in starts {
+    for start in nearby.iter().chain([&flat]) {
         let (found, steps) = mixed(equilibrium, start, progress)?;
         lost += steps;
-        if found.is_some() {
-            return Ok((found, lost));
+        if let Some(state) = found {
+            return Ok((state, lost));
         }
     }
-    Ok((None, lost))
+    Err(CouplingError::GivenUp { steps: lost })
 }
 
-/// Holds the flat film by forces and lets go of them.
-fn slowly(
-    equilibrium: &mut Equilibrium,
-    flat: State,
-    lost: usize,
-    progress: &Progress,
-) -> Result<(State, usize), CouplingError> {
-    let mut state = flat;
-    let inner = equilibrium.internal_loads(&state);
-    let none = Loads::none(state.displacement.len());
-    let settings = NewtonSettings::default();
-    let report = equilibrium.solve(&mut state, &inner, &none, &settings, progress)?;
-    Ok((state, lost + report.steps))
+/// The shape without load where no film is pre-tensioned, or it is known already.
+fn without_cure(model: &Model) -> Option<State> {
+    if let Some(blend) = &model.blend {
+        return Some(blend.rest.clone());
+    }
+    let mut sheets = model.sheets.iter();
+    let is_loose = sheets.all(|sheet| sheet.pretension_n_per_m == 0.0);
+    is_loose.then(|| State::at_rest(model.nodes.len()))
 }
 
 /// The equilibrium that mixed steps lead to from `start`, if they settle on one that is stable; and how many they were.

@@ -127,7 +127,7 @@ pub fn solve_wing(
     progress: &Progress,
 ) -> Result<(Solution, Tangent), CouplingError> {
     let mut equilibrium = Equilibrium::new(&wing.model)?;
-    let (rest, steps) = match near {
+    let (rest, steps) = match near.filter(|near| near.is_trial) {
         None => cure::cured(&wing.model, &mut equilibrium, progress)?,
         Some(near) => cure::cured_near(wing, &mut equilibrium, near, progress)?,
     };

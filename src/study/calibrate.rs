@@ -18,11 +18,10 @@ const PATIENCE: usize = 30;
 /// Largest last step, in standard deviations of the posterior, that ends the search; a fall of Q by less than its square
 /// (over 1 + Q) does too.
 const TOLERANCE: f64 = 1e-2;
-
 /// Fall of Q that the linear model promises, at most, for a last step that the model itself is not asked about any more: it is
 /// less than a tenth of a standard deviation long, over which the model is linear.
 const LITTLE: f64 = 1e-2;
-/// Trials without a solution, each followed by a shorter step, after which the search is given up: it walks along a cliff.
+/// Trials without a solution after which the search is given up: it walks along a cliff.
 const CLIFF: usize = 8;
 /// Damping above which a step is held back, so that a small one tells nothing.
 const HELD_BACK: f64 = 1e-3;
@@ -124,12 +123,10 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
             });
         }
         match ask(footing.as_ref(), &moved.at) {
+            Err(error) if failures + 1 == CLIFF => return Err(error),
             Err(cancelled @ StudyError::Cancelled(_)) => return Err(cancelled),
             Err(error) => {
                 failures += 1;
-                if failures == CLIFF {
-                    return Err(error);
-                }
                 unsolved = Some(error);
                 damping *= 10.0;
             }

@@ -10,7 +10,7 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 use super::case::{Asked, PreparedCase, Solved};
 use super::error::StudyError;
 use super::footing::{Ground, Stand};
-use super::forward::{Condition, Footing, Forward, Linear, Observable, Unknown, UnknownKind};
+use super::forward::{Condition, Footing, Forward, Linear, Observable, Unknown};
 use super::unknowns::{Target, Targets};
 use super::work::{Tally, Work};
 use crate::input::measurement::Channel;
@@ -327,7 +327,7 @@ impl Campaign {
             asked.push(Asked {
                 index: k,
                 key: key.clone(),
-                switch: self.switch_step(k, at[k]),
+                switch: self.targets.unknowns[k].switch_step(at[k]),
                 placed,
             });
         }
@@ -445,19 +445,5 @@ impl Forward for Campaign {
             }
         }
         Ok(response)
-    }
-}
-
-impl Campaign {
-    /// Step by which an effect with a switch is seen from zero; none for the others.
-    fn switch_step(&self, unknown: usize, value: f64) -> Option<f64> {
-        match &self.targets.unknowns[unknown].kind {
-            UnknownKind::Effect {
-                has_switch: true,
-                scale,
-                ..
-            } if value == 0.0 => Some(0.05 * scale),
-            _ => None,
-        }
     }
 }

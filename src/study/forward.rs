@@ -13,6 +13,9 @@ use crate::input::measurement::{Bound, Channel};
 
 use super::error::StudyError;
 
+/// Step from zero by which an effect with a switch is seen, over its scale.
+const SWITCH_STEP: f64 = 0.05;
+
 /// What a study may move.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Unknown {
@@ -28,6 +31,20 @@ pub struct Unknown {
     pub sigma: f64,
     /// Values that it may take.
     pub range: [f64; 2],
+}
+
+impl Unknown {
+    /// Step by which an effect with a switch is seen from zero, if `value` is that; none for the others.
+    pub(super) fn switch_step(&self, value: f64) -> Option<f64> {
+        match &self.kind {
+            UnknownKind::Effect {
+                has_switch: true,
+                scale,
+                ..
+            } if value == 0.0 => Some(SWITCH_STEP * scale),
+            _ => None,
+        }
+    }
 }
 
 /// What an unknown is.

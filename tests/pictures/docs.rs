@@ -79,7 +79,11 @@ fn every_picture_of_the_documentation_is_shown_on_a_page_and_every_page_finds_it
         .iter()
         .map(|page| std::fs::read_to_string(docs.join(page)).unwrap())
         .collect();
-    let pictures = names(&docs.join("pictures"), ".svg");
+    let pictures = [
+        names(&docs.join("pictures"), ".svg"),
+        names(&docs.join("pictures"), ".png"),
+    ]
+    .concat();
     assert!(pictures.len() > STUDIES.len());
     for picture in &pictures {
         assert!(
