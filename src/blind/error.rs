@@ -18,7 +18,7 @@ pub enum BlindError {
         reason: &'static str,
     },
     /// A drawn effect is hardly seen where it was drawn to sit.
-    #[error("{effect} at its plausible size is seen at {seen:.1} sigma there, too few to be asked for")]
+    #[error("{effect} at its plausible size is seen at {seen:.1} sigma there, fewer than a case asks for")]
     TooFaint {
         /// The effect.
         effect: String,

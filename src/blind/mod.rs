@@ -198,16 +198,21 @@ impl<'a> Blind<'a> {
         Ok(blind)
     }
 
-    /// What is hidden in a case and its measurements; drawn anew where a wing has no equilibrium with it.
-    fn drawn(&self, kind: Kind, seed: u64, progress: &Progress) -> Result<(Recipe, Synthetic), BlindError> {
+    /// What is hidden in a case, its measurements, and how often it was drawn anew because a wing had no equilibrium with it, or it was
+    /// too faint.
+    fn drawn(
+        &self,
+        kind: Kind,
+        seed: u64,
+        progress: &Progress,
+    ) -> Result<(Recipe, Synthetic, u64), BlindError> {
         let mut attempt = 0;
         loop {
             let made = draw::recipe(self, (kind, seed), attempt, progress)
                 .and_then(|recipe| Ok((synthesize(self.study, &recipe, progress)?, recipe)));
-            attempt += 1;
             match made {
-                Err(error) if !error.is_of_run() && attempt < DRAWS => {}
-                made => return made.map(|(made, recipe)| (recipe, made)),
+                Err(error) if !error.is_of_run() && attempt + 1 < DRAWS => attempt += 1,
+                made => return made.map(|(made, recipe)| (recipe, made, attempt)),
             }
         }
     }
@@ -217,7 +222,7 @@ impl<'a> Blind<'a> {
     /// # Errors
     /// If no case of the kind can be drawn, or the user asked to stop.
     pub fn case(&self, kind: Kind, seed: u64, progress: &Progress) -> Result<Outcome, BlindError> {
-        let (recipe, made) = self.drawn(kind, seed, progress)?;
+        let (recipe, made, redrawn) = self.drawn(kind, seed, progress)?;
         let started = Instant::now();
         let (campaign, shared) = match self.campaign.with_readings_of(&made.study) {
             Some(campaign) => (campaign, Some(&self.shared)),
@@ -230,12 +235,13 @@ impl<'a> Blind<'a> {
         let simpler = baselines::answers(&baseline, &judgement);
         let seconds = started.elapsed().as_secs_f64();
         let followed = followed::follow(self, kind, &made.answer, &said, progress)?;
-        Ok(outcome::judge(
+        let outcome = outcome::judge(
             (kind, seed),
             (&made.answer, &distance::distances(self, &recipe.hidden)?),
             &said,
             (simpler, followed),
             seconds,
-        ))
+        );
+        Ok(Outcome { redrawn, ..outcome })
     }
 }

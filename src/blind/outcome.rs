@@ -51,6 +51,9 @@ pub struct Outcome {
     pub followed: Option<Followed>,
     /// Time of the diagnosis, s.
     pub seconds: f64,
+    /// How often the case was drawn anew, because a wing had no equilibrium with what was hidden, or it was too faint.
+    #[serde(default)]
+    pub redrawn: u64,
 }
 
 /// A case that came to no answer.
@@ -150,6 +153,7 @@ pub fn judge(
         simpler,
         followed,
         seconds,
+        redrawn: 0,
     }
 }
 

@@ -13,6 +13,7 @@ use crate::export::ExportError;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::file::write_whole;
 use crate::export::html::study::StudyParts;
+use crate::export::html::wing::Wings;
 use crate::export::html::{Page, REPORT, diagnosis, run, study};
 use crate::export::run::{SUMMARY, is_report, read_summary};
 use crate::export::study::StudyReport;
@@ -163,7 +164,7 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
         let name = folder.file_name().map(|name| name.to_string_lossy().into_owned());
         let name = name.unwrap_or_default();
         let study = name.strip_suffix("-diagnosis").unwrap_or(&name);
-        return Ok(diagnosis::page(study, &report, &[])?);
+        return Ok(diagnosis::page(study, &report, &Wings::default())?);
     }
     Err(Failure::NoReport {
         path: folder.to_path_buf(),

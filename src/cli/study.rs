@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use crate::compare::StudyComparison;
 use crate::compare::study::compare_study;
 use crate::diagnose::{Diagnosis, Verdict};
+use crate::export::html::REPORT;
 use crate::export::html::study::{StudyParts, page as study_page};
-use crate::export::html::{REPORT, Wing};
+use crate::export::html::wing::{Wing, Wings};
 use crate::export::pictures::write::add_study;
 use crate::export::run::RunFolder;
 use crate::export::study::{StudyReport, page};
 use crate::input::study::LoadedStudy;
-use crate::study::{Campaign, Forward, StudyError};
+use crate::study::{Campaign, Forward, StudyError, Unknown, UnknownKind};
 
 use super::report::assumed;
 use super::{Console, Failure};
@@ -112,50 +113,62 @@ impl Compared {
 }
 
 /// The wings as stated, and with what a diagnosis holds most probable.
-pub fn found(campaign: &Campaign, diagnosis: &Diagnosis, console: &Console) -> Result<Vec<Wing>, Failure> {
+pub fn found(campaign: &Campaign, diagnosis: &Diagnosis, console: &Console) -> Result<Wings, Failure> {
     let mut wings = wings(campaign, "as stated", &campaign.start(), console)?;
     wings.extend(explained(campaign, diagnosis, console)?);
     Ok(wings)
 }
 
 /// The wings with what a diagnosis holds most probable, if it names an effect.
-pub fn explained(campaign: &Campaign, found: &Diagnosis, console: &Console) -> Result<Vec<Wing>, Failure> {
+pub fn explained(campaign: &Campaign, found: &Diagnosis, console: &Console) -> Result<Wings, Failure> {
     if !matches!(found.verdict, Verdict::Effect | Verdict::Set | Verdict::Pair) {
-        return Ok(Vec::new());
+        return Ok(Wings::default());
     }
     let Some(first) = found
         .hypotheses
         .iter()
         .find(|hypothesis| !hypothesis.strengths.is_empty())
     else {
-        return Ok(Vec::new());
+        return Ok(Wings::default());
     };
     let mut at = campaign.start();
     for strength in &first.strengths {
         put(campaign, &mut at, &strength.unknown, strength.value);
+        let place = position(campaign, |unknown| is_place_of(unknown, &strength.unknown));
+        if let (Some(found), Some(place)) = (&strength.place, place) {
+            at[place] = found.value;
+        }
     }
-    wings(
-        campaign,
-        &format!("with {}", first.effects.join(" + ")),
-        &at,
-        console,
-    )
+    let state = format!("with {}", first.effects.join(" + "));
+    let mut wings = wings(campaign, &state, &at, console)?;
+    wings
+        .notes
+        .push(format!("{state}: all else as stated, not calibrated anew."));
+    Ok(wings)
 }
 
 fn put(campaign: &Campaign, at: &mut [f64], name: &str, value: f64) {
-    let index = campaign
-        .unknowns()
-        .iter()
-        .position(|unknown| unknown.name == name);
-    if let Some(slot) = index.and_then(|index| at.get_mut(index)) {
-        *slot = value;
+    if let Some(index) = position(campaign, |unknown| unknown.name == name) {
+        at[index] = value;
     }
 }
 
-/// The wings of a campaign with these values of its unknowns; a case without a solution there is left out.
-fn wings(campaign: &Campaign, state: &str, at: &[f64], console: &Console) -> Result<Vec<Wing>, Failure> {
+fn position(campaign: &Campaign, is_it: impl Fn(&Unknown) -> bool) -> Option<usize> {
+    campaign.unknowns().iter().position(is_it)
+}
+
+fn is_place_of(unknown: &Unknown, strength: &str) -> bool {
+    matches!(&unknown.kind, UnknownKind::Place { of, .. } if of == strength)
+}
+
+/// The wings of a campaign with these values of its unknowns, as far as they have a solution there.
+fn wings(campaign: &Campaign, state: &str, at: &[f64], console: &Console) -> Result<Wings, Failure> {
     let count = campaign.cases().len();
-    let mut wings = Vec::new();
+    let mut wings = Wings::default();
+    if count > SHOWN {
+        let words = format!("{SHOWN} of {count} cases are shown {state}, evenly among them.");
+        wings.notes.push(words);
+    }
     for place in 0..count.min(SHOWN) {
         let index = place * count / count.min(SHOWN);
         let case = &campaign.cases()[index];
@@ -164,15 +177,14 @@ fn wings(campaign: &Campaign, state: &str, at: &[f64], console: &Console) -> Res
             .say(format_args!("{}: {} {state}", campaign.name, case.name));
         let solved = campaign.solved_at(index, at);
         console.progress().check()?;
-        if let Ok(solved) = solved {
-            let found = &solved.at;
-            let name = format!("{}, {state}", case.name);
-            wings.push(Wing::of_solution(
-                &name,
-                &found.design,
-                &found.planform,
-                &found.solution,
-            ));
+        let name = format!("{}, {state}", case.name);
+        match solved {
+            Ok(solved) => {
+                let found = &solved.at;
+                let wing = Wing::of_solution(&name, &found.design, &found.planform, &found.solution);
+                wings.shown.push(wing);
+            }
+            Err(error) => wings.notes.push(format!("Not shown: {name}: {error}")),
         }
     }
     Ok(wings)

@@ -78,22 +78,68 @@ fn mixed(
     let tolerance = NewtonSettings::default().tolerance;
     let mut way = Mixed::new();
     let mut state = start.clone();
-    for count in 0..=PATIENCE {
+    let mut distance = equilibrium.assemble_mixed(&state, &none, &way);
+    let mut count = 0;
+    while distance.relative > tolerance.max(distance.rounding) {
         progress.check()?;
-        let distance = equilibrium.assemble_mixed(&state, &none, &way);
-        if distance.relative <= tolerance.max(distance.rounding) {
-            let is_stable = equilibrium
-                .factorize(&state, &none)
-                .is_ok_and(|negative| negative == 0);
-            return Ok((is_stable.then_some(state), count));
-        }
-        let is_lost = count == PATIENCE || !distance.relative.is_finite();
-        if is_lost || equilibrium.factorize_mixed(&state, 0.0, &mut way).is_err() {
+        if count == PATIENCE || equilibrium.factorize_mixed(&state, 0.0, &mut way).is_err() {
             return Ok((None, count));
         }
         let mut step = distance.right;
         equilibrium.solve_tangent(&mut step, 1);
         state = equilibrium.move_mixed(&state, &mut step, &mut way);
+        distance = equilibrium.assemble_mixed(&state, &none, &way);
+        count += 1;
     }
-    Ok((None, PATIENCE))
+    // what is not a number ends the loop too
+    let negative = equilibrium.factorize(&state, &none);
+    let is_stable = distance.relative.is_finite() && negative.is_ok_and(|negative| negative == 0);
+    Ok((is_stable.then_some(state), count))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::coupling::{Wing, solve_wing};
+    use crate::geometry::Planform;
+    use crate::input::Design;
+    use crate::mesh::{Mesh, generate};
+
+    fn wing(pretension_n_per_m: f64) -> (Design, Mesh, Wing) {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("designs/twist-v2.toml");
+        let sets = [
+            "mesh.refine=0.5".to_string(),
+            format!("film.pretension_n_per_m={pretension_n_per_m}"),
+        ];
+        let design = Design::load(&path, &sets).unwrap().design;
+        let mesh = generate(&design, &Planform::from_design(&design).unwrap()).unwrap();
+        let wing = Wing::new(&design, &mesh, None).unwrap();
+        (design, mesh, wing)
+    }
+
+    #[test]
+    fn a_trial_from_a_loose_film_finds_the_taut_one_or_is_given_up() {
+        let (design, mesh, loose) = wing(0.0);
+        let quiet = Progress::quiet();
+        let solution = solve_wing(&design, &loose, &mesh, None, &quiet).unwrap().0;
+        let trial = Near {
+            solution: &solution,
+            step: None,
+            is_trial: true,
+        };
+        for tension in [5.0, 20.0] {
+            let (design, mesh, taut) = wing(tension);
+            let real = solve_wing(&design, &taut, &mesh, None, &quiet).unwrap().0;
+            let found = solve_wing(&design, &taut, &mesh, Some(&trial), &quiet).unwrap().0;
+            let shapes = found.state.displacement.iter().zip(&real.state.displacement);
+            let apart_m = shapes.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
+            assert!(apart_m < 1e-9, "{tension} N/m: {apart_m} m apart");
+            assert!(2 * found.report.newton_steps < real.report.newton_steps);
+        }
+        let (design, mesh, taut) = wing(234.0);
+        let lost = solve_wing(&design, &taut, &mesh, Some(&trial), &quiet).unwrap_err();
+        assert!(matches!(lost, CouplingError::GivenUp { .. }), "{lost}");
+    }
 }

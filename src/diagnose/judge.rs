@@ -1,6 +1,7 @@
 //! Singles, pairs and unnamed fields against one another: refits of the best, conditional scores, probabilities.
 
 use crate::progress::Progress;
+use crate::study::Footing;
 
 use super::baseline::Baseline;
 use super::conclude::{conclude, gate};
@@ -31,6 +32,8 @@ pub struct Judgement {
     pub pairs: Vec<Trial>,
     /// Those fitted anew, with the index of their trial: singles first, then pairs (counted from the end of the singles).
     pub refits: Vec<(usize, Explanation)>,
+    /// Trials whose fit settled nowhere.
+    pub unsettled: Vec<usize>,
     /// Evidence of each trial (singles, then pairs), with refits where there are.
     pub ln_evidence: Vec<f64>,
     /// Unnamed fields.
@@ -65,6 +68,18 @@ impl Judgement {
     /// Logarithm of prior times evidence of a trial.
     pub fn weight(&self, index: usize) -> f64 {
         self.trial(index).ln_prior + self.ln_evidence[index]
+    }
+
+    /// Notes what a fit of a trial found, if it settled anywhere; says by how much its evidence rose.
+    pub fn take(&mut self, index: usize, found: Option<Explanation>) -> Option<f64> {
+        let Some(found) = found else {
+            self.unsettled.push(index);
+            return None;
+        };
+        let rise = found.ln_evidence - self.ln_evidence[index];
+        self.ln_evidence[index] = found.ln_evidence;
+        self.refits.push((index, found));
+        Some(rise)
     }
 
     /// The heaviest of all that were fitted anew, with its trial.
@@ -176,6 +191,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         singles,
         pairs,
         refits: Vec::new(),
+        unsettled: Vec::new(),
         ln_evidence,
         weighed,
         beliefs: Vec::new(),
@@ -184,10 +200,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         pair_is_accepted: false,
         is_novel: false,
     };
-    let footing = baseline
-        .footing
-        .as_ref()
-        .map(|footing| forward.for_trials(footing));
+    let footing = baseline.footing.as_ref().map(Footing::for_trials);
     let refits = Refits {
         forward,
         data,
@@ -238,11 +251,8 @@ fn refit_singles(
         }
         progress.say(format_args!("refit {} of {count}", judgement.refits.len() + 1));
         let estimates = &trial.linear.estimate[..trial.members.len()];
-        if let Some(explanation) = refits.refit(&trial.members, estimates)? {
-            offsets.push(explanation.ln_evidence - judgement.ln_evidence[index]);
-            judgement.ln_evidence[index] = explanation.ln_evidence;
-            judgement.refits.push((index, explanation));
-        }
+        let found = refits.refit(&trial.members, estimates)?;
+        offsets.extend(judgement.take(index, found));
     }
     // what the linear model promised too much, it promised the others too
     offsets.sort_by(f64::total_cmp);

@@ -36,6 +36,13 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, 
             of_motion.join(", ")
         ));
     }
+    let unsettled = unsettled(judgement);
+    if !unsettled.is_empty() {
+        notes.push(format!(
+            "No fit settled with {}: weighed by derivatives alone.",
+            unsettled.join(", ")
+        ));
+    }
     let beliefs = judgement.beliefs.iter().filter_map(|belief| match belief.case {
         Case::One(family) => {
             let (index, explanation) = judgement.best_of(&[family])?;
@@ -61,6 +68,23 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, 
         }
     }
     Ok(notes)
+}
+
+/// Names of the explanations whose fit settled nowhere, while no other form of theirs was fitted.
+fn unsettled(judgement: &Judgement) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for &index in &judgement.unsettled {
+        let families = &judgement.trial(index).families;
+        if matches!(judgement.best_of(families), Some((_, Some(_)))) {
+            continue;
+        }
+        let name = |family: &usize| judgement.families[*family].name.as_str();
+        let name = families.iter().map(name).collect::<Vec<_>>().join(" with ");
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
 }
 
 /// Effects that are tried and need the motion over the stroke, as far as this campaign could see them.

@@ -129,10 +129,8 @@ fn refit_heaviest(
         let (members, estimates) = starts[pair]
             .clone()
             .unwrap_or_else(|| (trial.members.clone(), trial.linear.estimate.to_vec()));
-        if let Some(explanation) = refits.refit(&members, &estimates)? {
-            judgement.ln_evidence[first + pair] = explanation.ln_evidence;
-            judgement.refits.push((first + pair, explanation));
-        }
+        let found = refits.refit(&members, &estimates)?;
+        judgement.take(first + pair, found);
     }
     Ok(())
 }

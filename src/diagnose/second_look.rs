@@ -6,7 +6,7 @@
 use nalgebra::DMatrix;
 
 use crate::progress::Progress;
-use crate::study::{Fit, Linear};
+use crate::study::{Fit, Footing, Linear};
 
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
@@ -80,10 +80,8 @@ pub fn second_look(
         let members = judgement.singles[index].members.clone();
         let name = &unknowns[data.missing[members[0]]].name;
         progress.say(format_args!("refit after a second look: {name}"));
-        if let Some(found) = refits.refit(&members, &[estimate])? {
-            judgement.ln_evidence[index] = found.ln_evidence;
-            judgement.refits.push((index, found));
-        }
+        let found = refits.refit(&members, &[estimate])?;
+        judgement.take(index, found);
     }
     Ok(())
 }
@@ -99,7 +97,7 @@ fn steps(
     let (forward, data) = (baseline.forward, &baseline.data);
     let unknowns = forward.unknowns();
     let mut slopes = DMatrix::zeros(fit.predicted.len(), data.missing.len());
-    let footing = fit.footing.as_ref().map(|footing| forward.for_trials(footing));
+    let footing = fit.footing.as_ref().map(Footing::for_trials);
     for &member in members {
         let unknown = data.missing[member];
         let Some((name, _, scale, one_sided)) = effect_of(&unknowns[unknown]) else {

@@ -13,6 +13,17 @@ pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
         board.failed.len(),
         board.median_seconds
     );
+    let redrawn: Vec<String> = outcomes
+        .iter()
+        .filter(|outcome| outcome.redrawn > 0)
+        .map(|outcome| outcome.seed.to_string())
+        .collect();
+    if !redrawn.is_empty() {
+        page += &format!(
+            "Drawn anew, because a wing had no equilibrium with what was hidden, or it was too faint: {}.\n\n",
+            redrawn.join(", ")
+        );
+    }
     page += "| figure | hits | share or value | 95 % interval | asked |\n|---|---|---|---|---|\n";
     for row in &board.rows {
         page += &line(row);

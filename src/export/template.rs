@@ -7,6 +7,7 @@ use std::fmt::Write;
 
 use crate::geometry::Planform;
 use crate::input::design::{Design, Section};
+use crate::plot::pen::escaped;
 
 /// Points along a curved edge.
 const EDGE_POINTS: usize = 240;
@@ -260,12 +261,6 @@ fn words(section: &Section) -> String {
         Section::Laminate { width_mm, .. } => format!("laminate {} mm wide", width_mm.value()),
         Section::Given { .. } => "rod".to_string(),
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
 }
 
 /// Without what the plain ASCII of R12 has no letters for.

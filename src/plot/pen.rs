@@ -133,14 +133,17 @@ pub(super) fn on_paper(
     Ok(svg.replacen(">\n", &title, 1))
 }
 
-fn escaped(text: &str) -> String {
+/// Text for an element or an attribute of SVG or HTML.
+pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '&' => out.push_str("&amp;"),
-            c if c.is_control() => out.push(' '),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            c if c.is_control() && c != '\n' => out.push(' '),
             c => out.push(c),
         }
     }

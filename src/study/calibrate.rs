@@ -66,7 +66,7 @@ pub struct Task<'a> {
     pub free: &'a [usize],
     /// Where to start.
     pub start: &'a [f64],
-    /// What the model left where it was asked before, near the start.
+    /// What the model left where it was asked before, near the start. If it is for trials, all solves of the search are.
     pub footing: Option<&'a Footing>,
 }
 
@@ -92,8 +92,10 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
     let free: Vec<usize> = task.free.to_vec();
     let wanted = |name: &str| free.iter().any(|&i| unknowns[i].name == name);
     let mut at = task.start.to_vec();
+    let is_trial = task.footing.is_some_and(Footing::is_for_trials);
     let ask = |footing: Option<&Footing>, at: &[f64]| {
-        forward.linearize_from(footing, at, &|unknown| wanted(&unknown.name))
+        let footing = footing.map(|left| if is_trial { left.for_trials() } else { left.clone() });
+        forward.linearize_from(footing.as_ref(), at, &|unknown| wanted(&unknown.name))
     };
     let (mut linear, mut footing) = ask(task.footing, &at)?;
     let mut damping = HELD_BACK;
@@ -254,6 +256,8 @@ impl Local {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
     use super::*;
     use crate::input::measurement::Channel;
     use crate::study::AdmittedError;
@@ -306,24 +310,21 @@ mod tests {
         }
 
         fn fit(&self) -> Fit {
-            let rows: Vec<usize> = (0..self.observables.len()).collect();
-            let none = DVector::zeros(rows.len());
-            let noise = Noise::new(
-                &self.observables,
-                &self.conditions,
-                &rows,
-                &AdmittedError::of_predictions(0.0, &none),
-            )
-            .unwrap();
-            let task = Task {
-                rows: &rows,
-                noise: &noise,
-                free: &[0, 1],
-                start: &[1.0, 0.1],
-                footing: None,
-            };
-            calibrate(self, &task).unwrap()
+            search(self).unwrap()
         }
+    }
+
+    fn search(forward: &dyn Forward) -> Result<Fit, StudyError> {
+        let rows: Vec<usize> = (0..forward.observables().len()).collect();
+        let none = AdmittedError::of_predictions(0.0, &DVector::zeros(rows.len()));
+        let task = Task {
+            rows: &rows,
+            noise: &Noise::new(forward.observables(), forward.conditions(), &rows, &none).unwrap(),
+            free: &[0, 1],
+            start: &[1.0, 0.1],
+            footing: None,
+        };
+        calibrate(forward, &task)
     }
 
     impl Forward for Decay {
@@ -391,59 +392,53 @@ mod tests {
         assert!((decay.fit().at[0] - 2.0).abs() > 0.3);
     }
 
-    /// The decay, with no solution for a above 5.
-    struct Cliff(Decay, fn() -> StudyError);
+    /// The decay, with no solution for a above 5; counts how often it was asked for one there.
+    struct Cliff {
+        decay: Decay,
+        error: fn() -> StudyError,
+        asked: AtomicUsize,
+    }
 
     impl Forward for Cliff {
         fn unknowns(&self) -> &[Unknown] {
-            self.0.unknowns()
+            self.decay.unknowns()
         }
         fn observables(&self) -> &[Observable] {
-            self.0.observables()
+            self.decay.observables()
         }
         fn conditions(&self) -> &[Condition] {
-            self.0.conditions()
+            self.decay.conditions()
         }
         fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
-            self.0.predict(at)
+            self.decay.predict(at)
         }
         fn linearize(&self, at: &[f64], wanted: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError> {
             if at[0] > 5.0 {
-                return Err((self.1)());
+                self.asked.fetch_add(1, Ordering::Relaxed);
+                return Err((self.error)());
             }
-            self.0.linearize(at, wanted)
+            self.decay.linearize(at, wanted)
         }
         fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {
-            self.0.moment_response(at, stations)
+            self.decay.moment_response(at, stations)
         }
     }
 
     #[test]
-    fn a_search_that_ends_where_the_model_has_no_solution_or_the_user_stops_it_gives_no_fit() {
+    fn a_search_along_a_cliff_ends_at_its_eighth_trial_without_solution_or_when_the_user_stops_it() {
         let unsolved = || StudyError::Unsolved {
             case: "c".into(),
             reason: "beyond divergence".into(),
         };
         let cancelled = || StudyError::Cancelled(crate::progress::Cancelled);
-        for error in [unsolved as fn() -> StudyError, cancelled] {
-            let cliff = Cliff(Decay::new(&exact(20.0, 0.7), 1e-3, [0.0, 5.0]), error);
-            let rows: Vec<usize> = (0..8).collect();
-            let none = DVector::zeros(8);
-            let noise = Noise::new(
-                cliff.observables(),
-                cliff.conditions(),
-                &rows,
-                &AdmittedError::of_predictions(0.0, &none),
-            )
-            .unwrap();
-            let task = Task {
-                rows: &rows,
-                noise: &noise,
-                free: &[0, 1],
-                start: &[1.0, 0.1],
-                footing: None,
+        for (error, trials) in [(unsolved as fn() -> StudyError, 8), (cancelled, 1)] {
+            let cliff = Cliff {
+                decay: Decay::new(&exact(20.0, 0.7), 1e-3, [0.0, 5.0]),
+                error,
+                asked: AtomicUsize::new(0),
             };
-            assert_eq!(calibrate(&cliff, &task).unwrap_err(), error());
+            assert_eq!(search(&cliff).unwrap_err(), error());
+            assert_eq!(cliff.asked.into_inner(), trials);
         }
     }
 }

@@ -250,29 +250,30 @@ impl Campaign {
             self.name,
             self.cases.len()
         ));
-        let ground = footing.and_then(Footing::get::<Ground>);
         (0..self.cases.len())
             .into_par_iter()
             .map(|index| {
-                let (stand, tangent) = self.stand(index, ground, at)?;
+                let (stand, tangent) = self.stand(index, footing, at)?;
                 give(index, stand, tangent)
             })
             .collect()
     }
 
-    /// A case solved: as it was on `ground` if nothing that acts on it has moved, else from there.
+    /// A case solved: as it was on the footing if nothing that acts on it has moved, else from there.
     fn stand(
         &self,
         index: usize,
-        ground: Option<&Ground>,
+        footing: Option<&Footing>,
         at: &[f64],
     ) -> Result<(Stand, Option<Tangent>), StudyError> {
+        let ground = footing.and_then(Footing::get::<Ground>);
         let touches = |unknown: usize| self.targets.targets[unknown].touches(index, at);
         if let Some(ground) = ground.filter(|ground| ground.is_same(at, touches)) {
             return Ok((ground.cases[index].clone(), None));
         }
         let case = &self.cases[index];
-        let near = ground.map(|ground| ground.near(index, at));
+        let is_trial = footing.is_some_and(Footing::is_for_trials);
+        let near = ground.map(|ground| ground.near(index, at, is_trial));
         let design = self.design_at(index, at)?;
         let (solved, tangent) = match case.base_at(&design) {
             Some(solved) => (solved, None),
@@ -404,22 +405,9 @@ impl Forward for Campaign {
         }
         let ground = Ground {
             at: at.to_vec(),
-            is_for_trials: footing
-                .and_then(Footing::get::<Ground>)
-                .is_some_and(|ground| ground.is_for_trials),
             cases: stands,
         };
         Ok((Linear { value, jacobian }, Some(Footing::new(ground))))
-    }
-
-    fn for_trials(&self, footing: &Footing) -> Footing {
-        match footing.get::<Ground>() {
-            None => footing.clone(),
-            Some(ground) => Footing::new(Ground {
-                is_for_trials: true,
-                ..ground.clone()
-            }),
-        }
     }
 
     fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {

@@ -11,8 +11,6 @@ use crate::coupling::Near;
 pub(super) struct Ground {
     /// Value of every unknown.
     pub at: Vec<f64>,
-    /// Whether solves from here are trials that can be given up.
-    pub is_for_trials: bool,
     /// Each case there.
     pub cases: Vec<Stand>,
 }
@@ -44,8 +42,8 @@ impl Ground {
         values.all(|(unknown, (old, new))| old.to_bits() == new.to_bits() || !touches(unknown))
     }
 
-    /// Where the solve of a case at another point starts: its shape there to first order, as far as that is known.
-    pub fn near(&self, case: usize, at: &[f64]) -> Near<'_> {
+    /// Where the solve of a case at another point starts: its shape there to first order, as far as that is known. A trial can be given up.
+    pub fn near(&self, case: usize, at: &[f64], is_trial: bool) -> Near<'_> {
         let stand = &self.cases[case];
         let mut step: Option<Vec<f64>> = None;
         for (unknown, column) in &stand.columns {
@@ -60,7 +58,7 @@ impl Ground {
         Near {
             solution: &stand.solved.at.solution,
             step,
-            is_trial: self.is_for_trials,
+            is_trial,
         }
     }
 }

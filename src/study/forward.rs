@@ -149,17 +149,37 @@ impl Linear {
 
 /// What an answer of a model leaves for its next ones; only the model that left it can read it.
 #[derive(Clone)]
-pub struct Footing(Arc<dyn Any + Send + Sync>);
+pub struct Footing {
+    kept: Arc<dyn Any + Send + Sync>,
+    is_for_trials: bool,
+}
 
 impl Footing {
     /// Of what a model wants to keep.
     pub fn new<T: Any + Send + Sync>(kept: T) -> Footing {
-        Footing(Arc::new(kept))
+        Footing {
+            kept: Arc::new(kept),
+            is_for_trials: false,
+        }
+    }
+
+    /// The same for trials: answers from there may give up where a solution is hard to find. What they leave is not for trials.
+    #[must_use]
+    pub fn for_trials(&self) -> Footing {
+        Footing {
+            is_for_trials: true,
+            ..self.clone()
+        }
+    }
+
+    /// Whether answers from there may give up.
+    pub fn is_for_trials(&self) -> bool {
+        self.is_for_trials
     }
 
     /// What was kept, if it is of this type.
     pub fn get<T: Any>(&self) -> Option<&T> {
-        self.0.downcast_ref()
+        self.kept.downcast_ref()
     }
 }
 
@@ -208,11 +228,6 @@ pub trait Forward: Sync {
         wanted: &dyn Fn(&Unknown) -> bool,
     ) -> Result<(Linear, Option<Footing>), StudyError> {
         Ok((self.linearize(at, wanted)?, None))
-    }
-
-    /// A footing for trials: answers from there, and from what they leave, may give up where a solution is hard to find.
-    fn for_trials(&self, footing: &Footing) -> Footing {
-        footing.clone()
     }
 
     /// As [`Forward::moment_response`], from a footing.

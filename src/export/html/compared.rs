@@ -18,7 +18,7 @@ use super::table::{HtmlTable, list, paragraph};
 pub fn comparison(document: &Document, place: &str, found: &Comparison) -> Result<String, ExportError> {
     let mut html = format!(
         "<p class=\"sentence\">{}</p>\n",
-        super::escape::escaped(&found.verdict)
+        crate::plot::pen::escaped(&found.verdict)
     );
     html.push_str(&mind(&found.notes));
     let compared = Compared::of_wing(found);

@@ -11,19 +11,19 @@ use super::document::{Digits, Document, Shown};
 use super::page::{Page, headline, mind};
 use super::picture::picture;
 use super::table::{HtmlTable, folded, list, paragraph};
-use super::wing::{Wing, section};
+use super::wing::Wings;
 
 /// The report of a diagnosis by itself; `study` is its name, `wings` are those to be shown.
 ///
 /// # Errors
 /// If a number in a picture is not finite.
-pub fn page(study: &str, report: &DiagnosisReport, wings: &[Wing]) -> Result<Page, ExportError> {
+pub fn page(study: &str, report: &DiagnosisReport, wings: &Wings) -> Result<Page, ExportError> {
     let mut page = Page {
         title: study.to_string(),
         lead: sentence(&report.diagnosis),
         ..Page::default()
     };
-    page.section("wing", "The wings", section(wings)?);
+    page.section("wing", "The wings", wings.section()?);
     add(&mut page, study, report)?;
     Ok(page)
 }
@@ -32,7 +32,7 @@ pub fn page(study: &str, report: &DiagnosisReport, wings: &[Wing]) -> Result<Pag
 pub fn sentence(found: &Diagnosis) -> String {
     format!(
         "<p class=\"sentence\">{}</p>\n",
-        super::escape::escaped(&found.sentence)
+        crate::plot::pen::escaped(&found.sentence)
     )
 }
 
@@ -303,7 +303,7 @@ fn missing(study: &str, found: &Diagnosis) -> Result<String, ExportError> {
     if let Some(draft) = &found.novel.draft {
         let text = draft.effect.as_ref().unwrap_or(&draft.expression);
         html.push_str(&paragraph(&draft.what));
-        html.push_str(&format!("<pre>{}</pre>\n", super::escape::escaped(text)));
+        html.push_str(&format!("<pre>{}</pre>\n", crate::plot::pen::escaped(text)));
     }
     Ok(html)
 }

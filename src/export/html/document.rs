@@ -6,7 +6,8 @@ use serde_json::Value;
 use crate::export::ExportError;
 use crate::export::text::{number, significant};
 
-use super::escape::{escaped, in_script};
+use super::script::in_script;
+use crate::plot::pen::escaped;
 
 /// How many digits are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 //! Every number that a table shows is taken from the document that stands in the page (`summary.json`, `comparison.json`,
 //! `diagnosis.json`) and says from where: `<data value="20.58…" data-of="/tip/twist_deg">20.58</data>`.
 
-pub mod escape;
+pub mod script;
 
 pub mod document;
 

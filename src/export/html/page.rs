@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::GENERATOR;
 use super::document::{Document, Shown};
-use super::escape::escaped;
+use crate::plot::pen::escaped;
 
 const STYLE: &str = include_str!("style.css");
 const VIEWER: &str = include_str!("viewer.js");

@@ -87,9 +87,9 @@ fn lead(document: &Document, summary: &RunSummary) -> String {
     let tip_at = number("/tip/r_mm", 1).html;
     let mut html = format!(
         "<p class=\"quiet\">{} · {} · washout {}</p>\n",
-        super::escape::escaped(&summary.design_file),
+        crate::plot::pen::escaped(&summary.design_file),
         air(document, summary),
-        super::escape::escaped(&summary.washout_version)
+        crate::plot::pen::escaped(&summary.washout_version)
     );
     let error = summary
         .measured

@@ -46,7 +46,7 @@ pub fn still(wing: &Wing) -> String {
     let mut svg = format!(
         "<svg role=\"img\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" style=\"display:block;width:100%\"><title>{}</title>\n\
          <g fill=\"none\" stroke=\"#888\" stroke-dasharray=\"5 4\">\n",
-        super::escape::escaped(&wing.name)
+        crate::plot::pen::escaped(&wing.name)
     );
     // Writing to a String cannot fail.
     for [a, b] in outline(&wing.triangles) {

@@ -15,13 +15,13 @@ use super::inputs::{all_numbers, assumptions};
 use super::page::{Page, headline};
 use super::picture::picture;
 use super::table::{HtmlTable, list};
-use super::wing::{Wing, section};
+use super::wing::Wings;
 
 /// What a report of a study shows besides its comparison.
 #[derive(Debug, Clone, Default)]
 pub struct StudyParts {
     /// Its wings, case by case.
-    pub wings: Vec<Wing>,
+    pub wings: Wings,
     /// What its designs assume, design by design.
     pub assumed: Vec<(String, Vec<Assumption>)>,
     /// Its diagnosis, if one was made.
@@ -43,7 +43,7 @@ pub fn page(report: &StudyReport, parts: &StudyParts) -> Result<Page, ExportErro
     if let Some(found) = &parts.diagnosis {
         page.lead.push_str(&diagnosis::sentence(&found.diagnosis));
     }
-    page.section("wing", "The wings", section(&parts.wings)?);
+    page.section("wing", "The wings", parts.wings.section()?);
     let found = Compared::of_study(comparison);
     let has_rows = !found.rows.is_empty();
     let mut html = format!("{}{}", list(&comparison.words), groups(&document, comparison));
@@ -88,7 +88,7 @@ fn lead(document: &Document, comparison: &StudyComparison) -> String {
     };
     format!(
         "<p class=\"quiet\">{}</p>\n{}",
-        super::escape::escaped(&comparison.title),
+        crate::plot::pen::escaped(&comparison.title),
         headline(&[
             ("Cases", count("/cases"), ""),
             ("Measured numbers", count("/rows"), ""),

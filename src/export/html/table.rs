@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::document::Shown;
-use super::escape::escaped;
+use crate::plot::pen::escaped;
 
 /// A table: a head, rows, numbers to the right and words to the left.
 #[derive(Debug, Clone, Default)]

@@ -11,8 +11,9 @@ use crate::geometry::Planform;
 use crate::input::Design;
 use crate::observation::field::twist_at_nodes;
 
-use super::escape::in_script;
+use super::script::in_script;
 use super::still::still;
+use super::table::paragraph;
 
 /// Colours from the lowest to the highest value: cividis (J. R. Nuñez, C. R. Anderton, R. S. Renslow, PLOS ONE 13 (2018)
 /// e0199239), which looks alike to people with and without colour vision and rises in lightness.
@@ -180,6 +181,35 @@ fn joined(values: &[f64], show: impl Fn(f64) -> String) -> String {
         text.push_str(&show(value));
     }
     text
+}
+
+/// Wings of a study, and what is not shown of them.
+#[derive(Debug, Clone, Default)]
+pub struct Wings {
+    /// Those shown.
+    pub shown: Vec<Wing>,
+    /// What is not shown, and why.
+    pub notes: Vec<String>,
+}
+
+impl Wings {
+    /// Those of `more` besides.
+    pub fn extend(&mut self, more: Wings) {
+        self.shown.extend(more.shown);
+        self.notes.extend(more.notes);
+    }
+
+    /// The section that shows them and says what it does not show.
+    ///
+    /// # Errors
+    /// If a value is not finite.
+    pub fn section(&self) -> Result<String, ExportError> {
+        let mut html = section(&self.shown)?;
+        for words in &self.notes {
+            html.push_str(&paragraph(words));
+        }
+        Ok(html)
+    }
 }
 
 /// The wings as they stand in the page: a still picture, and a viewer that takes its place where scripts run.

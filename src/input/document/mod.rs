@@ -346,11 +346,16 @@ mod tests {
     }
 
     #[test]
-    fn huge_integers_become_numbers() {
-        let root = Node::parse_file("f.toml", "a = 99999999999999999999\nb = 1_000\nc = 0x1f").unwrap();
+    fn huge_integers_and_underscored_numbers_become_numbers() {
+        let root = Node::parse_file(
+            "f.toml",
+            "a = 99999999999999999999\nb = 1_000\nc = 0x1f\nd = 1_000.2_5",
+        )
+        .unwrap();
         assert_eq!(root.get("a").unwrap().number(), Some(1e20));
         assert_eq!(root.get("b").unwrap().number(), Some(1000.0));
         assert_eq!(root.get("c").unwrap().number(), Some(31.0));
+        assert_eq!(root.get("d").unwrap().number(), Some(1000.25));
     }
 
     #[test]
