@@ -1,5 +1,6 @@
 //! Standard output and standard error: who gets which text.
 
+use std::cell::RefCell;
 use std::fmt;
 use std::io::{self, Write};
 
@@ -15,6 +16,8 @@ pub struct Console {
     json: bool,
     quiet: bool,
     progress: Progress,
+    /// Holds the document instead of standard output.
+    kept: Option<RefCell<String>>,
 }
 
 impl Console {
@@ -30,7 +33,23 @@ impl Console {
             json: common.json,
             quiet: common.quiet,
             progress,
+            kept: None,
         }
+    }
+
+    /// A console that prints nothing and keeps the document that a verb gives with `--json`: for programs that call verbs.
+    pub fn keeping(progress: Progress) -> Self {
+        Console {
+            json: true,
+            quiet: true,
+            progress,
+            kept: Some(RefCell::default()),
+        }
+    }
+
+    /// The document kept, or the text for another program; empty where nothing was given, or it was printed.
+    pub fn into_kept(self) -> String {
+        self.kept.map(RefCell::into_inner).unwrap_or_default()
     }
 
     /// What long computations report to.
@@ -45,7 +64,7 @@ impl Console {
             (false, true) => Ok(()),
             (false, false) => {
                 self.progress.finish();
-                print(page.as_bytes())
+                self.print(page.as_bytes())
             }
         }
     }
@@ -54,13 +73,23 @@ impl Console {
     pub fn document(&self, document: &impl Serialize) -> Result<(), Failure> {
         self.progress.finish();
         let text = serde_json::to_string_pretty(document).map_err(|error| Failure::Output(error.into()))?;
-        print((text + "\n").as_bytes())
+        self.print((text + "\n").as_bytes())
     }
 
     /// Prints text that is meant for another program as it is, whatever the options say.
     pub fn text(&self, text: &[u8]) -> Result<(), Failure> {
         self.progress.finish();
-        print(text)
+        self.print(text)
+    }
+
+    fn print(&self, text: &[u8]) -> Result<(), Failure> {
+        match &self.kept {
+            Some(kept) => {
+                kept.borrow_mut().push_str(&String::from_utf8_lossy(text));
+                Ok(())
+            }
+            None => print(text),
+        }
     }
 
     /// Says something on standard error that is no result and no failure.
@@ -84,4 +113,16 @@ fn print(text: &[u8]) -> Result<(), Failure> {
 pub fn complain(text: &impl fmt::Display) {
     // Nobody is left to tell if standard error is closed.
     let _ = writeln!(io::stderr(), "washout: {text}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_keeping_console_keeps_the_document_and_not_the_page() {
+        let console = Console::keeping(Progress::quiet());
+        console.result("page\n", &[1, 2]).expect("kept");
+        assert_eq!(console.into_kept(), "[\n  1,\n  2\n]\n");
+    }
 }

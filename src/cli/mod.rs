@@ -190,39 +190,43 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// Runs one verb.
+/// Runs one verb on the console of the process.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let console = Console::new(&arguments.common);
+    run_on(&Console::new(&arguments.common), arguments)
+}
+
+/// Runs one verb on a console.
+pub fn run_on(console: &Console, arguments: &Arguments) -> Result<(), Failure> {
     if let Some(threads) = arguments.common.threads {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.into());
         pool.build_global()
             .map_err(|error| Failure::Threads(error.to_string()))?;
     }
     let result = match &arguments.verb {
-        Verb::Solve(verb) => verb.run(&console),
-        Verb::Compare(verb) => verb.run(&console),
-        Verb::Lift(verb) => verb.run(&console),
-        Verb::Pareto(verb) => verb.run(&console),
-        Verb::Sweep(verb) => verb.run(&console),
-        Verb::Design(verb) => verb.run(&console),
-        Verb::Divergence(verb) => verb.run(&console),
-        Verb::Modes(verb) => verb.run(&console),
-        Verb::Mesh(verb) => verb.run(&console),
-        Verb::Measure(verb) => verb.run(&console),
-        Verb::Init(verb) => verb.run(&console),
-        Verb::Schema(verb) => verb.run(&console),
-        Verb::Diagnose(verb) => verb.run(&console),
-        Verb::Add(verb) => verb.run(&console),
-        Verb::Synthesize(verb) => verb.run(&console),
-        Verb::Blind(verb) => verb.run(&console),
-        Verb::Effects(verb) => verb.run(&console),
-        Verb::Diff(verb) => verb.run(&console),
-        Verb::Report(verb) => verb.run(&console),
-        Verb::Export(verb) => verb.run(&console),
-        Verb::Verify(verb) => verb.run(&console),
-        Verb::Doctor(verb) => verb.run(&console),
-        Verb::Completions(verb) => verb.run(&console),
-        Verb::Man(verb) => verb.run(&console),
+        Verb::Solve(verb) => verb.run(console),
+        Verb::Compare(verb) => verb.run(console),
+        Verb::Lift(verb) => verb.run(console),
+        Verb::Pareto(verb) => verb.run(console),
+        Verb::Sweep(verb) => verb.run(console),
+        Verb::Design(verb) => verb.run(console),
+        Verb::Divergence(verb) => verb.run(console),
+        Verb::Modes(verb) => verb.run(console),
+        Verb::Mesh(verb) => verb.run(console),
+        Verb::Measure(verb) => verb.run(console),
+        Verb::Init(verb) => verb.run(console),
+        Verb::Schema(verb) => verb.run(console),
+        Verb::Diagnose(verb) => verb.run(console),
+        Verb::Add(verb) => verb.run(console),
+        Verb::Synthesize(verb) => verb.run(console),
+        Verb::Blind(verb) => verb.run(console),
+        Verb::Effects(verb) => verb.run(console),
+        Verb::Diff(verb) => verb.run(console),
+        Verb::Report(verb) => verb.run(console),
+        Verb::Export(verb) => verb.run(console),
+        Verb::Verify(verb) => verb.run(console),
+        Verb::Doctor(verb) => verb.run(console),
+        Verb::Completions(verb) => verb.run(console),
+        Verb::Man(verb) => verb.run(console),
     };
     console.progress().finish();
     result

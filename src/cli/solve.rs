@@ -5,11 +5,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::coupling::Engineering;
 use crate::coupling::engineering::engineering;
 use crate::coupling::solution::Solution;
+use crate::export::ExportError;
 use crate::export::collect::{Solved, summarize, write_files};
 use crate::export::report::page;
 use crate::export::run::{RunFolder, read_summary};
+use crate::export::summary::RunSummary;
 use crate::export::warnings::of_stroke;
 use crate::input::Design;
 use crate::observation::{TwistProfile, read_profile};
@@ -44,6 +47,17 @@ pub struct Solve {
     /// Folder to write into [default: output/NAME]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// What is wanted besides the loaded shape
+    #[command(flatten)]
+    pub asked: Asked,
+    /// Write report.html besides: the wing in 3D, pictures and tables in one file for a browser
+    #[arg(long)]
+    pub report: bool,
+}
+
+/// What is wanted besides the loaded shape.
+#[derive(Debug, Clone, Copy, Default, Args)]
+pub struct Asked {
     /// Propagate the assumed ranges to a band by N solves, 16 or more [default N: 64]
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "64")]
     pub uncertainty: Option<usize>,
@@ -54,58 +68,19 @@ pub struct Solve {
     /// N phases from mid-stroke to the reversal instead, each solved as if it stood still: no inertia, no flip
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=99), conflicts_with = "stroke")]
     pub stroke_quasi_static: Option<u16>,
-    /// Write report.html besides: the wing in 3D, pictures and tables in one file for a browser
-    #[arg(long)]
-    pub report: bool,
 }
 
 impl Solve {
     /// Solves and writes; nothing is written unless everything converged.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
-        self.check_samples()?;
+        self.asked.check_samples()?;
         let case = self.design.case(console)?;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(&case.loaded.design.name));
         let mut folder = RunFolder::create(&target)?;
-        progress.say(format_args!("solving {}", case.loaded.design.name));
-        let solution = solve(&case, progress)?;
-        let reading = Reading::of(&case, &solution, &BTreeMap::new())?;
-        let uncertainty = self
-            .uncertainty
-            .map(|samples| band(&case, &solution, &reading, samples, progress));
-        let uncertainty = uncertainty.transpose()?;
-        let moving = self
-            .stroke
-            .map(|phases| stroke::solve(&case, &solution, phases, progress));
-        let standing = self
-            .stroke_quasi_static
-            .map(|phases| stroke_quasi_static::solve(&case, &solution, phases, progress));
-        let stroke: Option<StrokeRun> = moving.or(standing).transpose()?;
-        let design = &case.loaded.design;
-        let numbers = engineering(design, &case.planform, &solution, progress);
-        let numbers = numbers.map_err(|source| Failure::Coupling {
-            design: case.loaded.path.clone(),
-            source,
-        })?;
-        let solved = Solved {
-            loaded: &case.loaded,
-            planform: &case.planform,
-            solution: &solution,
-            profile: &reading.profile,
-            stages: reading.stages.as_ref(),
-            measured: reading.measured.as_ref(),
-            lift: reading.lift.as_ref(),
-            uncertainty: uncertainty.as_ref(),
-            engineering: &numbers,
-        };
-        let mut summary = summarize(&solved);
-        if let Some(stroke) = stroke {
-            stroke.add_files(&mut folder)?;
-            summary.warnings.extend(of_stroke(&stroke.summary));
-            summary.stroke = Some(stroke.summary);
-        }
-        write_files(&mut folder, &solved, &mut summary, self.report)?;
+        let run = Run::new(case, &self.asked, progress)?;
+        let summary = run.add_files(&mut folder, self.report)?;
         progress.check()?;
         let earlier = read_summary(&target).ok();
         let path = folder.commit()?;
@@ -117,7 +92,7 @@ impl Solve {
     }
 }
 
-impl Solve {
+impl Asked {
     /// Refuses before any solving what would be refused after it.
     fn check_samples(&self) -> Result<(), Failure> {
         match self.uncertainty {
@@ -126,6 +101,88 @@ impl Solve {
                 fewest: FEWEST_SAMPLES,
             })),
             _ => Ok(()),
+        }
+    }
+}
+
+/// A wing solved, with all that was asked for besides; nothing of it is written yet.
+#[derive(Debug)]
+pub struct Run {
+    /// The design, its outline and mesh.
+    pub case: Case,
+    /// The loaded shape.
+    pub solution: Solution,
+    /// Profile, lift, and how far it is from the measurement.
+    pub reading: Reading,
+    uncertainty: Option<Uncertainty>,
+    stroke: Option<StrokeRun>,
+    engineering: Engineering,
+}
+
+impl Run {
+    /// Solves.
+    pub fn new(case: Case, asked: &Asked, progress: &Progress) -> Result<Run, Failure> {
+        asked.check_samples()?;
+        progress.say(format_args!("solving {}", case.loaded.design.name));
+        let solution = solve(&case, progress)?;
+        let reading = Reading::of(&case, &solution, &BTreeMap::new())?;
+        let uncertainty = asked
+            .uncertainty
+            .map(|samples| band(&case, &solution, &reading, samples, progress));
+        let uncertainty = uncertainty.transpose()?;
+        let moving = asked
+            .stroke
+            .map(|phases| stroke::solve(&case, &solution, phases, progress));
+        let standing = asked
+            .stroke_quasi_static
+            .map(|phases| stroke_quasi_static::solve(&case, &solution, phases, progress));
+        let stroke = moving.or(standing).transpose()?;
+        let numbers = engineering(&case.loaded.design, &case.planform, &solution, progress);
+        let engineering = numbers.map_err(|source| Failure::Coupling {
+            design: case.loaded.path.clone(),
+            source,
+        })?;
+        Ok(Run {
+            case,
+            solution,
+            reading,
+            uncertainty,
+            stroke,
+            engineering,
+        })
+    }
+
+    /// Its summary, as `summary.json` has it, but with no files.
+    pub fn summary(&self) -> RunSummary {
+        let mut summary = summarize(&self.solved());
+        if let Some(stroke) = &self.stroke {
+            summary.warnings.extend(of_stroke(&stroke.summary));
+            summary.stroke = Some(stroke.summary.clone());
+        }
+        summary
+    }
+
+    /// Adds all its files to a folder and gives the summary among them; `with_report`: the report too.
+    pub fn add_files(&self, folder: &mut RunFolder, with_report: bool) -> Result<RunSummary, ExportError> {
+        let mut summary = self.summary();
+        if let Some(stroke) = &self.stroke {
+            stroke.add_files(folder)?;
+        }
+        write_files(folder, &self.solved(), &mut summary, with_report)?;
+        Ok(summary)
+    }
+
+    fn solved(&self) -> Solved<'_> {
+        Solved {
+            loaded: &self.case.loaded,
+            planform: &self.case.planform,
+            solution: &self.solution,
+            profile: &self.reading.profile,
+            stages: self.reading.stages.as_ref(),
+            measured: self.reading.measured.as_ref(),
+            lift: self.reading.lift.as_ref(),
+            uncertainty: self.uncertainty.as_ref(),
+            engineering: &self.engineering,
         }
     }
 }

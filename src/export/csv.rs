@@ -24,7 +24,7 @@ const PROFILE_HEAD: [&str; 9] = [
 ];
 
 /// Columns of `strips.csv`.
-const STRIPS_HEAD: [&str; 10] = [
+pub const STRIPS_HEAD: [&str; 10] = [
     "r_mm",
     "width_mm",
     "chord_mm",
@@ -91,22 +91,24 @@ pub fn profile(rows: &[ProfileRow]) -> Result<Vec<u8>, ExportError> {
 
 /// The strips of air from base to tip.
 pub fn strips(strips: &[StripLoad]) -> Result<Vec<u8>, ExportError> {
-    let row = |strip: &StripLoad| {
-        [
-            strip.r_m * 1e3,
-            strip.width_m * 1e3,
-            strip.chord_m * 1e3,
-            strip.speed_m_s,
-            strip.alpha_rad.to_degrees(),
-            strip.cl,
-            strip.cd,
-            strip.centre_of_pressure,
-            strip.normal_n_per_m,
-            strip.tangential_n_per_m,
-        ]
-    };
-    let rows: Vec<[f64; 10]> = strips.iter().map(row).collect();
+    let rows: Vec<[f64; 10]> = strips.iter().map(strip_row).collect();
     table(&STRIPS_HEAD, &rows)
+}
+
+/// The row of one strip, by the columns of [`STRIPS_HEAD`].
+pub fn strip_row(strip: &StripLoad) -> [f64; 10] {
+    [
+        strip.r_m * 1e3,
+        strip.width_m * 1e3,
+        strip.chord_m * 1e3,
+        strip.speed_m_s,
+        strip.alpha_rad.to_degrees(),
+        strip.cl,
+        strip.cd,
+        strip.centre_of_pressure,
+        strip.normal_n_per_m,
+        strip.tangential_n_per_m,
+    ]
 }
 
 /// Leading, then trailing edge from base to tip: place at rest and displacement from the unloaded shape, mm; nodes are

@@ -77,12 +77,17 @@ impl Design {
 
     /// Reads a design file with the files that it names, after `sets` (`key=value`) have changed it.
     pub fn load(path: &Path, sets: &[String]) -> Result<Loaded, InputError> {
-        let settings: Vec<Setting> = sets
-            .iter()
-            .map(|text| Setting::parse(text))
-            .collect::<Result<_, _>>()?;
-        let text = file::read_text(path, "design file")?;
-        let mut root = Node::parse_file(&file::shown(path), &text)?;
+        let settings = settings(sets)?;
+        Design::of_text(&file::read_text(path, "design file")?, path, &settings)
+    }
+
+    /// The same of a text instead of a file; files that it names are looked for as if it stood in the file `path`.
+    pub fn load_text(text: &str, path: &Path, sets: &[String]) -> Result<Loaded, InputError> {
+        Design::of_text(text, path, &settings(sets)?)
+    }
+
+    fn of_text(text: &str, path: &Path, settings: &[Setting]) -> Result<Loaded, InputError> {
+        let mut root = Node::parse_file(&file::shown(path), text)?;
         for setting in settings.iter().filter(|setting| setting.is_for("materials")) {
             setting.apply(&mut root)?;
         }
@@ -139,6 +144,10 @@ impl Design {
     pub fn to_toml(&self) -> String {
         toml::to_string(self).unwrap_or_default()
     }
+}
+
+fn settings(sets: &[String]) -> Result<Vec<Setting>, InputError> {
+    sets.iter().map(|text| Setting::parse(text)).collect()
 }
 
 /// The checked design of a tree.
@@ -297,6 +306,19 @@ mod tests {
             assert_eq!(loaded.design.material.len(), 3, "{name}");
             assert_eq!(loaded.design.planform.length_mm.value(), 70.0, "{name}");
         }
+    }
+
+    #[test]
+    fn a_text_is_read_as_the_file_that_it_stands_for() {
+        let path = shipped("twist-v2.toml");
+        let text = std::fs::read_to_string(&path).unwrap();
+        let sets = ["flapping.frequency_hz=25".to_string()];
+        let of_file = Design::load(&path, &sets).unwrap();
+        let of_text = Design::load_text(&text, &path, &sets).unwrap();
+        assert_eq!(of_text.design, of_file.design);
+        assert_eq!(of_text.materials_path, of_file.materials_path);
+        let error = Design::load_text(&text, Path::new("elsewhere/wing.toml"), &sets).unwrap_err();
+        assert!(error.to_string().contains("elsewhere"), "{error}");
     }
 
     #[test]

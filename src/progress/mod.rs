@@ -15,7 +15,11 @@ use indicatif::{ProgressBar, ProgressStyle};
 pub struct Progress {
     cancelled: Arc<AtomicBool>,
     bar: Option<ProgressBar>,
+    listener: Option<Listener>,
 }
+
+/// What is told everything that is said.
+type Listener = Arc<dyn Fn(&str) + Send + Sync>;
 
 impl Progress {
     /// A handle that shows nothing and can only be cancelled by [`Progress::cancel`].
@@ -23,6 +27,16 @@ impl Progress {
         Progress {
             cancelled: Arc::new(AtomicBool::new(false)),
             bar: None,
+            listener: None,
+        }
+    }
+
+    /// A handle that shows nothing and tells `listener`, on whatever thread it is, each line that would be shown: for programs
+    /// that have a screen of their own.
+    pub fn told(listener: impl Fn(&str) + Send + Sync + 'static) -> Self {
+        Progress {
+            listener: Some(Arc::new(listener)),
+            ..Progress::quiet()
         }
     }
 
@@ -46,7 +60,7 @@ impl Progress {
     pub fn unseen(&self) -> Self {
         Progress {
             cancelled: Arc::clone(&self.cancelled),
-            bar: None,
+            ..Progress::quiet()
         }
     }
 
@@ -69,16 +83,18 @@ impl Progress {
         if let Some(bar) = &self.bar {
             bar.set_message(message.to_string());
         }
+        if let Some(listener) = &self.listener {
+            listener(&message.to_string());
+        }
     }
 
     /// Says how many of `total` are done, and about how much time the others take.
     pub fn count(&self, done: usize, total: usize, what: &str) {
-        let Some(bar) = &self.bar else { return };
         let rest = total.saturating_sub(done);
-        if done == 0 || rest == 0 {
+        let Some(bar) = self.bar.as_ref().filter(|_| done > 0 && rest > 0) else {
             self.say(format_args!("{done} of {total} {what}"));
             return;
-        }
+        };
         let left = bar.elapsed().mul_f64(rest as f64 / done as f64).as_secs();
         let left = match left {
             0..120 => format!("{left} s"),
@@ -138,6 +154,8 @@ pub struct Cancelled;
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Mutex;
+
     use super::*;
 
     #[test]
@@ -155,6 +173,17 @@ mod tests {
         let unseen = progress.unseen();
         progress.cancel();
         assert!(unseen.is_cancelled());
+    }
+
+    #[test]
+    fn a_listener_hears_what_is_said_but_not_what_is_said_unseen() {
+        let heard = Arc::new(Mutex::new(Vec::new()));
+        let ear = Arc::clone(&heard);
+        let progress = Progress::told(move |line| ear.lock().expect("no panic").push(line.to_string()));
+        progress.say("solving");
+        progress.count(1, 2, "cases");
+        progress.unseen().say("one of many");
+        assert_eq!(*heard.lock().expect("no panic"), ["solving", "1 of 2 cases"]);
     }
 
     #[test]
