@@ -1,26 +1,25 @@
 #!/usr/bin/env python3
 """Every dependency comes from crates.io under a licence that deny.toml allows. Stands in for `cargo deny check licenses sources`
-where that is not installed: reads `cargo metadata` from standard input."""
+where that is not installed: reads `cargo metadata` from standard input. Arguments: licences
+allowed besides."""
 import json
 import pathlib
 import re
 import sys
 import tomllib
 
-allowed = set(tomllib.loads(pathlib.Path("deny.toml").read_text())["licenses"]["allow"])
+allowed = {*tomllib.loads(pathlib.Path("deny.toml").read_text())["licenses"]["allow"], *sys.argv[1:]}
 
 
 def permits(expression):
-    """Whether an SPDX expression (OR, AND, parentheses, no licence with exception alone) can be met."""
-    words = re.findall(r"\(|\)|[^\s()]+", expression.replace("/", " OR "))
+    """Whether an SPDX expression (OR, AND, WITH, parentheses) can be met; a licence WITH an exception is one of its own."""
+    words = re.findall(r"\(|\)|[^\s()]+(?: WITH [^\s()]+)?", expression.replace("/", " OR "))
     python = []
     for word in words:
         if word in "()":
             python.append(word)
         elif word in ("OR", "AND"):
             python.append(word.lower())
-        elif word == "WITH":
-            python.append("and")
         else:
             python.append(str(word in allowed))
     return eval(" ".join(python))  # words are True, False, and, or and parentheses only

@@ -1,0 +1,121 @@
+"""Comparisons, diagnoses and schemas are the documents that the command line prints."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import jsonschema
+import numpy as np
+import pytest
+from conftest import Printed
+
+import washout
+from washout.verb import Document
+
+DESIGN = "designs/twist-v1.toml"
+STUDY = "studies/tang-dowell-gravity.toml"
+
+
+def without_files(document: Document) -> Document:
+    """A document whose files were not kept."""
+    return {**document, "files": []}
+
+
+@pytest.fixture(scope="module")
+def comparison() -> washout.Comparison:
+    compared = washout.compare(DESIGN)
+    assert isinstance(compared, washout.Comparison)
+    return compared
+
+
+@pytest.fixture(scope="module")
+def study() -> washout.StudyComparison:
+    compared = washout.compare(STUDY)
+    assert isinstance(compared, washout.StudyComparison)
+    return compared
+
+
+@pytest.fixture(scope="module")
+def diagnosis() -> washout.Diagnosis:
+    return washout.diagnose(STUDY)
+
+
+def test_a_comparison_is_that_of_the_command_line(
+    comparison: washout.Comparison, printed: Printed, tmp_path: Path
+) -> None:
+    document = printed("compare", DESIGN, "--output", tmp_path / "run")
+    assert comparison.document == without_files(document)
+
+
+def test_the_error_is_measured_minus_modelled(comparison: washout.Comparison) -> None:
+    rows = comparison.rows
+    np.testing.assert_allclose(rows["error"], rows["measured"] - rows["modelled"], atol=1e-12)
+    (span,) = comparison.spans
+    np.testing.assert_allclose(span.error_deg, span.measured_deg - span.modelled_deg, atol=1e-12)
+    assert comparison.wing == "twist-v1" and "tip" in comparison.verdict
+
+
+def test_a_study_is_that_of_the_command_line(
+    study: washout.StudyComparison, printed: Printed, tmp_path: Path
+) -> None:
+    assert study.document == without_files(printed("compare", STUDY, "--output", tmp_path / "run"))
+    assert study.residuals_before.shape == (len(study.rows.rows),)
+    fitted = ~study.rows["is_held_out"]
+    root_mean_square = np.sqrt(np.mean((study.residuals_after / study.rows["sigma"])[fitted] ** 2))
+    assert root_mean_square < 1.0
+    assert set(study.unknowns) >= {"name", "unit", "mean", "sigma", "value", "pull"}
+
+
+def test_a_diagnosis_is_that_of_the_command_line(
+    diagnosis: washout.Diagnosis, printed: Printed, tmp_path: Path
+) -> None:
+    assert diagnosis.document == without_files(printed("diagnose", STUDY, "--output", tmp_path / "run"))
+    assert diagnosis.verdict == "nothing" and diagnosis.sentence.startswith("Nothing detectable is missing")
+    assert diagnosis.hypotheses["what"][0] == "nothing"
+    assert diagnosis.hypotheses["probability"][0] == diagnosis.p_nothing
+    assert diagnosis.residuals["residual"].size == diagnosis.document["noise"]["numbers"]
+    assert set(diagnosis.unseen) <= set(diagnosis.effects["effect"])
+
+
+def test_kept_files_are_those_that_the_document_names(tmp_path: Path) -> None:
+    kept = washout.compare(DESIGN, output=tmp_path / "kept")
+    assert sorted(kept.document["files"]) == sorted(path.name for path in (tmp_path / "kept").iterdir())
+
+
+def test_documents_follow_their_schemas(
+    run: washout.Run,
+    comparison: washout.Comparison,
+    study: washout.StudyComparison,
+    diagnosis: washout.Diagnosis,
+) -> None:
+    documents = {
+        "solve": run.summary,
+        "compare": comparison.document,
+        "study": study.document,
+        "diagnose": diagnosis.document,
+        "doctor": washout.run("doctor"),
+    }
+    for verb, document in documents.items():
+        jsonschema.validate(document, washout.schema(verb))
+        with pytest.raises(jsonschema.ValidationError):
+            jsonschema.validate({}, washout.schema(verb))
+
+
+def test_schemas_are_those_of_the_command_line(printed: Printed) -> None:
+    assert washout.schema() == printed("schema")
+    assert washout.schema("diagnose") == printed("schema", "--output", "diagnose")
+
+
+def test_no_column_holds_nan(diagnosis: washout.Diagnosis, study: washout.StudyComparison) -> None:
+    tables = [diagnosis.hypotheses, diagnosis.effects, diagnosis.ladder, study.rows, study.groups, study.unknowns]
+    for table in tables:
+        numbers = [column for column in table.values() if column.dtype.kind == "f"]
+        assert numbers and all(np.isfinite(np.ma.getdata(column)).all() for column in numbers)
+
+
+def test_numbers_that_some_rows_lack_are_masked() -> None:
+    table = washout.Columns([{"a": 1.5, "b": None, "c": "x"}, {"a": None, "b": None, "c": "y", "d": [1]}])
+    assert set(table) == {"a", "c"}
+    assert table["a"].tolist() == [1.5, None]
+    assert table["c"].tolist() == ["x", "y"]
+    assert len(table.rows) == 2

@@ -1,0 +1,75 @@
+"""What goes wrong is an exception with the message of the command line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from conftest import CommandLine
+
+import washout
+
+DESIGN = "designs/twist-v2.toml"
+
+
+def message(done: object) -> str:
+    """What the program said on standard error, without its name."""
+    said: str = getattr(done, "stderr")
+    return said.removeprefix("washout: ").removeprefix("error: ").strip()
+
+
+def test_a_refused_key_is_named_with_its_place_and_cure(command_line: CommandLine, tmp_path: Path) -> None:
+    design = tmp_path / "wing.toml"
+    design.write_text(Path(DESIGN).read_text().replace("frequency_hz = 23.0", "frequency_hz = -3.0"))
+    with pytest.raises(washout.InputError) as caught:
+        washout.solve(design)
+    error = caught.value
+    assert str(error) == message(command_line("solve", design))
+    assert (error.file, error.key, error.value) == (str(design), "flapping.frequency_hz", "-3.0")
+    assert error.line is not None and "frequency_hz = -3.0" in design.read_text().splitlines()[error.line - 1]
+    assert "must lie in" in error.problem and error.cure
+
+
+def test_a_refused_text_says_so() -> None:
+    with pytest.raises(washout.InputError, match="<text>:2"):
+        washout.solve("format = 1\nname = \n")
+
+
+@pytest.mark.parametrize("path", ["designs/nowhere.toml", "--nowhere"])
+def test_a_missing_file_is_named(path: str) -> None:
+    with pytest.raises(washout.InputError, match="nowhere") as caught:
+        washout.solve(path)
+    assert caught.value.file == path
+
+
+def test_options_are_refused_as_on_the_command_line(command_line: CommandLine) -> None:
+    with pytest.raises(washout.InputError) as caught:
+        washout.solve(DESIGN, stroke=1)
+    assert str(caught.value) == message(command_line("solve", "--stroke=1", "--", DESIGN))
+    with pytest.raises(washout.InputError, match="cannot be used with"):
+        washout.solve(DESIGN, stroke=4, stroke_quasi_static=4)
+    with pytest.raises(washout.InputError, match="unrecognized subcommand"):
+        washout.run("fly")
+
+
+def test_what_does_not_converge_is_told_apart(command_line: CommandLine) -> None:
+    sets = {"coupling.max_iterations": 1}
+    with pytest.raises(washout.NotConverged) as caught:
+        washout.solve(DESIGN, sets)
+    done = command_line("solve", DESIGN, "--set", "coupling.max_iterations=1")
+    assert done.returncode == 3
+    assert str(caught.value) == message(done)
+    assert caught.value.file == DESIGN
+
+
+def test_a_folder_of_the_user_is_not_replaced(run: washout.Run, tmp_path: Path) -> None:
+    (tmp_path / "notes.txt").write_text("mine")
+    with pytest.raises(washout.WashoutError, match="notes.txt") as caught:
+        run.write(tmp_path)
+    assert not isinstance(caught.value, washout.InputError)
+    assert [path.name for path in tmp_path.iterdir()] == ["notes.txt"]
+
+
+def test_a_verb_without_a_document_says_so() -> None:
+    with pytest.raises(washout.WashoutError, match="no JSON document"):
+        washout.run("completions", "bash")

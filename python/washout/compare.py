@@ -1,0 +1,109 @@
+"""Measured minus modelled, of a design or of a study."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from washout.columns import Columns
+from washout.folder import in_folder
+from washout.solve import Numbers
+from washout.verb import Document, FilePath, Progress, Setting, set_options
+
+
+def compare(
+    design_or_study: FilePath,
+    sets: Mapping[str, Setting] | None = None,
+    *,
+    measurement: FilePath | None = None,
+    case: str | None = None,
+    reference: FilePath | None = None,
+    output: FilePath | None = None,
+    progress: Progress | None = None,
+) -> Comparison | StudyComparison:
+    """Compares a design with its measurement, or all cases of a study before and after calibration.
+
+    Of a design: `measurement` is another measurement file, `case` the case in it, `reference` the design that measured ratios
+    refer to. `output` keeps the pictures and tables in that folder. Gives what `washout compare --json` prints.
+    """
+    options = set_options(sets)
+    for option, value in {"with": measurement, "case": case, "reference": reference}.items():
+        if value is not None:
+            options += [f"--{option}", str(value)]
+    document = in_folder("compare", options, design_or_study, output, progress)
+    return Comparison(document) if "comparison" in document else StudyComparison(document)
+
+
+class Comparison:
+    """A measurement against a solved wing."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        """What `washout compare DESIGN --json` prints."""
+        comparison = document["comparison"]
+        self.wing: str = comparison["wing"]
+        """Name of the wing."""
+        self.verdict: str = comparison["verdict"]
+        """Where the model fails, in words."""
+        self.notes: list[str] = comparison["notes"]
+        """What a reader must know besides."""
+        self.rows = Columns(comparison["rows"])
+        """Every number that could be compared: `channel`, `r_mm`, `measured`, `sigma`, `modelled`, `error`, `unit`, …"""
+        self.spans = [Span(span) for span in comparison["span"]]
+        """Twist in degrees along the span, for each run that gives it."""
+
+
+class Span:
+    """Twist along the span, measured and modelled, at the same stations; degrees and millimetres."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        """The document, as in `comparison.span`."""
+        self.stations = Columns(document["stations"])
+        """All that is known at each station."""
+        self.r_mm: Numbers = self.stations["r_mm"]
+        """Stations."""
+        self.measured_deg: Numbers = self.stations["measured_deg"]
+        """As measured, or as measured rates integrate from the base."""
+        self.sigma_deg: Numbers = self.stations["sigma_deg"]
+        """Standard deviation of it."""
+        self.modelled_deg: Numbers = self.stations["modelled_deg"]
+        """As modelled, seen by the instrument of the measurement."""
+        self.error_deg: Numbers = self.stations["error_deg"]
+        """Measured minus modelled."""
+        self.rmse_deg: float = document["rmse_along_span_deg"]
+        """Root mean square of the error over the whole span."""
+
+
+class StudyComparison:
+    """A study solved, calibrated within its priors and compared."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        """What `washout compare STUDY --json` prints."""
+        self.study: str = document["study"]
+        """Name of the study."""
+        self.words: list[str] = document["words"]
+        """What was found, in words."""
+        self.rows = Columns(document["rows"])
+        """Every measured number: `case`, `channel`, `measured`, `sigma`, `before` and `after` calibration, …"""
+        self.groups = Columns(document["groups"])
+        """Misfit by wing and channel."""
+        self.unknowns = Columns([{**row["unknown"], **row} for row in document["unknowns"]])
+        """What was calibrated: `name`, `unit`, prior `mean` and `sigma`, `value`, `standard_error`, `pull`, …"""
+        before, after = document["chi_square_per_row"]
+        self.chi_square_per_row_before: float = before
+        """Chi-square per fitted row as stated."""
+        self.chi_square_per_row_after: float = after
+        """Chi-square per fitted row, calibrated."""
+
+    @property
+    def residuals_before(self) -> Numbers:
+        """Measured minus modelled as stated, in the unit of each row's channel."""
+        residuals: Numbers = self.rows["measured"] - self.rows["before"]
+        return residuals
+
+    @property
+    def residuals_after(self) -> Numbers:
+        """Measured minus modelled, calibrated."""
+        residuals: Numbers = self.rows["measured"] - self.rows["after"]
+        return residuals

@@ -1,0 +1,83 @@
+"""Which physics the model of a study lacks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from washout.columns import Columns
+from washout.folder import in_folder
+from washout.verb import Document, FilePath, Progress, Setting, set_options
+
+
+def diagnose(
+    study: FilePath,
+    sets: Mapping[str, Setting] | None = None,
+    *,
+    effects: Sequence[str] = (),
+    significance: float = 0.01,
+    seed: int = 1,
+    own_data: bool = False,
+    output: FilePath | None = None,
+    progress: Progress | None = None,
+) -> Diagnosis:
+    """Finds which effect the model of a study lacks, how sure that is, and what else it could be.
+
+    `effects`: try these only; `significance`: accepted probability of a false alarm; `seed`: of the draws of noise;
+    `own_data`: even data that `washout synthesize` made with the same formulas; `output` keeps pictures and tables in that
+    folder. Gives what `washout diagnose --json` prints.
+    """
+    options = set_options(sets)
+    options += [option for effect in effects for option in ("--effect", effect)]
+    options += ["--significance", repr(significance), "--seed", str(seed)]
+    options += ["--own-data"] if own_data else []
+    return Diagnosis(in_folder("diagnose", options, study, output, progress))
+
+
+class Diagnosis:
+    """What a study says about the model."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        """What `washout diagnose STUDY --json` prints."""
+        self.sentence: str = document["sentence"]
+        """The verdict in one sentence."""
+        self.verdict: str = document["verdict"]
+        """`nothing`, `effect`, `set`, `pair`, `novel`, …: the word for it."""
+        self.p_nothing: float = document["p_nothing"]
+        """Probability that nothing is missing."""
+        self.p_null: float = document["significance"]["p_null"]
+        """Probability of a misfit like this if nothing were missing."""
+        self.hypotheses = Columns([{"what": what(row), **row} for row in document["hypotheses"]])
+        """What may be missing, most probable first: `what`, `probability`, `strength`, `standard_error`, `in_set`, …"""
+        self.effects = Columns(document["effects"])
+        """Every effect that was tried: `effect`, `score`, `detectability`, `probability`, `refitted`, …"""
+        self.unseen: list[str] = document["unseen"]
+        """Effects that these data could not show."""
+        self.misfit = Columns(document["misfit"]["by_condition"])
+        """Where the calibrated model fails, by case and channel."""
+        self.residuals = Columns(residuals(document))
+        """Every fitted number: `condition`, `channel`, `r_mm`, `residual` (in sigma); empty where no effect can act."""
+        self.ladder = Columns(document["ladder"])
+        """The error from the model as stated down to the noise."""
+        self.predictions = Columns(document["predictions"])
+        """Held-out numbers, as measured, and as predicted by the `calibrated` and the `explained` model."""
+        self.notes: list[str] = document["notes"]
+        """What a reader must know besides."""
+
+
+def what(hypothesis: Mapping[str, Sequence[str]]) -> str:
+    """The words for a hypothesis."""
+    match list(hypothesis["effects"]):
+        case []:
+            return "nothing"
+        case ["novel"]:
+            return "none that is known"
+        case effects:
+            return " + ".join(effects)
+
+
+def residuals(document: Document) -> list[Document]:
+    """The residuals, which are those of every effect's added-variable plot."""
+    plots = document["added_variables"]
+    points = plots[0]["points"] if plots else []
+    return [{name: value for name, value in point.items() if name != "signature"} for point in points]

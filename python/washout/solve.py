@@ -1,0 +1,228 @@
+"""Solving a design: twist, forces, shape."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from washout import _washout
+from washout.columns import Columns
+from washout.verb import Document, FilePath, Progress, Setting, set_options
+
+Numbers = NDArray[np.float64]
+Nodes = NDArray[np.int64]
+
+TEXT = "<text>"
+"""Stands for the file of a design that is given as text, in messages and in summaries."""
+
+
+def solve(
+    design: FilePath,
+    sets: Mapping[str, Setting] | None = None,
+    *,
+    stroke: int | None = None,
+    stroke_quasi_static: int | None = None,
+    uncertainty: int | None = None,
+    progress: Progress | None = None,
+) -> Run:
+    """Solves a design: a path, or its TOML text (any str of more than one line; files that it names are then looked for
+    from the working folder).
+
+    `sets` changes keys of the design, as `--set` does: `{"flapping.frequency_hz": 25, "mesh.refine": 2}`. `stroke`: the whole
+    stroke in motion besides, at so many phases; `stroke_quasi_static`: phases that each stand still instead; `uncertainty`:
+    a band from the assumed ranges by so many solves, in `summary["uncertainty"]`.
+
+    Raises InputError where the design is refused, NotConverged where there is no solution; Ctrl-C stops.
+    """
+    name = os.fspath(design)
+    text = name if "\n" in name else None
+    options = set_options(sets)
+    asked = {"stroke": stroke, "stroke-quasi-static": stroke_quasi_static, "uncertainty": uncertainty}
+    for option, number in asked.items():
+        if number is not None:
+            options += [f"--{option}={number}"]
+    return Run(_washout.solve([*options, "--", TEXT if text else name], text, progress))
+
+
+@dataclass(frozen=True)
+class Forces:
+    """What the air does to one wing."""
+
+    name: str
+    """When: `mid-stroke`, `mean over the stroke (20/60/20 ramp)`, …"""
+    lift_mn: float
+    """Lift, mN."""
+    drag_mn: float
+    """Drag, mN."""
+    power_mw: float
+    """Power against the air, mW."""
+    lift_to_drag: float | None
+    """Lift over drag; None without drag."""
+    lift_per_power_n_per_w: float | None
+    """Lift over power, N/W; None without power."""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """The mesh of a solved wing, as `wing-rest.vtu` and `wing.vtu` have it; nodes are counted from 0.
+
+    Frame: x along the span from the wing base, y along the chord from the leading edge, z = x × y.
+    """
+
+    rest_mm: Numbers
+    """Places of the nodes without load, (nodes, 3)."""
+    deformed_mm: Numbers
+    """Places of the nodes under load, (nodes, 3)."""
+    twist_deg: Numbers
+    """Rotation of the chord through each node; positive is washout."""
+    air_force_mn: Numbers
+    """Force of the air on each node, (nodes, 3)."""
+    triangles: Nodes
+    """Nodes of each triangle of the film, (triangles, 3)."""
+    pressure_pa: Numbers
+    """Pressure on each triangle, positive toward +z of the deformed film."""
+    beams: Nodes
+    """Nodes of each beam element of rod and spars, (beams, 2)."""
+    leading_edge: Nodes
+    """Nodes along the leading edge from base to tip."""
+    trailing_edge: Nodes
+    """Nodes along the trailing edge from base to tip."""
+
+
+class Stroke:
+    """The wing over its stroke: phases × stations."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        """The document, as in summary.json."""
+        self.kind: str = document["kind"]
+        """`periodic`, or `quasi-static`."""
+        self.phases = Columns(document["phases"])
+        """What is known at each phase: `phase_deg` (0 is mid-stroke), `tip_twist_deg`, `stop_moment_mn_mm`."""
+        self.forces = Columns([phase["forces"] or {} for phase in document["phases"]])
+        """`lift_mn`, `drag_mn`, `power_mw` at each phase."""
+        self.mean = Forces(**document["mean"]) if document["mean"] else None
+        """Mean over the stroke."""
+        profile = Columns(document["profile"])
+        self.phase_deg: Numbers = np.unique(profile["phase_deg"])
+        """Phases of the rows of `twist_deg`."""
+        self.r_mm: Numbers = np.unique(profile["r_mm"])
+        """Stations of the columns of `twist_deg`."""
+        self.twist_deg = self._over_stations(profile, "twist_deg")
+        """Twist by phase and station, as the instrument of the design reads it; masked where it cannot be read."""
+
+    def _over_stations(self, profile: Columns, name: str) -> Numbers:
+        table = np.ma.masked_all((self.phase_deg.size, self.r_mm.size), dtype=np.float64)
+        rows = np.searchsorted(self.phase_deg, profile["phase_deg"])
+        columns = np.searchsorted(self.r_mm, profile["r_mm"])
+        table[rows, columns] = profile[name]
+        return table if table.mask.any() else table.data
+
+
+class Run:
+    """A solved design. The arrays along the span belong together: one value for each station from base to tip."""
+
+    def __init__(self, solved: _washout.Solved) -> None:
+        self._solved = solved
+        self.summary: Document = json.loads(solved.summary())
+        """The document summary.json; its `files` are empty until they are written."""
+
+    @property
+    def name(self) -> str:
+        """Name of the wing."""
+        return str(self.summary["name"])
+
+    @cached_property
+    def profile(self) -> Columns:
+        """Twist along the span, with the columns of profile.csv."""
+        return Columns(self.summary["profile"])
+
+    @property
+    def r_mm(self) -> Numbers:
+        """Stations along the span."""
+        return self.profile["r_mm"]
+
+    @property
+    def chord_mm(self) -> Numbers:
+        """Chord at rest."""
+        return self.profile["chord_mm"]
+
+    @property
+    def twist_deg(self) -> Numbers:
+        """Twist as the instrument of the design reads it; positive is washout."""
+        return self.profile["twist_deg"]
+
+    @property
+    def alpha_deg(self) -> Numbers | None:
+        """Angle of attack of the chord; None without flow."""
+        return self.profile.get("alpha_deg")
+
+    @cached_property
+    def strips(self) -> dict[str, Numbers]:
+        """The air on each strip from base to tip, with the columns of strips.csv: `r_mm`, `alpha_deg`, `cl`, `cd`, …"""
+        return self._solved.strips()
+
+    @cached_property
+    def shape(self) -> Shape:
+        """The mesh, at rest and deformed."""
+        return Shape(**self._solved.shape())
+
+    @cached_property
+    def stroke(self) -> Stroke | None:
+        """The wing over its stroke; None unless asked for."""
+        document = self.summary["stroke"]
+        return Stroke(document) if document else None
+
+    @property
+    def tip_twist_deg(self) -> float | None:
+        """Twist of the tip station; None where it cannot be read."""
+        twist: float | None = self.summary["tip"]["twist_deg"]
+        return twist
+
+    @property
+    def lift(self) -> Forces | None:
+        """Lift, drag and power at the phase of the design; None without flow."""
+        return self._forces("solved")
+
+    @property
+    def mean_lift(self) -> Forces | None:
+        """Mean over the stroke with the solved twist on the paper's ramp; None where the wing does not flap."""
+        return self._forces("stroke_mean")
+
+    @property
+    def counts(self) -> dict[str, int]:
+        """Nodes, triangles and beam elements of the mesh, and degrees of freedom."""
+        mesh = self.summary["mesh"]
+        counts = {name: int(mesh[name]) for name in ("nodes", "triangles", "beams")}
+        return counts | {"dof": int(self.summary["solve"]["dof"])}
+
+    @property
+    def convergence(self) -> dict[str, Any]:
+        """How well the equations are met, and what it took: `residual`, `iterations`, `twist_change_deg`, …"""
+        return dict(self.summary["solve"])
+
+    @property
+    def warnings(self) -> list[str]:
+        """What limits how far the numbers hold."""
+        return list(self.summary["warnings"])
+
+    def write(self, folder: FilePath, *, report: bool = False) -> Path:
+        """Writes the files that `washout solve` writes (ParaView, CSV, summary.json), whole or not at all; `report`: the
+        HTML report too. An earlier run there is replaced. Gives the folder."""
+        return Path(self._solved.write(folder, report))
+
+    def _forces(self, when: str) -> Forces | None:
+        lift = self.summary["lift"]
+        return Forces(**lift[when]) if lift and lift[when] else None
+
+    def __repr__(self) -> str:
+        twist = "no tip" if self.tip_twist_deg is None else f"tip twist {self.tip_twist_deg:.2f} deg"
+        return f"<washout.Run {self.name}: {twist}>"

@@ -1,0 +1,61 @@
+"""Any verb of the command line, called from Python."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeAlias
+
+from washout import _washout
+from washout.errors import WashoutError
+
+Document: TypeAlias = dict[str, Any]
+"""A JSON document as the command line prints it with `--json`."""
+
+FilePath: TypeAlias = str | os.PathLike[str]
+"""Where a file or folder is."""
+
+Progress: TypeAlias = Callable[[str], object]
+"""Is called with a line that says what is being done; what it raises stops the work."""
+
+Setting: TypeAlias = bool | int | float | str | Sequence[float]
+"""A value of a key of a design."""
+
+
+def run(verb: str, *arguments: FilePath, progress: Progress | None = None) -> Document:
+    """The document that `washout VERB ARGUMENTS --json` prints; files are written as there.
+
+    Raises InputError, NotConverged or WashoutError, with the messages of the command line.
+    """
+    text = _washout.run([verb, *map(os.fspath, arguments)], progress)
+    if not text.startswith("{"):
+        raise WashoutError(f"washout {verb} gives no JSON document")
+    document: Document = json.loads(text)
+    return document
+
+
+def schema(verb: str | None = None) -> Document:
+    """The JSON schema of what a verb prints with `--json` (`solve`: of summary.json; `study`: of `compare` with a study); of
+    design files without a verb."""
+    return run("schema") if verb is None else run("schema", "--output", verb)
+
+
+def set_options(sets: Mapping[str, Setting] | None) -> list[str]:
+    """`--set KEY=VALUE` for each key of a design."""
+    return [option for key, value in (sets or {}).items() for option in ("--set", f"{key}={toml(value)}")]
+
+
+def toml(value: object) -> str:
+    """A value as TOML has it; words need no quotes."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    match value:
+        case bool():
+            return "true" if value else "false"
+        case str():
+            return value
+        case list() | tuple():
+            return f"[{', '.join(map(toml, value))}]"
+        case _:
+            return repr(value)
