@@ -43,7 +43,7 @@ wheel=$(ls "$wheels"/washout-*-abi3-*.whl)
 "$python" -m pip install --quiet --disable-pip-version-check "$wheel[test]"
 
 step "types"
-(cd python && "../$python" -m mypy --cache-dir ../target/python-mypy tests washout)
+(cd python && "../$python" -m mypy --cache-dir ../target/python-mypy tests package)
 
 step "tests and notebook"
 (cd python && "../$python" -m pytest -p no:cacheprovider --durations 5)

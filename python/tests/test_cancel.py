@@ -13,7 +13,7 @@ import pytest
 
 import washout
 
-LONG = "studies/three-rods.toml"
+LONG = "studies/minguet.toml"
 
 SOON_S = 10.0
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -12,14 +14,14 @@ import washout
 DESIGN = "designs/twist-v2.toml"
 
 
-def message(done: object) -> str:
+def message(done: subprocess.CompletedProcess[str]) -> str:
     """What the program said on standard error, without its name."""
-    said: str = getattr(done, "stderr")
-    return said.removeprefix("washout: ").removeprefix("error: ").strip()
+    return done.stderr.removeprefix("washout: ").removeprefix("error: ").strip()
 
 
 def test_a_refused_key_is_named_with_its_place_and_cure(command_line: CommandLine, tmp_path: Path) -> None:
     design = tmp_path / "wing.toml"
+    shutil.copy("designs/materials.toml", tmp_path)
     design.write_text(Path(DESIGN).read_text().replace("frequency_hz = 23.0", "frequency_hz = -3.0"))
     with pytest.raises(washout.InputError) as caught:
         washout.solve(design)

@@ -120,11 +120,11 @@ class Stroke:
         """Twist by phase and station, as the instrument of the design reads it; masked where it cannot be read."""
 
     def _over_stations(self, profile: Columns, name: str) -> Numbers:
-        table = np.ma.masked_all((self.phase_deg.size, self.r_mm.size), dtype=np.float64)
-        rows = np.searchsorted(self.phase_deg, profile["phase_deg"])
-        columns = np.searchsorted(self.r_mm, profile["r_mm"])
-        table[rows, columns] = profile[name]
-        return table if table.mask.any() else table.data
+        table = np.zeros((self.phase_deg.size, self.r_mm.size))
+        is_absent = np.ones(table.shape, dtype=bool)
+        place = np.searchsorted(self.phase_deg, profile["phase_deg"]), np.searchsorted(self.r_mm, profile["r_mm"])
+        table[place], is_absent[place] = profile[name], False
+        return np.ma.masked_array(table, mask=is_absent) if is_absent.any() else table
 
 
 class Run:

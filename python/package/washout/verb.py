@@ -28,7 +28,8 @@ def run(verb: str, *arguments: FilePath, progress: Progress | None = None) -> Do
 
     Raises InputError, NotConverged or WashoutError, with the messages of the command line.
     """
-    text = _washout.run([verb, *map(os.fspath, arguments)], progress)
+    words = [os.fspath(argument) for argument in arguments]
+    text = _washout.run([verb, *words], progress)
     if not text.startswith("{"):
         raise WashoutError(f"washout {verb} gives no JSON document")
     document: Document = json.loads(text)
