@@ -20,6 +20,7 @@ from paraview import simple
 # part of a cell, as the files of a run say
 FILM, ROD, SPAR = 0, 1, 2
 BLUE_TO_YELLOW = "Cividis"
+SIZE = [1200, 800]
 
 
 def chosen():
@@ -61,6 +62,8 @@ def array_of(source, name):
 
 def show(folder):
     view = simple.GetActiveViewOrCreate("RenderView")
+    if "WASHOUT_PICTURE" in os.environ:
+        view.ViewSize = SIZE
     loaded = simple.XMLUnstructuredGridReader(registrationName="loaded", FileName=[str(folder / "wing.vtu")])
     rest = simple.XMLUnstructuredGridReader(registrationName="unloaded", FileName=[str(folder / "wing-rest.vtu")])
     name = os.environ.get("WASHOUT_COLOUR", "twist_deg")
@@ -74,6 +77,9 @@ def show(folder):
     bar = simple.GetScalarBar(colours, view)
     bar.Title, bar.ComponentTitle = name, ""
     bar.TitleColor = bar.LabelColor = [0.0, 0.0, 0.0]
+    bar.WindowLocation, bar.Position, bar.ScalarBarLength = "Any Location", [0.88, 0.25], 0.5
+    bar.TitleFontSize = bar.LabelFontSize = 14
+    bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.3g", "%.3g"
     tubes(part(loaded, ROD, ROD), view, [0.1, 0.1, 0.1])
     tubes(part(loaded, SPAR, SPAR), view, [0.3, 0.3, 0.3])
     ghost = simple.Show(simple.FeatureEdges(Input=simple.ExtractSurface(Input=rest)), view)
@@ -87,10 +93,11 @@ def show(folder):
     view.CameraFocalPoint = [35.0, 10.0, 0.0]
     view.CameraViewUp = [0.0, 0.0, 1.0]
     view.ResetCamera()
+    simple.GetActiveCamera().Zoom(1.5)
     simple.Render(view)
     return view
 
 
 view = show(chosen())
 if "WASHOUT_PICTURE" in os.environ:
-    simple.SaveScreenshot(os.environ["WASHOUT_PICTURE"], view, ImageResolution=[1200, 800])
+    simple.SaveScreenshot(os.environ["WASHOUT_PICTURE"], view, ImageResolution=SIZE)

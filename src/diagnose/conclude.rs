@@ -5,7 +5,7 @@ use super::error::DiagnoseError;
 use super::evidence::ln_sum;
 use super::judge::Judgement;
 use super::library::Trial;
-use super::posterior::{Case, Weight, beliefs, class_around, fold, level_class};
+use super::posterior::{Case, SEPARATE, Weight, beliefs, class_around, fold, level_class};
 use super::screening::Directions;
 use super::whitened::Whitened;
 
@@ -64,6 +64,13 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64)
         .map(|family| mean(&judgement.singles, &[family]))
         .collect();
     let needs_second = judgement.needs_second(baseline);
+    // a second effect that these data could not show anyway is no hypothesis of its own
+    let would_show = |family: usize| {
+        let members = judgement.families[family].members.iter();
+        members
+            .map(|&k| baseline.directions.lengths[k])
+            .any(|seen| seen >= SEPARATE)
+    };
     for a in 0..count {
         for b in a + 1..count {
             let (shown, other) = if alone[a] >= alone[b] { (a, b) } else { (b, a) };
@@ -76,7 +83,12 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64)
                     seconds: Vec::new(),
                 });
             } else {
-                fold(&mut weights, shown, other, ln_weight);
+                fold(
+                    &mut weights,
+                    shown,
+                    Some(other).filter(|&k| would_show(k)),
+                    ln_weight,
+                );
             }
         }
     }

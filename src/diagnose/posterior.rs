@@ -44,6 +44,8 @@ pub struct Belief {
     pub in_set: bool,
     /// Families that may be missing besides without the data telling, with their part of the probability.
     pub seconds: Vec<(usize, f64)>,
+    /// Whether the data show all of it; a second family may be one that they merely allow.
+    pub is_shown: bool,
 }
 
 /// Hypotheses, most probable first. Evidence is raised to the power `tempering`; the priors stand in `ln_weight` already.
@@ -56,18 +58,47 @@ pub fn beliefs(weights: &[Weight], tempering: f64) -> Vec<Belief> {
             probability: (tempering * weight.ln_weight - total).exp(),
             in_set: false,
             seconds: seconds(weight),
+            is_shown: true,
         })
         .collect();
+    choose(&mut beliefs);
+    beliefs
+}
+
+/// The same with every second family that the data merely allow as a hypothesis of its own: these exclude one another.
+pub fn unfolded(beliefs: &[Belief]) -> Vec<Belief> {
+    let mut all = Vec::new();
+    for belief in beliefs {
+        let mut alone = 1.0;
+        for &(second, share) in &belief.seconds {
+            let Case::One(first) = belief.case else { continue };
+            alone -= share;
+            all.push(Belief {
+                case: Case::Two(first, second),
+                probability: belief.probability * share,
+                in_set: false,
+                seconds: Vec::new(),
+                is_shown: false,
+            });
+        }
+        all.push(Belief {
+            probability: belief.probability * alone.max(0.0),
+            seconds: Vec::new(),
+            ..belief.clone()
+        });
+    }
+    choose(&mut all);
+    all
+}
+
+/// Sorts hypotheses, most probable first, and marks the smallest set that holds the truth with 95 %.
+fn choose(beliefs: &mut [Belief]) {
     beliefs.sort_by(|a, b| b.probability.total_cmp(&a.probability));
     let mut sum = 0.0;
-    for belief in &mut beliefs {
-        if sum >= CREDIBLE {
-            break;
-        }
-        belief.in_set = true;
+    for belief in beliefs {
+        belief.in_set = sum < CREDIBLE;
         sum += belief.probability;
     }
-    beliefs
 }
 
 /// Parts of the probability of a hypothesis that come with a second family, largest first.
@@ -81,11 +112,14 @@ fn seconds(weight: &Weight) -> Vec<(usize, f64)> {
     parts
 }
 
-/// Adds the weight of a pair to that of the one of it that the data show: the other may be there or not.
-pub fn fold(weights: &mut [Weight], into: usize, second: usize, ln_weight: f64) {
+/// Adds the weight of a pair to that of the one of it that the data show: the other may be there or not; `second` if it is one that
+/// data like these would show as a rule.
+pub fn fold(weights: &mut [Weight], into: usize, second: Option<usize>, ln_weight: f64) {
     let total = ln_sum([weights[into].ln_weight, ln_weight].into_iter());
     weights[into].ln_weight = total;
-    weights[into].seconds.push((second, ln_weight));
+    weights[into]
+        .seconds
+        .extend(second.map(|second| (second, ln_weight)));
 }
 
 /// Shares the probability of explanations that the data cannot tell apart (`class`: positions in `weights`) by how
@@ -146,6 +180,35 @@ mod tests {
         let set: Vec<&Case> = beliefs.iter().filter(|b| b.in_set).map(|b| &b.case).collect();
         assert_eq!(set, [&Case::One(0), &Case::One(1)]);
         assert!((beliefs.iter().map(|b| b.probability).sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_second_effect_that_is_merely_allowed_takes_its_part_from_the_first_alone() {
+        let mut weights = [
+            weight(Case::One(0), 0.6f64.ln()),
+            weight(Case::One(1), 0.1f64.ln()),
+            weight(Case::Nothing, 0.02f64.ln()),
+        ];
+        fold(&mut weights, 0, Some(1), 0.15f64.ln());
+        fold(&mut weights, 0, None, 0.05f64.ln());
+        fold(&mut weights, 0, Some(2), 0.08f64.ln());
+        let folded = beliefs(&weights, 1.0);
+        assert!((folded[0].probability - 0.88).abs() < 1e-12 && folded[0].is_shown);
+        let all = unfolded(&folded);
+        let told: Vec<(&Case, f64, bool, bool)> = all
+            .iter()
+            .map(|b| (&b.case, (b.probability * 1e6).round() / 1e6, b.in_set, b.is_shown))
+            .collect();
+        assert_eq!(
+            told,
+            [
+                (&Case::One(0), 0.65, true, true),
+                (&Case::Two(0, 1), 0.15, true, false),
+                (&Case::One(1), 0.1, true, true),
+                (&Case::Two(0, 2), 0.08, true, false),
+                (&Case::Nothing, 0.02, false, true),
+            ]
+        );
     }
 
     #[test]

@@ -15,7 +15,7 @@ use super::next::{NextExperiment, Rival, next_experiment};
 use super::notes::notes;
 use super::novel::{Reconstruction, reconstruct};
 use super::novel_words::draft;
-use super::posterior::{Case, SEPARATE};
+use super::posterior::{Case, SEPARATE, unfolded};
 use super::refit::Explanation;
 use super::rows::{LOOK_ALIKES, case_families, effect_rows, hypothesis, name, probability, unseen};
 use super::screening::ENOUGH_POWER;
@@ -41,10 +41,9 @@ pub fn report(
     candidates: Option<&dyn Forward>,
     progress: &Progress,
 ) -> Result<Diagnosis, DiagnoseError> {
-    let hypotheses: Vec<Hypothesis> = judgement
-        .beliefs
+    let hypotheses: Vec<Hypothesis> = unfolded(&judgement.beliefs)
         .iter()
-        .filter(|belief| belief.in_set || belief.probability > LISTED)
+        .filter(|belief| belief.in_set || (belief.is_shown && belief.probability > LISTED))
         .map(|belief| hypothesis(baseline, judgement, belief))
         .collect();
     let effects = effect_rows(baseline, judgement);
@@ -155,10 +154,14 @@ fn verdict(
     if judgement.pair_is_accepted {
         return Verdict::Pair;
     }
-    let (Some(belief), Some(first)) = (judgement.beliefs.first(), hypotheses.first()) else {
+    let Some(belief) = judgement.beliefs.first() else {
         return Verdict::Undecidable;
     };
-    if let Case::One(family) = belief.case {
+    if let Case::One(family) = belief.case
+        && let Some(first) = hypotheses
+            .iter()
+            .find(|own| own.families == [judgement.families[family].name.clone()])
+    {
         let nearest = (0..judgement.families.len())
             .filter(|&other| other != family)
             .map(|other| judgement.distance(baseline, family, other))

@@ -7,12 +7,10 @@ use super::held_out::{by_condition, by_wing, ln_density};
 use super::judge::Judgement;
 use super::posterior::{Belief, Case};
 use super::screening::{ENOUGH_POWER, effect_of, family_wise, place_of};
-use super::verdict::{EffectRow, Hypothesis, LookAlike, PlaceFound, Second, Strength};
+use super::verdict::{EffectRow, Hypothesis, LookAlike, PlaceFound, Strength};
 
 /// Strengths beyond this many scales are implausible.
 const PLAUSIBLE: f64 = 3.0;
-/// Second effects with a smaller part of a hypothesis' probability are not listed.
-const LEAST_SHARE: f64 = 0.005;
 /// Look-alikes listed for each effect.
 pub const LOOK_ALIKES: usize = 4;
 
@@ -98,16 +96,8 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -
     Hypothesis {
         effects,
         families: family_names.collect(),
-        perhaps_with: belief
-            .seconds
-            .iter()
-            .filter(|(_, share)| *share > LEAST_SHARE)
-            .map(|&(family, share)| Second {
-                family: judgement.families[family].name.clone(),
-                share,
-            })
-            .collect(),
         probability: belief.probability,
+        is_shown: belief.is_shown,
         strength: strengths.first().map(|s| s.value),
         standard_error: strengths.first().map(|s| s.standard_error),
         strengths,

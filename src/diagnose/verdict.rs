@@ -103,8 +103,8 @@ pub struct Hypothesis {
     pub strengths: Vec<Strength>,
     /// Its probability.
     pub probability: f64,
-    /// Effects that may be missing besides, without the data telling, with their part of the probability.
-    pub perhaps_with: Vec<Second>,
+    /// Whether the data show all of its effects; a second one may be merely allowed by them.
+    pub is_shown: bool,
     /// Strength of the first effect.
     pub strength: Option<f64>,
     /// Its standard error.
@@ -119,15 +119,6 @@ pub struct Hypothesis {
     pub gain_left_out_conditions: Option<f64>,
     /// The same for left-out wings.
     pub gain_left_out_wings: Option<f64>,
-}
-
-/// An effect that may be missing besides another.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Second {
-    /// Its family.
-    pub family: String,
-    /// Part of the probability of the hypothesis that comes with it.
-    pub share: f64,
 }
 
 /// Strength of one effect.

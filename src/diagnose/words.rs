@@ -35,14 +35,23 @@ pub fn sentence(diagnosis: &Diagnosis) -> String {
                 .into()
         }
         (Verdict::Effect, Some(hypothesis)) => format!(
-            "Missing: {} (probability {:.2}); no other known effect explains the misfit.",
+            "Missing: {} (probability {:.2}, {:.2} that nothing else is); no other known effect explains the misfit.",
             with_strength(hypothesis),
+            with_any_second(diagnosis, hypothesis),
             hypothesis.probability
         ),
         (Verdict::Pair, Some(hypothesis)) => pair(diagnosis, hypothesis),
         (Verdict::Novel, _) => novel(diagnosis),
         _ => format!("Something is missing: {}.", one_of(&names_in_set(diagnosis))),
     }
+}
+
+/// Probability of the first effect of a hypothesis, whatever the data allow beside it.
+fn with_any_second(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> f64 {
+    let rows = diagnosis.effects.iter();
+    let own = rows.filter(|row| hypothesis.effects.first() == Some(&row.effect));
+    own.map(|row| row.probability)
+        .fold(hypothesis.probability, f64::max)
 }
 
 fn with_strength(hypothesis: &Hypothesis) -> String {
@@ -94,7 +103,7 @@ fn pair(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> String {
     let pairs: Vec<&Hypothesis> = diagnosis
         .hypotheses
         .iter()
-        .filter(|h| h.in_set && h.families.len() == 2)
+        .filter(|h| h.in_set && h.is_shown && h.families.len() == 2)
         .collect();
     let shared = hypothesis
         .families
@@ -155,7 +164,7 @@ fn names_in_set(diagnosis: &Diagnosis) -> Vec<String> {
     diagnosis
         .hypotheses
         .iter()
-        .filter(|h| h.in_set)
+        .filter(|h| h.in_set && h.is_shown)
         .map(|h| {
             if h.effects.is_empty() {
                 "nothing after all".into()

@@ -124,7 +124,8 @@ fn hypotheses(hypotheses: &[Hypothesis]) -> String {
         let what = match hypothesis.effects.as_slice() {
             [] => "nothing".to_string(),
             [only] if only == "novel" => "none that is known".to_string(),
-            effects => effects.join(" + "),
+            effects if hypothesis.is_shown => effects.join(" + "),
+            effects => effects.join(", perhaps with "),
         };
         let strengths = |of: &dyn Fn(&crate::diagnose::verdict::Strength) -> f64| {
             let parts = hypothesis.strengths.iter().map(|s| significant(of(s), 3));

@@ -81,18 +81,6 @@ impl Outcome {
             .any(|h| h.in_set && self.same(&h.families) && !h.effects.contains(&"novel".into()))
     }
 
-    /// Whether a hypothesis of the set names one of a pair and lists the other as perhaps missing besides.
-    pub fn truth_in_set_perhaps(&self) -> bool {
-        let known = |name: &str| self.case.families.contains(&name);
-        self.truth_in_set()
-            || self.said.hypotheses.iter().any(|h| {
-                h.in_set
-                    && h.families.len() == 1
-                    && known(&h.families[0])
-                    && h.perhaps_with.iter().any(|s| known(&s.family))
-            })
-    }
-
     /// Whether both of a pair are 5 sigma from none and 3 sigma from each other.
     pub fn is_clear_pair(&self) -> bool {
         let at = |which: usize| {
@@ -238,9 +226,7 @@ fn believe(outcomes: &[Outcome], beliefs: &mut Vec<(f64, bool)>) {
     for outcome in outcomes.iter().filter(|o| o.is_alarm()) {
         let first = &outcome.said.hypotheses[0];
         let truth = &outcome.case.families;
-        let stated = |name: &&str| {
-            first.families.iter().any(|f| f == name) || first.perhaps_with.iter().any(|s| s.family == *name)
-        };
+        let stated = |name: &&str| first.families.iter().any(|f| f == name);
         let right = if truth.is_empty() {
             first.effects == ["novel"]
         } else {
@@ -348,10 +334,6 @@ fn pairs(seed: u64, count: u64, settings: &Settings, verbose: bool, beliefs: &mu
         seen.iter().map(|o| o.set_size() as f64).sum::<f64>() / seen.len() as f64
     );
     let clear: Vec<&&Outcome> = seen.iter().filter(|o| o.is_clear_pair()).collect();
-    println!(
-        "   truth in the set, or one and perhaps the other {}",
-        Share::of(seen.iter().map(|o| o.truth_in_set_perhaps()))
-    );
     println!(
         "   both clear: one of the two right {}, both right {}, in the set {}",
         Share::of(clear.iter().map(|o| dominant(o))),

@@ -94,7 +94,8 @@ fn hypotheses(document: &Document, found: &Diagnosis) -> String {
         let what = match hypothesis.effects.as_slice() {
             [] => "nothing".to_string(),
             [only] if only == "novel" => "none that is known".to_string(),
-            effects => effects.join(" + "),
+            effects if hypothesis.is_shown => effects.join(" + "),
+            effects => effects.join(", perhaps with "),
         };
         let strengths = |name: &str, digits: usize| {
             let parts = (0..hypothesis.strengths.len()).map(|k| {
