@@ -73,7 +73,8 @@ def test_a_diagnosis_is_that_of_the_command_line(
     assert diagnosis.verdict == "nothing" and diagnosis.sentence.startswith("Nothing detectable is missing")
     assert diagnosis.hypotheses["what"][0] == "nothing"
     assert diagnosis.hypotheses["probability"][0] == diagnosis.p_nothing
-    assert diagnosis.residuals["residual"].size == diagnosis.document["noise"]["numbers"]
+    assert diagnosis.residuals.size == diagnosis.document["noise"]["numbers"]
+    assert all(plot["residual"].tolist() == diagnosis.residuals.tolist() for plot in diagnosis.added_variables.values())
     assert set(diagnosis.unseen) <= set(diagnosis.effects["effect"])
 
 
@@ -99,6 +100,10 @@ def test_documents_follow_their_schemas(
         jsonschema.validate(document, washout.schema(verb))
         with pytest.raises(jsonschema.ValidationError):
             jsonschema.validate({}, washout.schema(verb))
+
+
+def test_the_package_has_the_version_of_the_library(run: washout.Run) -> None:
+    assert run.summary["washout_version"] == washout.__version__
 
 
 def test_schemas_are_those_of_the_command_line(printed: Printed) -> None:

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from washout.columns import Columns
 from washout.folder import in_folder
+from washout.solve import Numbers
 from washout.verb import Document, FilePath, Progress, Setting, set_options
 
 
@@ -55,14 +58,21 @@ class Diagnosis:
         """Effects that these data could not show."""
         self.misfit = Columns(document["misfit"]["by_condition"])
         """Where the calibrated model fails, by case and channel."""
-        self.residuals = Columns(residuals(document))
-        """Every fitted number: `condition`, `channel`, `r_mm`, `residual` (in sigma); empty where no effect can act."""
+        self.added_variables = {plot["effect"]: Columns(plot["points"]) for plot in document["added_variables"]}
+        """Of the effects that the data see best, every fitted number: `condition`, `channel`, `r_mm`, its `residual`, and its
+        `signature`: how far a unit of the effect would move it, less what the model absorbs; both in sigma."""
         self.ladder = Columns(document["ladder"])
         """The error from the model as stated down to the noise."""
         self.predictions = Columns(document["predictions"])
         """Held-out numbers, as measured, and as predicted by the `calibrated` and the `explained` model."""
         self.notes: list[str] = document["notes"]
         """What a reader must know besides."""
+
+    @property
+    def residuals(self) -> Numbers:
+        """Measured less calibrated model of every fitted number, in sigma; empty where no effect can be seen."""
+        points = next(iter(self.added_variables.values()), None)
+        return np.zeros(0) if points is None else points["residual"]
 
 
 def what(hypothesis: Mapping[str, Sequence[str]]) -> str:
@@ -74,10 +84,3 @@ def what(hypothesis: Mapping[str, Sequence[str]]) -> str:
             return "none that is known"
         case effects:
             return " + ".join(effects)
-
-
-def residuals(document: Document) -> list[Document]:
-    """The residuals, which are those of every effect's added-variable plot."""
-    plots = document["added_variables"]
-    points = plots[0]["points"] if plots else []
-    return [{name: value for name, value in point.items() if name != "signature"} for point in points]
