@@ -7,11 +7,14 @@ use pyo3::prelude::*;
 use washout::cli::Failure;
 use washout::input::InputError;
 
+/// Exit code of work that was cancelled.
+pub const INTERRUPTED: u8 = 130;
+
 /// The exception for a failure, by its exit code: 2 input, 3 not converged, 130 interrupted, any other.
 pub fn raised(py: Python<'_>, failure: &Failure) -> PyErr {
     let message = failure.to_string();
     let class = match failure.exit_code() {
-        130 => return PyKeyboardInterrupt::new_err(message),
+        INTERRUPTED => return PyKeyboardInterrupt::new_err(message),
         3 => "NotConverged",
         2 => "InputError",
         _ => "WashoutError",
@@ -34,7 +37,7 @@ pub fn refused(py: Python<'_>, error: &clap::Error) -> PyErr {
 }
 
 /// The exception where no thread can be started.
-pub fn without_threads(_: Python<'_>, error: &std::io::Error) -> PyErr {
+pub fn without_threads(error: &std::io::Error) -> PyErr {
     PyOSError::new_err(format!("no thread can be started for the work: {error}"))
 }
 

@@ -5,11 +5,12 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use washout::cli::Failure;
 use washout::progress::Progress;
 
-use crate::failure::{raised, without_threads};
+use crate::failure::{INTERRUPTED, raised, without_threads};
 
 /// How often signals are looked for.
 const LOOK: Duration = Duration::from_millis(50);
@@ -34,7 +35,7 @@ pub fn work<T: Send + 'static>(
     let worker = thread::Builder::new()
         .stack_size(STACK_BYTES)
         .spawn(move || job(&progress))
-        .map_err(|error| without_threads(py, &error))?;
+        .map_err(|error| without_threads(&error))?;
     let mut stopped: Option<PyErr> = None;
     loop {
         let waiting = &mut lines;
@@ -55,6 +56,12 @@ pub fn work<T: Send + 'static>(
     }
     let result = py.detach(|| worker.join());
     match (result, stopped) {
+        // The failure says what was kept.
+        (Ok(Err(failure)), Some(error))
+            if failure.exit_code() == INTERRUPTED && error.is_instance_of::<PyKeyboardInterrupt>(py) =>
+        {
+            Err(raised(py, &failure))
+        }
         (_, Some(error)) => Err(error),
         (Ok(result), None) => result.map_err(|failure| raised(py, &failure)),
         (Err(panic), None) => resume_unwind(panic),

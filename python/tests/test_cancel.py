@@ -28,7 +28,7 @@ def interrupted_after(seconds: float, work: Callable[[], object]) -> float:
 
     timer = threading.Timer(seconds, press)
     timer.start()
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(KeyboardInterrupt, match="interrupted; nothing was written"):
         work()
     timer.cancel()
     return time.monotonic() - pressed[0]

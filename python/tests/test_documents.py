@@ -13,6 +13,7 @@ import washout
 from washout.verb import Document
 
 DESIGN = "designs/twist-v1.toml"
+SWEPT = "designs/twist-v2.toml"
 STUDY = "studies/tang-dowell-gravity.toml"
 
 
@@ -88,6 +89,7 @@ def test_documents_follow_their_schemas(
     comparison: washout.Comparison,
     study: washout.StudyComparison,
     diagnosis: washout.Diagnosis,
+    tmp_path: Path,
 ) -> None:
     documents = {
         "solve": run.summary,
@@ -95,11 +97,13 @@ def test_documents_follow_their_schemas(
         "study": study.document,
         "diagnose": diagnosis.document,
         "doctor": washout.run("doctor"),
+        "sweep": washout.run("sweep", SWEPT, "--vary", "mesh.refine=0.4,0.5", "--output", tmp_path / "sweep"),
+        "effects": washout.run("effects"),
     }
     for verb, document in documents.items():
         jsonschema.validate(document, washout.schema(verb))
         with pytest.raises(jsonschema.ValidationError):
-            jsonschema.validate({}, washout.schema(verb))
+            jsonschema.validate({"no": "such field"}, washout.schema(verb))
 
 
 def test_the_package_has_the_version_of_the_library(run: washout.Run) -> None:

@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 
 use crate::blind::Scoreboard;
 use crate::diagnose::Plan;
+use crate::effects::card::Card;
 use crate::export::ExportError;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::difference::Difference;
@@ -13,6 +14,7 @@ use crate::export::modes::ModesSummary;
 use crate::export::studies::studies_page;
 use crate::export::study::StudyReport;
 use crate::export::summary::RunSummary;
+use crate::export::sweep::SweepSummary;
 use crate::export::verification::VerifyReport;
 use crate::synthesize::Answer;
 
@@ -52,6 +54,8 @@ pub enum Output {
     Lift,
     /// `washout pareto --json`
     Pareto,
+    /// `washout sweep --json`
+    Sweep,
     /// `washout design --json`
     Design,
     /// `washout divergence --json`
@@ -82,6 +86,8 @@ pub enum Output {
     Answer,
     /// `washout blind --json`
     Blind,
+    /// `washout effects --json`: a list; of one effect its item
+    Effects,
     /// `washout report --json`
     Report,
     /// `washout export --json`
@@ -104,6 +110,7 @@ impl Schema {
             Some(Output::Compare) => schemars::schema_for!(super::compare::CompareReport),
             Some(Output::Lift) => schemars::schema_for!(crate::export::lift::LiftSummary),
             Some(Output::Pareto) => schemars::schema_for!(crate::export::pareto::ParetoSummary),
+            Some(Output::Sweep) => schemars::schema_for!(SweepSummary),
             Some(Output::Design) => schemars::schema_for!(crate::export::layouts::LayoutSummary),
             Some(Output::Divergence) => schemars::schema_for!(super::divergence::DivergenceReport),
             Some(Output::Diff) => schemars::schema_for!(Difference),
@@ -117,6 +124,7 @@ impl Schema {
             Some(Output::Synthesize) => schemars::schema_for!(super::synthesize::SynthesizeReport),
             Some(Output::Answer) => schemars::schema_for!(Answer),
             Some(Output::Blind) => schemars::schema_for!(Scoreboard),
+            Some(Output::Effects) => schemars::schema_for!(Vec<Card>),
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
             Some(Output::Doctor) => schemars::schema_for!(super::doctor::DoctorReport),
             Some(Output::Report) => schemars::schema_for!(super::report::ReportMade),

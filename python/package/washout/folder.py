@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -14,7 +13,8 @@ def in_folder(
 ) -> Document:
     """The document of a verb that writes into `output`; without, its files are not kept, and none are named."""
     if output is not None:
-        return run(verb, *options, "--output", output, "--", os.fspath(path), progress=progress)
+        document: Document = run(verb, *options, "--output", output, "--", path, progress=progress)
+        return document
     with TemporaryDirectory(prefix="washout-") as temporary:
         document = in_folder(verb, options, path, Path(temporary) / "output", progress)
     document["files"] = []

@@ -23,23 +23,24 @@ Setting: TypeAlias = bool | int | float | str | Sequence[float]
 """A value of a key of a design."""
 
 
-def run(verb: str, *arguments: FilePath, progress: Progress | None = None) -> Document:
-    """The document that `washout VERB ARGUMENTS --json` prints; files are written as there.
+def run(verb: str, *arguments: FilePath, progress: Progress | None = None) -> Any:
+    """The document that `washout VERB ARGUMENTS --json` prints: a dict, of some verbs a list; files are written as there.
 
     Raises InputError, NotConverged or WashoutError, with the messages of the command line.
     """
     words = [os.fspath(argument) for argument in arguments]
     text = _washout.run([verb, *words], progress)
-    if not text.startswith("{"):
-        raise WashoutError(f"washout {verb} gives no JSON document")
-    document: Document = json.loads(text)
-    return document
+    try:
+        return json.loads(text)
+    except json.JSONDecodeError:
+        raise WashoutError(f"washout {verb} gives no JSON document") from None
 
 
 def schema(verb: str | None = None) -> Document:
     """The JSON schema of what a verb prints with `--json` (`solve`: of summary.json; `study`: of `compare` with a study); of
     design files without a verb."""
-    return run("schema") if verb is None else run("schema", "--output", verb)
+    document: Document = run("schema", *(("--output", verb) if verb else ()))
+    return document
 
 
 def set_options(sets: Mapping[str, Setting] | None) -> list[str]:
