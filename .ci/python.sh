@@ -32,8 +32,8 @@ cargo clippy --release --manifest-path python/Cargo.toml -- -D warnings
 cargo metadata --format-version 1 --manifest-path python/Cargo.toml |
     "$python" .ci/licences.py "Apache-2.0 WITH LLVM-exception"
 
-step "the program that the package is held against"
-cargo build --release
+step "the program that the package is held against; it shares the library with the wheel"
+cargo build --release --manifest-path python/Cargo.toml --package washout
 
 step "the wheel"
 rm -rf "$wheels"
