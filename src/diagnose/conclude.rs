@@ -16,6 +16,10 @@ const NOVEL_ODDS: f64 = 3.0;
 /// ln of the factor by which a second effect must raise the evidence to stand beside the first as a pair of its own.
 const SECOND: f64 = 1.1;
 
+/// ln of the odds from which on a pair that was fitted anew stands beside any single effect, whatever that leaves: what a test of the
+/// misfit lets pass as chance, because it asks for nothing in particular, may be the signature of a second effect.
+const CLEAR: f64 = 3.0;
+
 /// Gives every hypothesis its probability; `ln_nothing`: evidence of the model as it is.
 pub fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64) {
     let prior = baseline.settings.prior;
@@ -63,7 +67,14 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64)
     let alone: Vec<f64> = (0..count)
         .map(|family| mean(&judgement.singles, &[family]))
         .collect();
-    let needs_second = judgement.needs_second(baseline);
+    let heaviest_pair = judgement
+        .pairs
+        .iter()
+        .filter(|pair| matches!(judgement.best_of(&pair.families), Some((_, Some(_)))))
+        .map(|pair| weight_of(&pair.families))
+        .fold(f64::NEG_INFINITY, f64::max);
+    let heaviest_single = heaviest_family.map_or(f64::NEG_INFINITY, |first| weight_of(&[first]));
+    let needs_second = judgement.needs_second(baseline) || heaviest_pair > heaviest_single + CLEAR;
     // a second effect that these data could not show anyway is no hypothesis of its own
     let would_show = |family: usize| {
         let members = judgement.families[family].members.iter();
