@@ -12,6 +12,8 @@ pub mod vtu_read;
 
 pub mod wing;
 
+pub mod reference;
+
 pub mod measurement;
 
 pub mod modes;

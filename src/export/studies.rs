@@ -2,8 +2,7 @@
 
 use std::fmt::Write;
 
-use serde_json::Value;
-
+use super::reference::key::{default, words};
 use crate::input::schema::study_schema;
 
 /// The file that `washout init --study` writes.
@@ -65,83 +64,12 @@ pub fn studies_page() -> String {
     ];
     for (title, table) in tables {
         let _ = write!(text, "\n### {title}\n\n| key | | what it is |\n|---|---|---|\n");
-        let required = table["required"].as_array().cloned().unwrap_or_default();
         for (key, property) in table["properties"].as_object().into_iter().flatten() {
-            let need = match (required.iter().any(|name| name == key), &property["default"]) {
-                (true, _) => "needed".to_string(),
-                (false, Value::Number(number)) => number.to_string(),
-                (false, Value::String(word)) => format!("\"{word}\""),
-                (false, _) => String::new(),
-            };
-            let what = words(property, &schema);
+            let (need, what) = (default(key, table), words(property, &schema));
             let _ = writeln!(text, "| `{key}` | {need} | {what} |");
         }
     }
     text
-}
-
-/// Description, range, words and example of a key.
-fn words(property: &Value, schema: &Value) -> String {
-    let mut text = property["description"]
-        .as_str()
-        .unwrap_or_default()
-        .replace('\n', " ");
-    let choices = choices(property, schema);
-    if !choices.is_empty() {
-        let _ = write!(text, " One of {}.", choices.join(", "));
-    }
-    if let (Some(low), Some(high)) = (bound(property, "minimum"), bound(property, "maximum")) {
-        let _ = write!(text, " From {low} to {high}.");
-    }
-    if let Some(example) = property["examples"].get(0) {
-        let _ = write!(text, " E.g. `{}`.", shown(example));
-    }
-    text
-}
-
-/// A value as TOML has it.
-fn shown(value: &Value) -> String {
-    match value {
-        Value::Object(entries) => {
-            let entries: Vec<String> = entries
-                .iter()
-                .map(|(key, value)| format!("{key} = {}", shown(value)))
-                .collect();
-            format!("{{ {} }}", entries.join(", "))
-        }
-        Value::Array(items) => {
-            let items: Vec<String> = items.iter().map(shown).collect();
-            format!("[{}]", items.join(", "))
-        }
-        other => other.to_string(),
-    }
-}
-
-fn bound(property: &Value, name: &str) -> Option<String> {
-    let own = property.get(name).or_else(|| property["items"].get(name))?;
-    Some(own.to_string())
-}
-
-/// The words that a key may have, itself or in its list.
-fn choices(value: &Value, schema: &Value) -> Vec<String> {
-    match value {
-        Value::Object(entries) => {
-            if let Some(name) = value["$ref"].as_str().and_then(|path| path.rsplit('/').next()) {
-                let defined = &schema["$defs"][name];
-                let listed = defined["oneOf"].as_array().into_iter().flatten();
-                let words = listed.map(|one| &one["const"]);
-                let words = words.chain(defined["enum"].as_array().into_iter().flatten());
-                return words
-                    .filter_map(Value::as_str)
-                    .map(|word| format!("`{word}`"))
-                    .collect();
-            }
-            let inside = ["items", "anyOf"].into_iter().filter_map(|key| entries.get(key));
-            inside.flat_map(|inner| choices(inner, schema)).collect()
-        }
-        Value::Array(items) => items.iter().flat_map(|inner| choices(inner, schema)).collect(),
-        _ => Vec::new(),
-    }
 }
 
 #[cfg(test)]
@@ -158,8 +86,14 @@ mod tests {
             let cells: Vec<&str> = row.split('|').map(str::trim).collect();
             assert!(cells[3].len() > 20, "{row}");
         }
-        assert!(page.contains("One of `offset`, `scale`."), "{page}");
-        assert!(page.contains("One of `fit`, `held-out`."), "{page}");
+        assert!(
+            page.contains("One of `offset` (y + b), `scale` (y (1 + b))."),
+            "{page}"
+        );
+        assert!(
+            page.contains("One of `fit` (It is fitted), `held-out` (It is kept out of every fit)."),
+            "{page}"
+        );
         assert!(page.contains("| `measured` | needed |"), "{page}");
     }
 }

@@ -11,10 +11,13 @@ use super::error::{InputError, Place, Problem, Range};
 use super::file;
 use super::table::Table;
 
+mod columns;
+
 mod made;
 
 mod row;
 
+pub use columns::COLUMN_WORDS;
 pub use made::{Formulas, Made};
 
 use row::{identity, read_row};
@@ -137,7 +140,8 @@ pub const COLUMNS: [&str; 12] = [
 /// Columns that may be left out.
 pub const OPTIONAL_COLUMNS: [&str; 1] = ["chord_fraction"];
 
-const CHANNELS: [(&str, Channel); 13] = [
+/// Channels by their names in the file.
+pub const CHANNELS: [(&str, Channel); 13] = [
     ("twist", Channel::Twist),
     ("twist_rate", Channel::TwistRate),
     ("deflection", Channel::Deflection),
@@ -191,7 +195,8 @@ impl Channel {
         )
     }
 
-    fn has_station(self) -> bool {
+    /// Whether it is read at a place along the span.
+    pub fn has_station(self) -> bool {
         self.is_twist() || self.is_displacement()
     }
 

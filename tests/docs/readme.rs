@@ -1,11 +1,10 @@
 //! The README shows what the program prints: its blocks and its table of the three wings are computed again here.
 
-mod text;
-
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
-use text::{Shown, disagreement};
+use crate::text::{Shown, disagreement};
+use crate::workshop::workshop;
 
 /// Commands whose output the README shows, after `<!-- washout … -->`.
 const MARK: &str = "<!-- washout ";
@@ -18,21 +17,6 @@ const WINGS: [&str; 3] = ["rigid", "twist-v1", "twist-v2"];
 fn readme() -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
     std::fs::read_to_string(path).expect("a README")
-}
-
-/// A folder in which the commands of the README find what they name.
-fn workshop() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a folder");
-    for room in ["designs", "measurements"] {
-        let from = Path::new(env!("CARGO_MANIFEST_DIR")).join(room);
-        let to: PathBuf = folder.path().join(room);
-        std::fs::create_dir(&to).expect("a folder");
-        for entry in std::fs::read_dir(from).expect("a folder") {
-            let entry = entry.expect("an entry");
-            std::fs::copy(entry.path(), to.join(entry.file_name())).expect("a copy");
-        }
-    }
-    folder
 }
 
 fn washout(folder: &Path, arguments: &[&str]) -> String {
