@@ -163,6 +163,7 @@ impl Compare {
         progress.check()?;
         let written = folder.commit()?;
         page += &format!("\n{}", listed(&written, &report.files));
+        page += &console.sketch(&wing_figure(&report.comparison, Some(&reading.profile)));
         console.result(&page, &report)
     }
 

@@ -2,10 +2,12 @@
 
 use std::cell::RefCell;
 use std::fmt;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 
 use serde::Serialize;
 
+use crate::plot::Figure;
+use crate::plot::terminal::sketch;
 use crate::progress::Progress;
 
 use super::{Common, Failure};
@@ -80,6 +82,14 @@ impl Console {
     pub fn text(&self, text: &[u8]) -> Result<(), Failure> {
         self.progress.finish();
         self.print(text)
+    }
+
+    /// A small picture for people at a terminal; nothing for a file, another program, or where nothing is printed.
+    pub fn sketch(&self, figure: &Figure) -> String {
+        if self.json || self.quiet || self.kept.is_some() || !io::stdout().is_terminal() {
+            return String::new();
+        }
+        format!("\n{}", sketch(figure))
     }
 
     fn print(&self, text: &[u8]) -> Result<(), Failure> {

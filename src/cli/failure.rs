@@ -10,6 +10,7 @@ use crate::diagnose::DiagnoseError;
 use crate::explore::ExploreError;
 use crate::export::ExportError;
 use crate::input::InputError;
+use crate::plot::PlotError;
 use crate::progress::Cancelled;
 use crate::study::StudyError;
 use crate::sweep::SweepError;
@@ -296,7 +297,8 @@ impl Failure {
             Failure::Export(
                 ExportError::NoRun { .. }
                 | ExportError::ForeignSummary { .. }
-                | ExportError::NoCounterpart { .. },
+                | ExportError::NoCounterpart { .. }
+                | ExportError::Picture(PlotError::TooLarge { .. }),
             ) => 2,
             Failure::UnknownCase { .. } => 2,
             Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) | Failure::Cases { .. } => 1,

@@ -61,6 +61,8 @@ pub mod add;
 
 pub mod report;
 
+pub mod plot;
+
 pub mod synthesize;
 
 pub mod blind;
@@ -158,6 +160,8 @@ pub enum Verb {
     Diff(diff::Diff),
     /// One HTML file of a run or a study: the wing in 3D, pictures, tables, for a browser or a printer
     Report(report::Report),
+    /// The pictures of a run for print: SVG and PNG
+    Plot(plot::Plot),
     /// Write a run as input for another program, for a second opinion
     Export(export::Export),
     /// Run the published cases that say how far to trust the solver
@@ -222,6 +226,7 @@ pub fn run_on(console: &Console, arguments: &Arguments) -> Result<(), Failure> {
         Verb::Effects(verb) => verb.run(console),
         Verb::Diff(verb) => verb.run(console),
         Verb::Report(verb) => verb.run(console),
+        Verb::Plot(verb) => verb.run(console),
         Verb::Export(verb) => verb.run(console),
         Verb::Verify(verb) => verb.run(console),
         Verb::Doctor(verb) => verb.run(console),

@@ -90,6 +90,8 @@ pub enum Output {
     Effects,
     /// `washout report --json`
     Report,
+    /// `washout plot --json`, and `plot.json`
+    Plot,
     /// `washout export --json`
     Export,
     /// `washout verify --json`, and `verify.json`
@@ -128,6 +130,7 @@ impl Schema {
             Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
             Some(Output::Doctor) => schemars::schema_for!(super::doctor::DoctorReport),
             Some(Output::Report) => schemars::schema_for!(super::report::ReportMade),
+            Some(Output::Plot) => schemars::schema_for!(super::plot::Plotted),
             Some(Output::Export) => schemars::schema_for!(super::export::ExportReport),
             Some(Output::Verify) => schemars::schema_for!(VerifyReport),
         };

@@ -10,6 +10,7 @@ use crate::coupling::engineering::engineering;
 use crate::coupling::solution::Solution;
 use crate::export::ExportError;
 use crate::export::collect::{Solved, summarize, write_files};
+use crate::export::pictures::profile::twist;
 use crate::export::report::page;
 use crate::export::run::{RunFolder, read_summary};
 use crate::export::summary::RunSummary;
@@ -88,6 +89,7 @@ impl Solve {
         if earlier.is_some_and(|earlier| earlier.design != summary.design) {
             page += "They replace an earlier run with other inputs; --output DIR keeps both\n";
         }
+        page += &console.sketch(&twist(&summary));
         console.result(&page, &summary)
     }
 }

@@ -8,6 +8,8 @@ use crate::diagnose::{Diagnosis, Verdict};
 use crate::export::html::REPORT;
 use crate::export::html::study::{StudyParts, page as study_page};
 use crate::export::html::wing::{Wing, Wings};
+use crate::export::pictures::compared::figure as compared_figure;
+use crate::export::pictures::panels;
 use crate::export::pictures::write::add_study;
 use crate::export::run::RunFolder;
 use crate::export::study::{StudyReport, page};
@@ -46,9 +48,10 @@ pub fn compare(
     console.progress().check()?;
     let written = folder.commit()?;
     let page = format!(
-        "{}\n{}",
+        "{}\n{}{}",
         page(&report.comparison),
-        listed(&written, &report.files)
+        listed(&written, &report.files),
+        console.sketch(&compared_figure(&panels::Compared::of_study(&report.comparison)))
     );
     console.result(&page, &report)
 }

@@ -117,7 +117,7 @@ impl Point {
 
 impl Mark {
     /// All places and values that must lie within the axes.
-    fn reach(&self) -> Vec<[f64; 2]> {
+    pub(super) fn reach(&self) -> Vec<[f64; 2]> {
         match self {
             Mark::Band { points, .. } => points.iter().flat_map(|[x, a, b]| [[*x, *a], [*x, *b]]).collect(),
             Mark::Line { points, .. } | Mark::Level { points, .. } => points.clone(),

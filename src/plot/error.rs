@@ -21,6 +21,19 @@ pub enum PlotError {
         /// Title of the panel.
         panel: String,
     },
+    /// More pixels than readers of pictures take.
+    #[error(
+        "a picture of {width_px:.0} by {height_px:.0} pixels is too large (at most {most_px:.0} along a side): ask for less width or \
+         a lower resolution"
+    )]
+    TooLarge {
+        /// Width, pixels.
+        width_px: f64,
+        /// Height, pixels.
+        height_px: f64,
+        /// Largest side, pixels.
+        most_px: f64,
+    },
     /// The drawing library refused.
     #[error("a picture cannot be drawn: {reason}")]
     Drawing {

@@ -22,7 +22,11 @@ pub mod palette;
 
 pub mod pen;
 
+pub mod print;
+
 pub mod scale;
+
+pub mod terminal;
 
 pub mod waterfall;
 
@@ -31,4 +35,5 @@ pub use error::PlotError;
 pub use figure::{Figure, Key, Panel, Sample};
 pub use heat_map::{HeatMap, HeatTable};
 pub use palette::{Ink, Shape};
+pub use print::Print;
 pub use waterfall::{Step, Waterfall};

@@ -28,6 +28,8 @@ mod modest;
 
 mod real_data;
 
+mod plot;
+
 mod report;
 
 mod schema;

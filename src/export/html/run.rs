@@ -71,7 +71,11 @@ pub fn page(summary: &RunSummary, wing: Wing, strips: &[StripRow]) -> Result<Pag
     Ok(page)
 }
 
-fn strips_of(bytes: Option<&[u8]>, folder: &Path) -> Result<Vec<StripRow>, ExportError> {
+/// Rows of `strips.csv`; none where it is not there.
+///
+/// # Errors
+/// If it is not of a run.
+pub fn strips_of(bytes: Option<&[u8]>, folder: &Path) -> Result<Vec<StripRow>, ExportError> {
     let Some(bytes) = bytes else {
         return Ok(Vec::new());
     };

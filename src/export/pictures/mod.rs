@@ -4,6 +4,8 @@ pub mod compared;
 
 pub mod diagnosis;
 
+pub mod folder;
+
 pub mod in_sigma;
 
 pub mod ladder;

@@ -1,0 +1,95 @@
+//! The pictures of a folder that a verb wrote: those of a run are drawn from its files, all others stand in it.
+
+use std::fs;
+use std::path::Path;
+
+use crate::export::ExportError;
+use crate::export::html::run::strips_of;
+use crate::export::html::still::still;
+use crate::export::html::wing::Wing;
+use crate::export::run::{SUMMARY, read_summary};
+use crate::export::vtu_read::read_vtu;
+use crate::plot::Figure;
+
+use super::profile;
+use super::write::sheets;
+
+/// A picture by its name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// What it is called, without ending.
+    pub name: String,
+    /// The picture, SVG.
+    pub svg: String,
+}
+
+/// The pictures: of a run `wing`, `twist`, `air` and, where it was solved, `stroke`; of all others the SVG files, by name.
+///
+/// # Errors
+/// If a file cannot be read or is not of a run, or a number is not finite.
+pub fn pictures(folder: &Path) -> Result<Vec<Picture>, ExportError> {
+    if folder.join(SUMMARY).is_file() {
+        of_run(folder)
+    } else {
+        standing(folder)
+    }
+}
+
+fn of_run(folder: &Path) -> Result<Vec<Picture>, ExportError> {
+    let summary = read_summary(folder)?;
+    let read = |name: &str| {
+        let path = folder.join(name);
+        fs::read(&path).map_err(ExportError::file("read", path))
+    };
+    let [rest, loaded] = ["wing-rest.vtu", "wing.vtu"].map(|name| read_vtu(&read(name)?, &folder.join(name)));
+    let wing = Wing::of_grids(&summary.name, &rest?, &loaded?);
+    let mut pictures = vec![Picture {
+        name: "wing".to_string(),
+        svg: still(&wing),
+    }];
+    pictures.extend(drawn("twist", &profile::twist(&summary))?);
+    if summary.files.iter().any(|file| file == "strips.csv") {
+        let strips = strips_of(Some(&read("strips.csv")?), folder)?;
+        pictures.extend(drawn("air", &profile::strips(&summary.name, &strips))?);
+    }
+    if summary.stroke.is_some() {
+        pictures.extend(drawn("stroke", &profile::stroke(&summary))?);
+    }
+    Ok(pictures)
+}
+
+/// The sheets of a figure.
+fn drawn(name: &str, figure: &Figure) -> Result<Vec<Picture>, ExportError> {
+    let sheets = sheets(figure).into_iter().enumerate();
+    sheets
+        .map(|(index, sheet)| {
+            let name = match index {
+                0 => name.to_string(),
+                _ => format!("{name}-{}", index + 1),
+            };
+            Ok(Picture {
+                name,
+                svg: sheet.to_svg()?,
+            })
+        })
+        .collect()
+}
+
+fn standing(folder: &Path) -> Result<Vec<Picture>, ExportError> {
+    let mut pictures = Vec::new();
+    for entry in fs::read_dir(folder).map_err(ExportError::file("read", folder))? {
+        let path = entry.map_err(ExportError::file("read", folder))?.path();
+        if path.extension().is_none_or(|ending| ending != "svg") {
+            continue;
+        }
+        let name = path
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        let svg = fs::read_to_string(&path).map_err(ExportError::file("read", &path))?;
+        pictures.push(Picture { name, svg });
+    }
+    pictures.sort_by(|a, b| a.name.cmp(&b.name));
+    Ok(pictures)
+}
