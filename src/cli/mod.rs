@@ -53,6 +53,8 @@ pub mod init;
 
 pub mod schema;
 
+pub mod reference;
+
 pub mod effects;
 
 pub mod diagnose;

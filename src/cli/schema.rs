@@ -1,6 +1,6 @@
 //! `washout schema`: the JSON schema of a file or of an output, generated from the types.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
@@ -10,6 +10,7 @@ use crate::effects::card::Card;
 use crate::export::ExportError;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::difference::Difference;
+use crate::export::file::write_whole;
 use crate::export::modes::ModesSummary;
 use crate::export::studies::studies_page;
 use crate::export::study::StudyReport;
@@ -18,6 +19,7 @@ use crate::export::sweep::SweepSummary;
 use crate::export::verification::VerifyReport;
 use crate::synthesize::Answer;
 
+use super::reference::reference_pages;
 use super::{Console, Failure};
 
 /// Arguments of `washout schema`.
@@ -41,6 +43,9 @@ pub struct Schema {
     /// Write the page of documentation on study files
     #[arg(long, value_name = "FILE", requires = "study")]
     pub page: Option<PathBuf>,
+    /// Write the reference pages of the documentation into this folder: design, measurement, video, outputs, commands
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["output", "study", "video"])]
+    pub pages: Option<PathBuf>,
 }
 
 /// Verbs whose JSON document has a schema.
@@ -104,36 +109,59 @@ impl Schema {
         if let Some(path) = &self.page {
             std::fs::write(path, studies_page()).map_err(ExportError::file("write", path))?;
         }
+        if let Some(folder) = &self.pages {
+            return self.write_pages(folder, console);
+        }
         let schema = match self.output {
             None if self.study => crate::input::schema::study_schema(),
             None if self.video => crate::input::schema::video_schema(),
             None => crate::input::schema::design_schema(),
-            Some(Output::Solve) => schemars::schema_for!(RunSummary),
-            Some(Output::Compare) => schemars::schema_for!(super::compare::CompareReport),
-            Some(Output::Lift) => schemars::schema_for!(crate::export::lift::LiftSummary),
-            Some(Output::Pareto) => schemars::schema_for!(crate::export::pareto::ParetoSummary),
-            Some(Output::Sweep) => schemars::schema_for!(SweepSummary),
-            Some(Output::Design) => schemars::schema_for!(crate::export::layouts::LayoutSummary),
-            Some(Output::Divergence) => schemars::schema_for!(super::divergence::DivergenceReport),
-            Some(Output::Diff) => schemars::schema_for!(Difference),
-            Some(Output::Modes) => schemars::schema_for!(ModesSummary),
-            Some(Output::Mesh) => schemars::schema_for!(super::mesh::MeshReport),
-            Some(Output::Measure) => schemars::schema_for!(crate::export::video::MeasureReport),
-            Some(Output::Study) => schemars::schema_for!(StudyReport),
-            Some(Output::Diagnose) => schemars::schema_for!(DiagnosisReport),
-            Some(Output::Add) => schemars::schema_for!(super::add::AddReport),
-            Some(Output::Plan) => schemars::schema_for!(Plan),
-            Some(Output::Synthesize) => schemars::schema_for!(super::synthesize::SynthesizeReport),
-            Some(Output::Answer) => schemars::schema_for!(Answer),
-            Some(Output::Blind) => schemars::schema_for!(Scoreboard),
-            Some(Output::Effects) => schemars::schema_for!(Vec<Card>),
-            Some(Output::Init) => schemars::schema_for!(super::init::InitReport),
-            Some(Output::Doctor) => schemars::schema_for!(super::doctor::DoctorReport),
-            Some(Output::Report) => schemars::schema_for!(super::report::ReportMade),
-            Some(Output::Plot) => schemars::schema_for!(super::plot::Plotted),
-            Some(Output::Export) => schemars::schema_for!(super::export::ExportReport),
-            Some(Output::Verify) => schemars::schema_for!(VerifyReport),
+            Some(output) => output.schema(),
         };
         console.document(&schema)
+    }
+
+    fn write_pages(&self, folder: &Path, console: &Console) -> Result<(), Failure> {
+        std::fs::create_dir_all(folder).map_err(ExportError::file("create", folder))?;
+        let mut written = Vec::new();
+        for (name, page) in reference_pages() {
+            let path = folder.join(name);
+            write_whole(&path, page.as_bytes())?;
+            written.push(path.display().to_string());
+        }
+        console.result(&(written.join("\n") + "\n"), &written)
+    }
+}
+
+impl Output {
+    /// The schema of the document.
+    pub fn schema(self) -> schemars::Schema {
+        match self {
+            Output::Solve => schemars::schema_for!(RunSummary),
+            Output::Compare => schemars::schema_for!(super::compare::CompareReport),
+            Output::Lift => schemars::schema_for!(crate::export::lift::LiftSummary),
+            Output::Pareto => schemars::schema_for!(crate::export::pareto::ParetoSummary),
+            Output::Sweep => schemars::schema_for!(SweepSummary),
+            Output::Design => schemars::schema_for!(crate::export::layouts::LayoutSummary),
+            Output::Divergence => schemars::schema_for!(super::divergence::DivergenceReport),
+            Output::Diff => schemars::schema_for!(Difference),
+            Output::Modes => schemars::schema_for!(ModesSummary),
+            Output::Mesh => schemars::schema_for!(super::mesh::MeshReport),
+            Output::Measure => schemars::schema_for!(crate::export::video::MeasureReport),
+            Output::Study => schemars::schema_for!(StudyReport),
+            Output::Diagnose => schemars::schema_for!(DiagnosisReport),
+            Output::Add => schemars::schema_for!(super::add::AddReport),
+            Output::Plan => schemars::schema_for!(Plan),
+            Output::Synthesize => schemars::schema_for!(super::synthesize::SynthesizeReport),
+            Output::Answer => schemars::schema_for!(Answer),
+            Output::Blind => schemars::schema_for!(Scoreboard),
+            Output::Effects => schemars::schema_for!(Vec<Card>),
+            Output::Init => schemars::schema_for!(super::init::InitReport),
+            Output::Doctor => schemars::schema_for!(super::doctor::DoctorReport),
+            Output::Report => schemars::schema_for!(super::report::ReportMade),
+            Output::Plot => schemars::schema_for!(super::plot::Plotted),
+            Output::Export => schemars::schema_for!(super::export::ExportReport),
+            Output::Verify => schemars::schema_for!(VerifyReport),
+        }
     }
 }

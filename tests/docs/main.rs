@@ -8,6 +8,8 @@ mod pages;
 
 mod readme;
 
+mod reference;
+
 mod text;
 
 mod workshop;
