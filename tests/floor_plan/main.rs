@@ -165,6 +165,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "compare",
             "sweep",
             "diagnose",
+            "plot",
             "blind",
             "export",
         ],
