@@ -9,6 +9,12 @@ const LISTED: usize = 6;
 pub fn sentence(diagnosis: &Diagnosis) -> String {
     let known = diagnosis.hypotheses.iter().find(|h| !h.families.is_empty());
     match (diagnosis.verdict, known) {
+        (Verdict::Nothing, Some(hypothesis)) if stands_on_few(diagnosis) => format!(
+            "Nothing is shown to be missing: the misfit is more than the errors allow, but one that errors of uneven size make by chance \
+             with probability {:.2}. If it is real, {} explains it best: measure those readings again.",
+            diagnosis.significance.p_null,
+            hypothesis.effects.join(" with ")
+        ),
         (Verdict::Nothing, _) => {
             let unseen = match diagnosis.unseen.len() {
                 0 => "every known effect of plausible size would have been seen".to_string(),
@@ -44,6 +50,12 @@ pub fn sentence(diagnosis: &Diagnosis) -> String {
         (Verdict::Novel, _) => novel(diagnosis),
         _ => format!("Something is missing: {}.", one_of(&names_in_set(diagnosis))),
     }
+}
+
+/// Whether only the turning of signs lets the misfit pass as chance: it stands on few readings.
+fn stands_on_few(diagnosis: &Diagnosis) -> bool {
+    let found = &diagnosis.significance;
+    found.p_misfit.max(found.p_largest_score) < 0.01
 }
 
 /// Probability of the first effect of a hypothesis, whatever the data allow beside it.
