@@ -128,7 +128,8 @@ mod tests {
             let (_, section) = page
                 .split_once(&format!("## washout {}\n", verb.get_name()))
                 .expect("its section");
-            for argument in verb.get_arguments().filter(|arg| !arg.is_global_set()) {
+            let shown = |arg: &&Arg| !arg.is_global_set() && !arg.is_hide_set();
+            for argument in verb.get_arguments().filter(shown) {
                 if let Some(long) = argument.get_long().filter(|long| *long != "help") {
                     assert!(
                         section.contains(&format!("`--{long}")),
