@@ -29,7 +29,7 @@ pub fn sketch(figure: &Figure) -> String {
         let keys = figure.legend.iter().filter(|key| is_asked(&key.sample));
         keys.map(|key| key.label.as_str()).collect::<Vec<_>>().join(", ")
     };
-    let lines = labels(&|sample| matches!(sample, Sample::Line(..)));
+    let lines = labels(&|sample| matches!(sample, Sample::Line(..) | Sample::Band(..)));
     let points = labels(&|sample| matches!(sample, Sample::Marker(..) | Sample::Dot(..)));
     let mut page = drawn(chart, SKETCH[0], SKETCH[1]);
     for (mark, meaning) in [("dots", lines), ("o", points)] {
@@ -40,7 +40,7 @@ pub fn sketch(figure: &Figure) -> String {
     page
 }
 
-/// A chart of so many characters, with its axes: lines dotted, points as `o`, bounds as `v` and `^`; bands are left out.
+/// A chart of so many characters, with its axes: lines dotted, points as `o`, bounds as `v` and `^`, bands by their edges.
 pub fn drawn(chart: &Chart, columns: usize, rows: usize) -> String {
     let mut paper = Paper::of(chart, columns, rows);
     for mark in &chart.marks {
@@ -58,7 +58,14 @@ pub fn drawn(chart: &Chart, columns: usize, rows: usize) -> String {
                     paper.letter([middle, point.y], letter);
                 }
             }
-            Mark::Band { .. } => {}
+            Mark::Band { points, .. } => {
+                for edge in [1, 2] {
+                    let ends = points.windows(2);
+                    ends.for_each(|ends| {
+                        paper.line([ends[0][0], ends[0][edge]], [ends[1][0], ends[1][edge]])
+                    });
+                }
+            }
         }
     }
     paper.page(chart)
