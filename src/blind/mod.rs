@@ -235,13 +235,12 @@ impl<'a> Blind<'a> {
         let simpler = baselines::answers(&baseline, &judgement);
         let seconds = started.elapsed().as_secs_f64();
         let followed = followed::follow(self, kind, &made.answer, &said, progress)?;
-        let outcome = outcome::judge(
+        Ok(outcome::judge(
             (kind, seed),
             (&made.answer, &distance::distances(self, &recipe.hidden)?),
             &said,
             (simpler, followed),
-            seconds,
-        );
-        Ok(Outcome { redrawn, ..outcome })
+            (seconds, redrawn),
+        ))
     }
 }

@@ -115,7 +115,7 @@ pub fn judge(
     (answer, distances): (&Answer, &[Distance]),
     said: &Diagnosis,
     (simpler, followed): (Simpler, Option<Followed>),
-    seconds: f64,
+    (seconds, redrawn): (f64, u64),
 ) -> Outcome {
     let detectability = distances.iter().map(|distance| distance.seen).collect();
     let is_separable = distances.iter().all(|distance| distance.apart >= SEPARATE);
@@ -153,7 +153,7 @@ pub fn judge(
         simpler,
         followed,
         seconds,
-        redrawn: 0,
+        redrawn,
     }
 }
 

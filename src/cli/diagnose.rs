@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use crate::diagnose::{DiagnoseError, Diagnosis, Settings, diagnose_with};
+use crate::diagnose::{DiagnoseError, Settings, diagnose_with, plan};
 use crate::effects::all;
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::html::{self, REPORT};
@@ -12,6 +12,7 @@ use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
 use crate::input::study::LoadedStudy;
+use crate::progress::Progress;
 use crate::study::{Campaign, Forward};
 
 use super::study::{listed, target};
@@ -65,7 +66,6 @@ pub struct Diagnose {
 impl Diagnose {
     /// Diagnoses.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let progress = console.progress();
         let study = match self.plan {
             true => LoadedStudy::load_planned(&self.study, &self.set)?,
             false => LoadedStudy::load(&self.study, &self.set)?,
@@ -78,59 +78,42 @@ impl Diagnose {
         let folder = (!self.plan)
             .then(|| RunFolder::listed_by(&target, DIAGNOSIS))
             .transpose()?;
-        let fault = |source: DiagnoseError| Failure::Diagnosis {
-            study: self.study.clone(),
-            source,
-        };
         let names = candidates(&study, &self.effect);
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let campaign = Campaign::new(&study, &names, progress).map_err(|error| fault(error.into()))?;
         let settings = Settings {
-            slop: campaign.slop,
-            start: Some(campaign.start()),
             significance: self.significance,
             seed: self.seed,
             ..Settings::default()
         };
-        if self.plan {
-            let plan = crate::diagnose::plan(&campaign, &settings, progress).map_err(fault)?;
-            return console.result(&page_of_plan(&campaign.name, &plan), &plan);
+        match folder {
+            Some(folder) => {
+                let (campaign, report) = answered(&self.study, &study, &names, settings, console)?;
+                self.written(&campaign, report, folder, console)
+            }
+            None => planned(&self.study, &study, &names, settings, console),
         }
-        let experiments = Campaign::of_experiments(&study, &names, progress);
-        let experiments = experiments.map_err(|error| fault(error.into()))?;
-        let candidates = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
-        let diagnosis = diagnose_with(&campaign, candidates, &settings, progress).map_err(fault)?;
-        self.written(&campaign, diagnosis, folder, console)
     }
 
     fn written(
         &self,
         campaign: &Campaign,
-        diagnosis: Diagnosis,
-        folder: Option<RunFolder>,
+        mut report: DiagnosisReport,
+        mut folder: RunFolder,
         console: &Console,
     ) -> Result<(), Failure> {
-        let (study, work) = (campaign.name.as_str(), campaign.work());
-        let mut report = DiagnosisReport {
-            diagnosis,
-            work,
-            files: Vec::new(),
-        };
-        let mut text = format!("{}\n{work}\n", page(study, &report.diagnosis));
-        if let Some(mut folder) = folder {
-            add_diagnosis(&mut folder, study, &report.diagnosis)?;
-            report.files = folder.listed();
-            if self.report {
-                report.files.insert(report.files.len() - 1, REPORT.to_string());
-                let wings = super::study::found(campaign, &report.diagnosis, console)?;
-                let page = html::diagnosis::page(study, &report, &wings)?;
-                folder.add(REPORT, page.html().as_bytes())?;
-            }
-            folder.add_summary(&report)?;
-            console.progress().check()?;
-            let written = folder.commit()?;
-            text.push_str(&format!("\n{}", listed(&written, &report.files)));
+        let study = campaign.name.as_str();
+        let text = format!("{}\n{}\n", page(study, &report.diagnosis), report.work);
+        add_diagnosis(&mut folder, study, &report.diagnosis)?;
+        report.files = folder.listed();
+        if self.report {
+            report.files.insert(report.files.len() - 1, REPORT.to_string());
+            let wings = super::study::found(campaign, &report.diagnosis, console)?;
+            let page = html::diagnosis::page(study, &report, &wings)?;
+            folder.add(REPORT, page.html().as_bytes())?;
         }
+        folder.add_summary(&report)?;
+        console.progress().check()?;
+        let written = folder.commit()?;
+        let text = format!("{text}\n{}", listed(&written, &report.files));
         console.result(&text, &report)
     }
 }
@@ -157,31 +140,71 @@ pub fn diagnosed(
     study: &LoadedStudy,
     console: &Console,
 ) -> Result<(Campaign, DiagnosisReport), Failure> {
-    let progress = console.progress();
     let settings = Settings::default();
     refuse_own_word(path, study, settings.seed)?;
-    let fault = |source: DiagnoseError| Failure::Diagnosis {
-        study: path.to_path_buf(),
-        source,
-    };
-    let names = candidates(study, &[]);
+    answered(path, study, &candidates(study, &[]), settings, console)
+}
+
+/// What the measurements of a study say, and which of its experiments comes next.
+fn answered(
+    path: &Path,
+    study: &LoadedStudy,
+    names: &[String],
+    settings: Settings,
+    console: &Console,
+) -> Result<(Campaign, DiagnosisReport), Failure> {
+    let progress = console.progress();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let campaign = Campaign::new(study, &names, progress).map_err(|error| fault(error.into()))?;
+    let (campaign, settings) = prepared(path, study, &names, settings, progress)?;
+    let experiments = Campaign::of_experiments(study, &names, progress);
+    let experiments = experiments.map_err(|error| fault(path, error.into()))?;
+    let next = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
+    let diagnosis = diagnose_with(&campaign, next, &settings, progress);
+    let report = DiagnosisReport {
+        diagnosis: diagnosis.map_err(|error| fault(path, error))?,
+        work: campaign.work(),
+        files: Vec::new(),
+    };
+    Ok((campaign, report))
+}
+
+/// What the campaign of a study could see and tell apart.
+fn planned(
+    path: &Path,
+    study: &LoadedStudy,
+    names: &[String],
+    settings: Settings,
+    console: &Console,
+) -> Result<(), Failure> {
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let (campaign, settings) = prepared(path, study, &names, settings, console.progress())?;
+    let plan = plan(&campaign, &settings, console.progress()).map_err(|error| fault(path, error))?;
+    console.result(&page_of_plan(&campaign.name, &plan), &plan)
+}
+
+/// The campaign of a study, and the settings with what it states of its model.
+fn prepared(
+    path: &Path,
+    study: &LoadedStudy,
+    names: &[&str],
+    settings: Settings,
+    progress: &Progress,
+) -> Result<(Campaign, Settings), Failure> {
+    let campaign = Campaign::new(study, names, progress);
+    let campaign = campaign.map_err(|error| fault(path, error.into()))?;
     let settings = Settings {
         slop: campaign.slop,
         start: Some(campaign.start()),
         ..settings
     };
-    let experiments = Campaign::of_experiments(study, &names, progress);
-    let experiments = experiments.map_err(|error| fault(error.into()))?;
-    let next = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
-    let diagnosis = diagnose_with(&campaign, next, &settings, progress).map_err(fault)?;
-    let report = DiagnosisReport {
-        diagnosis,
-        work: campaign.work(),
-        files: Vec::new(),
-    };
-    Ok((campaign, report))
+    Ok((campaign, settings))
+}
+
+fn fault(study: &Path, source: DiagnoseError) -> Failure {
+    Failure::Diagnosis {
+        study: study.to_path_buf(),
+        source,
+    }
 }
 
 /// Effects to be tried: those asked for, those that the study names, or all.

@@ -192,12 +192,12 @@ pub enum Failure {
         /// The design file.
         design: PathBuf,
     },
-    /// Nothing that a report could be made of.
+    /// Nothing that a report or a picture could be made of.
     #[error(
         "{}: {reason}",
         path.display()
     )]
-    NoReport {
+    NothingToShow {
         /// What was named.
         path: PathBuf,
         /// What is wrong, and the cure.
@@ -293,7 +293,7 @@ impl Failure {
             Failure::Study(source) | Failure::OfStudy { source, .. } => source.exit_code(),
             Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
             Failure::Name { .. } | Failure::Exists { .. } => 2,
-            Failure::NoMeasurement { .. } | Failure::NoReport { .. } => 2,
+            Failure::NoMeasurement { .. } | Failure::NothingToShow { .. } => 2,
             Failure::Export(
                 ExportError::NoRun { .. }
                 | ExportError::ForeignSummary { .. }

@@ -26,7 +26,8 @@ pub const PLOT: &str = "plot.json";
   washout plot output/paper-wings-compare --to png         what compare drew, as PNG
   washout plot output/three-rods-diagnosis --list          which pictures there are
 
-A run is the folder that solve, compare, diagnose, add, lift, pareto or another verb wrote.")]
+A run is the folder that solve, compare, diagnose, add, lift, pareto or another verb wrote. The letters of a PNG are Latin and
+Greek; those of an SVG are whatever its reader has.")]
 pub struct Plot {
     /// Folder of a run
     #[arg(value_name = "RUN")]
@@ -161,7 +162,7 @@ impl Plot {
     }
 
     fn no_run(&self, reason: &str) -> Failure {
-        Failure::NoReport {
+        Failure::NothingToShow {
             path: self.run.clone(),
             reason: reason.to_string(),
         }

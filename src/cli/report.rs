@@ -109,7 +109,7 @@ impl Report {
 
     fn of_study(&self, console: &Console) -> Result<(Page, PathBuf), Failure> {
         if !LoadedStudy::is_study(&self.what)? {
-            return Err(Failure::NoReport {
+            return Err(Failure::NothingToShow {
                 path: self.what.clone(),
                 reason: format!(
                     "a design; a report is made of a run or a study. Try: washout solve {} --report",
@@ -166,7 +166,7 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
         let study = name.strip_suffix("-diagnosis").unwrap_or(&name);
         return Ok(diagnosis::page(study, &report, &Wings::default())?);
     }
-    Err(Failure::NoReport {
+    Err(Failure::NothingToShow {
         path: folder.to_path_buf(),
         reason: format!(
             "no run: there is neither {SUMMARY} nor {COMPARISON} nor {} in it; give the folder that washout solve, compare or \

@@ -5,7 +5,7 @@ use super::error::DiagnoseError;
 use super::evidence::ln_sum;
 use super::judge::Judgement;
 use super::library::Trial;
-use super::posterior::{Case, SEPARATE, Weight, beliefs, class_around, fold, level_class};
+use super::posterior::{Case, Weight, beliefs, class_around, fold, level_class};
 use super::screening::Directions;
 use super::whitened::Whitened;
 
@@ -15,6 +15,10 @@ const INADEQUATE: f64 = 1e-3;
 const NOVEL_ODDS: f64 = 3.0;
 /// ln of the factor by which a second effect must raise the evidence to stand beside the first as a pair of its own.
 const SECOND: f64 = 1.1;
+
+/// Distance of the model with an effect of its plausible strength from that without, in standard deviations, from which on it is
+/// detectable: chi-square moves by 25.
+const PLAIN: f64 = 5.0;
 
 /// ln of the odds from which on a pair that was fitted anew stands beside any single effect, whatever that leaves: what a test of the
 /// misfit lets pass as chance, because it asks for nothing in particular, may be the signature of a second effect.
@@ -68,19 +72,20 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64)
         .map(|family| mean(&judgement.singles, &[family]))
         .collect();
     let heaviest_pair = judgement
-        .pairs
+        .refits
         .iter()
-        .filter(|pair| matches!(judgement.best_of(&pair.families), Some((_, Some(_)))))
-        .map(|pair| weight_of(&pair.families))
+        .map(|(index, _)| &judgement.trial(*index).families)
+        .filter(|families| families.len() == 2)
+        .map(|families| weight_of(families))
         .fold(f64::NEG_INFINITY, f64::max);
     let heaviest_single = heaviest_family.map_or(f64::NEG_INFINITY, |first| weight_of(&[first]));
     let needs_second = judgement.needs_second(baseline) || heaviest_pair > heaviest_single + CLEAR;
-    // a second effect that these data could not show anyway is no hypothesis of its own
+    // a second effect that these data could not be trusted to show is no hypothesis of its own
     let would_show = |family: usize| {
         let members = judgement.families[family].members.iter();
         members
             .map(|&k| baseline.directions.lengths[k])
-            .any(|seen| seen >= SEPARATE)
+            .any(|seen| seen >= PLAIN)
     };
     for a in 0..count {
         for b in a + 1..count {

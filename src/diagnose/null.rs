@@ -36,6 +36,19 @@ pub struct Significance {
     pub p_null: f64,
 }
 
+impl Significance {
+    /// Whether only the turning of signs lets the misfit pass as chance: it stands on few readings.
+    pub fn stands_on_few(&self, level: f64) -> bool {
+        self.p_null > level && self.p_misfit.max(self.p_largest_score) < level
+    }
+}
+
+/// Whether `numbers` readings have too few ways to turn their signs for any misfit to be beyond chance: of 2ⁿ some four are as
+/// one-sided as all of one sign.
+pub fn are_few(numbers: usize, level: f64) -> bool {
+    4.0 * 0.5f64.powf(numbers as f64) > level
+}
+
 /// How the scale of the noise is treated.
 #[derive(Debug, Clone)]
 pub enum Scale {

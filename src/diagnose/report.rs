@@ -15,6 +15,7 @@ use super::next::{NextExperiment, Rival, next_experiment};
 use super::notes::notes;
 use super::novel::{Reconstruction, reconstruct};
 use super::novel_words::draft;
+use super::null::are_few;
 use super::posterior::{Case, SEPARATE, unfolded};
 use super::refit::Explanation;
 use super::rows::{LOOK_ALIKES, case_families, effect_rows, hypothesis, name, probability, unseen};
@@ -80,7 +81,7 @@ pub fn report(
         hypotheses,
         effects,
     };
-    diagnosis.sentence = sentence(&diagnosis);
+    diagnosis.sentence = sentence(&diagnosis, baseline.settings.significance);
     Ok(diagnosis)
 }
 
@@ -138,11 +139,9 @@ fn verdict(
 ) -> Verdict {
     if judgement.significance.p_null > baseline.settings.significance {
         let could_see = effects.iter().any(|row| row.power >= ENOUGH_POWER);
-        let level = baseline.settings.significance;
-        // of 2ⁿ ways to turn the signs, some four are as one-sided as all of one sign
-        let few = 4.0 * 0.5f64.powf(baseline.data.rows.len() as f64) > level;
-        let misfits = judgement.significance.p_misfit < level;
-        return if could_see && !(few && misfits) {
+        let (found, level) = (&judgement.significance, baseline.settings.significance);
+        let misses_with_few = are_few(baseline.data.rows.len(), level) && found.p_misfit < level;
+        return if could_see && !misses_with_few && !found.stands_on_few(level) {
             Verdict::Nothing
         } else {
             Verdict::Undecidable

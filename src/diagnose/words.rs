@@ -1,20 +1,15 @@
 //! The answer in one plain sentence.
 
+use super::null::are_few;
 use super::verdict::{Diagnosis, Hypothesis, PlaceFound, Verdict};
 
 /// Names listed before "and others".
 const LISTED: usize = 6;
 
-/// One sentence for a diagnosis whose other parts are complete.
-pub fn sentence(diagnosis: &Diagnosis) -> String {
+/// One sentence for a diagnosis whose other parts are complete; `level`: probability of a false alarm that is accepted.
+pub fn sentence(diagnosis: &Diagnosis, level: f64) -> String {
     let known = diagnosis.hypotheses.iter().find(|h| !h.families.is_empty());
     match (diagnosis.verdict, known) {
-        (Verdict::Nothing, Some(hypothesis)) if stands_on_few(diagnosis) => format!(
-            "Nothing is shown to be missing: the misfit is more than the errors allow, but one that errors of uneven size make by chance \
-             with probability {:.2}. If it is real, {} explains it best: measure those readings again.",
-            diagnosis.significance.p_null,
-            hypothesis.effects.join(" with ")
-        ),
         (Verdict::Nothing, _) => {
             let unseen = match diagnosis.unseen.len() {
                 0 => "every known effect of plausible size would have been seen".to_string(),
@@ -27,7 +22,9 @@ pub fn sentence(diagnosis: &Diagnosis) -> String {
             )
         }
         (Verdict::Undecidable, _)
-            if diagnosis.significance.p_null > 0.01 && diagnosis.significance.p_misfit < 0.01 =>
+            if are_few(diagnosis.noise.numbers, level)
+                && diagnosis.significance.p_null > level
+                && diagnosis.significance.p_misfit < level =>
         {
             format!(
                 "The model misses these data, but {} numbers are too few to tell something missing from scatter: measure more \
@@ -35,7 +32,14 @@ pub fn sentence(diagnosis: &Diagnosis) -> String {
                 diagnosis.noise.numbers
             )
         }
-        (Verdict::Undecidable, _) if diagnosis.significance.p_null > 0.01 => {
+        (Verdict::Undecidable, Some(hypothesis)) if diagnosis.significance.stands_on_few(level) => format!(
+            "These data do not decide whether something is missing: the misfit is more than the stated errors allow, but errors of uneven \
+             size make such a one by chance with probability {:.2}. If it is real, {} explains it best; more readings, above all \
+             repeats of those that miss most, would tell.",
+            diagnosis.significance.p_null,
+            hypothesis.effects.join(" with ")
+        ),
+        (Verdict::Undecidable, _) if diagnosis.significance.p_null > level => {
             "These data show nothing missing, but could not have shown any known effect of plausible size: measure \
              more conditions, more stations, or with less noise."
                 .into()
@@ -50,12 +54,6 @@ pub fn sentence(diagnosis: &Diagnosis) -> String {
         (Verdict::Novel, _) => novel(diagnosis),
         _ => format!("Something is missing: {}.", one_of(&names_in_set(diagnosis))),
     }
-}
-
-/// Whether only the turning of signs lets the misfit pass as chance: it stands on few readings.
-fn stands_on_few(diagnosis: &Diagnosis) -> bool {
-    let found = &diagnosis.significance;
-    found.p_misfit.max(found.p_largest_score) < 0.01
 }
 
 /// Probability of the first effect of a hypothesis, whatever the data allow beside it.

@@ -7,7 +7,7 @@ use super::case::Solved;
 use crate::coupling::Near;
 
 /// A point at which all cases were solved.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct Ground {
     /// Value of every unknown.
     pub at: Vec<f64>,

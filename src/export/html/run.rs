@@ -28,11 +28,24 @@ pub fn of_files(
     folder: &Path,
     read: &dyn Fn(&str) -> Result<Vec<u8>, ExportError>,
 ) -> Result<Page, ExportError> {
+    let (wing, strips) = drawn(summary, folder, read)?;
+    page(summary, wing, &strips)
+}
+
+/// What of a run is drawn: the wing, and the air along its span where that was written; `read` gives a file by its name.
+///
+/// # Errors
+/// If a file cannot be read or is not of a run.
+pub fn drawn(
+    summary: &RunSummary,
+    folder: &Path,
+    read: &dyn Fn(&str) -> Result<Vec<u8>, ExportError>,
+) -> Result<(Wing, Vec<StripRow>), ExportError> {
     let [rest, loaded] = ["wing-rest.vtu", "wing.vtu"].map(|name| read_vtu(&read(name)?, &folder.join(name)));
     let wing = Wing::of_grids(&summary.name, &rest?, &loaded?);
     let has_strips = summary.files.iter().any(|file| file == STRIPS);
     let strips = has_strips.then(|| read(STRIPS)).transpose()?;
-    page(summary, wing, &strips_of(strips.as_deref(), folder)?)
+    Ok((wing, strips_of(strips.as_deref().unwrap_or_default(), folder)?))
 }
 
 /// The report of a run.
@@ -71,14 +84,7 @@ pub fn page(summary: &RunSummary, wing: Wing, strips: &[StripRow]) -> Result<Pag
     Ok(page)
 }
 
-/// Rows of `strips.csv`; none where it is not there.
-///
-/// # Errors
-/// If it is not of a run.
-pub fn strips_of(bytes: Option<&[u8]>, folder: &Path) -> Result<Vec<StripRow>, ExportError> {
-    let Some(bytes) = bytes else {
-        return Ok(Vec::new());
-    };
+fn strips_of(bytes: &[u8], folder: &Path) -> Result<Vec<StripRow>, ExportError> {
     let rows: Result<Vec<StripRow>, csv::Error> = csv::Reader::from_reader(bytes).deserialize().collect();
     rows.map_err(|error| ExportError::ForeignSummary {
         path: folder.join(STRIPS),

@@ -4,11 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use crate::export::ExportError;
-use crate::export::html::run::strips_of;
+use crate::export::html::run;
 use crate::export::html::still::still;
-use crate::export::html::wing::Wing;
 use crate::export::run::{SUMMARY, read_summary};
-use crate::export::vtu_read::read_vtu;
 use crate::plot::Figure;
 
 use super::profile;
@@ -41,15 +39,13 @@ fn of_run(folder: &Path) -> Result<Vec<Picture>, ExportError> {
         let path = folder.join(name);
         fs::read(&path).map_err(ExportError::file("read", path))
     };
-    let [rest, loaded] = ["wing-rest.vtu", "wing.vtu"].map(|name| read_vtu(&read(name)?, &folder.join(name)));
-    let wing = Wing::of_grids(&summary.name, &rest?, &loaded?);
+    let (wing, strips) = run::drawn(&summary, folder, &read)?;
     let mut pictures = vec![Picture {
         name: "wing".to_string(),
         svg: still(&wing),
     }];
     pictures.extend(drawn("twist", &profile::twist(&summary))?);
-    if summary.files.iter().any(|file| file == "strips.csv") {
-        let strips = strips_of(Some(&read("strips.csv")?), folder)?;
+    if !strips.is_empty() {
         pictures.extend(drawn("air", &profile::strips(&summary.name, &strips))?);
     }
     if summary.stroke.is_some() {
