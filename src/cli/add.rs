@@ -12,6 +12,7 @@ use crate::compare::StudyComparison;
 use crate::compare::study::compare_study;
 use crate::effects::named;
 use crate::export::file::write_whole;
+use crate::export::html::{self, Document};
 use crate::export::pictures::ladder::Fall;
 use crate::export::pictures::write::add_falls;
 use crate::export::run::RunFolder;
@@ -23,7 +24,7 @@ use super::study::{listed, target as target_of};
 use super::{Console, Failure};
 
 /// The document that lists the files of a ladder.
-const LADDER: &str = "ladder.json";
+pub const LADDER: &str = "ladder.json";
 
 /// Arguments of `washout add`.
 #[derive(Debug, Args)]
@@ -60,6 +61,9 @@ pub struct Add {
     /// Folder for the picture of the error [default: output/NAME-ladder]
     #[arg(long, value_name = "DIR")]
     pub ladder: Option<PathBuf>,
+    /// Write report.html into that folder besides: words, pictures and tables in one file for a browser
+    #[arg(long)]
+    pub report: bool,
 }
 
 /// What `washout add` prints; `ladder.json` of its folder.
@@ -148,8 +152,11 @@ impl Add {
                 before: before.chi_square_per_row[1],
                 after: after.chi_square_per_row[1],
             },
-            files: folder.listed(),
+            files: folder.listed_with(self.report),
         };
+        if self.report {
+            html::folder::add(&mut folder, &page(&report), Document::new("ladder", &report)?)?;
+        }
         folder.add_summary(&report)?;
         console.progress().check()?;
         write_whole(&report.written, text.as_bytes())?;
@@ -328,7 +335,7 @@ fn ladder(before: &StudyComparison, after: &StudyComparison) -> Vec<AddRung> {
     rungs.collect()
 }
 
-fn page(report: &AddReport) -> String {
+pub fn page(report: &AddReport) -> String {
     let what = match report.strength {
         Some([value, error]) => format!(
             "{} with strength {} ± {}",

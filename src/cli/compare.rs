@@ -143,13 +143,12 @@ impl Compare {
         let mut page = comparison::page(&comparison);
         page.extend(modelled.as_ref().map(|ratios| format!("\n{}", table(ratios))));
         add_wing(&mut folder, &comparison, &reading.profile)?;
-        let mut report = CompareReport {
+        let report = CompareReport {
             comparison,
             ratios: modelled,
-            files: folder.listed(),
+            files: folder.listed_with(self.report),
         };
         if let Some(mut run) = run {
-            report.files.insert(report.files.len() - 1, REPORT.to_string());
             let document = Document::new("comparison", &report)?;
             run.section(
                 "ratios",

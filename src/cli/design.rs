@@ -7,6 +7,7 @@ use clap::Args;
 use crate::explore::ExploreError;
 use crate::explore::rods::search::{Workshop, read_twist};
 use crate::explore::rods::{Aim, Candidate, Choices, Found, Tolerances, band};
+use crate::export::html::{Document, folder as report};
 use crate::export::layouts::{BandSummary, Cause, LayoutRow, LayoutSummary, PieceRow};
 use crate::export::pictures;
 use crate::export::run::RunFolder;
@@ -82,6 +83,9 @@ pub struct DesignRod {
     /// Folder to write into [default: output/NAME-design]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Write report.html besides: words, pictures and tables in one file for a browser
+    #[arg(long)]
+    pub report: bool,
     /// Layouts of the first look in one task
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub task_size: u32,
@@ -205,11 +209,15 @@ impl DesignRod {
         folder.add("template.dxf", template.to_dxf().as_bytes())?;
         let points = wanted.map_or(Vec::new(), |twist| points(twist, case.planform.length_m()));
         pictures::layouts::add(&mut folder, &summary, &points)?;
-        summary.files = folder.listed();
+        summary.files = folder.listed_with(self.report);
+        let page = summary.page(&target.display().to_string());
+        if self.report {
+            report::add(&mut folder, &page, Document::new("summary", &summary)?)?;
+        }
         folder.add_summary(&summary)?;
         console.progress().check()?;
-        let path = folder.commit()?;
-        console.result(&summary.page(&path.display().to_string()), &summary)
+        folder.commit()?;
+        console.result(&page, &summary)
     }
 
     fn check(&self) -> Result<(), Failure> {

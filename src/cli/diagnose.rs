@@ -103,9 +103,8 @@ impl Diagnose {
         let study = campaign.name.as_str();
         let text = format!("{}\n{}\n", page(study, &report.diagnosis), report.work);
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
-        report.files = folder.listed();
+        report.files = folder.listed_with(self.report);
         if self.report {
-            report.files.insert(report.files.len() - 1, REPORT.to_string());
             let wings = super::study::found(campaign, &report.diagnosis, console)?;
             let page = html::diagnosis::page(study, &report, &wings)?;
             folder.add(REPORT, page.html().as_bytes())?;

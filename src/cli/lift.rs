@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
+use crate::export::html::{Document, folder as report};
 use crate::export::lift::{
     Inertial, LiftSummary, RatioSet, SpanCurve, StrokeCurve, SweepCurve, WingLift, WingRatios,
 };
@@ -79,6 +80,9 @@ pub struct Lift {
     /// Folder to write into [default: output/lift, or output/NAME-lift for one wing]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Write report.html besides: words, pictures and tables in one file for a browser
+    #[arg(long)]
+    pub report: bool,
 }
 
 impl Lift {
@@ -146,11 +150,15 @@ impl Lift {
             .extend(flown.iter().filter_map(|wing| self.only_bound(wing)));
         summary.warnings.extend(self.warnings(&summary));
         pictures::lift::add(&mut folder, &summary)?;
-        summary.files = folder.listed();
+        summary.files = folder.listed_with(self.report);
+        let page = summary.page(&folder.target().display().to_string());
+        if self.report {
+            report::add(&mut folder, &page, Document::new("summary", &summary)?)?;
+        }
         folder.add_summary(&summary)?;
         console.progress().check()?;
-        let path = folder.commit()?;
-        console.result(&summary.page(&path.display().to_string()), &summary)
+        folder.commit()?;
+        console.result(&page, &summary)
     }
 
     fn target(&self) -> PathBuf {

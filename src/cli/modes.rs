@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 use crate::aero::Flow;
 use crate::coupling::CouplingError;
 use crate::coupling::vibration::Standing;
+use crate::export::html::{Document, folder as report};
 use crate::export::modes::{ModeRow, ModesSummary, mode_grid};
 use crate::export::pvd;
 use crate::export::run::RunFolder;
@@ -36,6 +37,9 @@ pub struct Modes {
     /// Folder to write into [default: output/NAME-modes]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Write report.html besides: words, pictures and tables in one file for a browser
+    #[arg(long)]
+    pub report: bool,
     /// Modes that are wanted, from the lowest up
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u16).range(1..=200))]
     pub count: u16,
@@ -92,12 +96,16 @@ impl Modes {
             flapping_frequency_hz: flapping_hz,
             modes: rows,
             warnings: self.warnings(&case),
-            files: folder.listed(),
+            files: folder.listed_with(self.report),
         };
+        let page = summary.page(&target.display().to_string());
+        if self.report {
+            report::add(&mut folder, &page, Document::new("summary", &summary)?)?;
+        }
         folder.add_summary(&summary)?;
         console.progress().check()?;
-        let path = folder.commit()?;
-        console.result(&summary.page(&path.display().to_string()), &summary)
+        folder.commit()?;
+        console.result(&page, &summary)
     }
 
     fn standing(&self, case: &Case, console: &Console) -> Result<Standing, Failure> {

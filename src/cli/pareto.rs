@@ -8,6 +8,7 @@ use crate::effects::acting;
 use crate::explore::shape_factor::{Gained, with_strength};
 use crate::explore::twist_front::{efficiency_at, other_stops};
 use crate::explore::{Efficiency, ExploreError, Nsga2, ShapeFactor, StagedTwist, TwistFront};
+use crate::export::html::{Document, folder as report};
 use crate::export::pareto::{
     Algorithm, FittedFactor, FittedWing, Front, Gap, Marked, ParetoSummary, UntwistedPoint,
 };
@@ -86,6 +87,9 @@ pub struct Pareto {
     /// Folder to write into [default: output/NAME-pareto]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Write report.html besides: words, pictures and tables in one file for a browser
+    #[arg(long)]
+    pub report: bool,
     /// Tasks
     #[command(flatten)]
     pub tasks: TaskArguments,
@@ -139,11 +143,15 @@ impl Pareto {
             return Ok(());
         };
         pictures::pareto::add(&mut folder, &summary)?;
-        summary.files = folder.listed();
+        summary.files = folder.listed_with(self.report);
+        let page = summary.page(&target.display().to_string());
+        if self.report {
+            report::add(&mut folder, &page, Document::new("summary", &summary)?)?;
+        }
         folder.add_summary(&summary)?;
         console.progress().check()?;
-        let path = folder.commit()?;
-        console.result(&summary.page(&path.display().to_string()), &summary)
+        folder.commit()?;
+        console.result(&page, &summary)
     }
 
     fn family(&self, case: &Case, stroke: &Stroke) -> Result<StagedTwist, Failure> {

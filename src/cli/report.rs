@@ -8,19 +8,29 @@ use clap::Args;
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::export::ExportError;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::file::write_whole;
+use crate::export::html::folder::{Contents, page, title_of};
 use crate::export::html::study::StudyParts;
 use crate::export::html::wing::Wings;
-use crate::export::html::{Page, REPORT, diagnosis, run, study};
+use crate::export::html::{Document, Page, REPORT, diagnosis, run, study};
+use crate::export::layouts::LayoutSummary;
+use crate::export::lift::LiftSummary;
+use crate::export::modes::ModesSummary;
+use crate::export::pareto::ParetoSummary;
 use crate::export::run::{SUMMARY, is_report, read_summary};
 use crate::export::study::StudyReport;
+use crate::export::sweep::SweepSummary;
+use crate::export::verification::VerifyReport;
 use crate::input::study::LoadedStudy;
 
+use super::add::LADDER;
 use super::compare::CompareReport;
 use super::study::COMPARISON;
+use super::verify::DOCUMENT as VERIFY;
 use super::{Console, Failure};
 
 /// Arguments of `washout report`.
@@ -32,8 +42,9 @@ use super::{Console, Failure};
   washout report studies/paper-wings.toml --diagnose       what the model lacks besides
   washout solve designs/twist-v2.toml --report             the same as the first two in one
 
-A run is the folder that solve, compare or diagnose wrote. The file needs no network and no other file; what is not 3D is
-there without JavaScript too. The documents that its numbers come from stand in it, for programs.")]
+A run is the folder that solve, compare, diagnose, add, lift, pareto, design, modes, sweep or verify wrote; each of them
+takes --report too. The file needs no network and no other file; what is not 3D is there without JavaScript too. The
+documents that its numbers come from stand in it, for programs.")]
 pub struct Report {
     /// Folder of a run, or a study file
     #[arg(value_name = "RUN|STUDY")]
@@ -143,14 +154,10 @@ impl Report {
 fn of_folder(folder: &Path) -> Result<Page, Failure> {
     let comparison = folder.join(COMPARISON);
     let diagnosed = folder.join(super::diagnose::DIAGNOSIS);
-    if folder.join(SUMMARY).is_file() {
-        let summary = read_summary(folder)?;
-        let read = |name: &str| {
-            let path = folder.join(name);
-            fs::read(&path).map_err(ExportError::file("read", path))
-        };
-        return Ok(run::of_files(&summary, folder, &read)?);
-    }
+    let read = |name: &str| {
+        let path = folder.join(name);
+        fs::read(&path).map_err(ExportError::file("read", path))
+    };
     if comparison.is_file() {
         // Of a study, or of a single wing.
         if let Ok(report) = read_document::<StudyReport>(&comparison) {
@@ -166,14 +173,55 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
         let study = name.strip_suffix("-diagnosis").unwrap_or(&name);
         return Ok(diagnosis::page(study, &report, &Wings::default())?);
     }
+    for (name, id) in [(SUMMARY, "summary"), (LADDER, "ladder"), (VERIFY, "verify")] {
+        if !folder.join(name).is_file() {
+            continue;
+        }
+        let document = read_document(&folder.join(name))?;
+        let words = words(&document, folder);
+        if words.is_empty() && SweepSummary::deserialize(&document).is_err() {
+            return Ok(run::of_files(&read_summary(folder)?, folder, &read)?);
+        }
+        let contents = Contents {
+            title: &title_of(folder),
+            words: &words,
+            files: &shown(folder)?,
+            document: Document::new(id, &document)?,
+        };
+        return Ok(page(contents, &read)?);
+    }
     Err(Failure::NothingToShow {
         path: folder.to_path_buf(),
-        reason: format!(
-            "no run: there is neither {SUMMARY} nor {COMPARISON} nor {} in it; give the folder that washout solve, compare or \
-             diagnose wrote, or a study file",
-            super::diagnose::DIAGNOSIS
-        ),
+        reason: "no run: none of the documents that washout writes is in it; give the folder that washout solve, compare, diagnose, \
+                 lift or another verb wrote, or a study file"
+            .to_string(),
     })
+}
+
+/// What the verb printed that wrote a document; empty for that of a run or a sweep.
+fn words(document: &Value, folder: &Path) -> String {
+    fn of<T: DeserializeOwned>(document: &Value, page: impl Fn(&T) -> String) -> Option<String> {
+        T::deserialize(document).ok().map(|known| page(&known))
+    }
+    let folder = folder.display().to_string();
+    of(document, |lift: &LiftSummary| lift.page(&folder))
+        .or_else(|| of(document, |front: &ParetoSummary| front.page(&folder)))
+        .or_else(|| of(document, |layouts: &LayoutSummary| layouts.page(&folder)))
+        .or_else(|| of(document, |modes: &ModesSummary| modes.page(&folder)))
+        .or_else(|| of(document, VerifyReport::page))
+        .or_else(|| of(document, super::add::page))
+        .unwrap_or_default()
+}
+
+/// The pictures and tables of a folder, by name.
+fn shown(folder: &Path) -> Result<Vec<String>, Failure> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).map_err(ExportError::file("read", folder))? {
+        let name = entry.map_err(ExportError::file("read", folder))?.file_name();
+        files.push(name.to_string_lossy().into_owned());
+    }
+    files.sort();
+    Ok(files)
 }
 
 fn read_document<T: DeserializeOwned>(path: &Path) -> Result<T, Failure> {

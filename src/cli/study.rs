@@ -36,12 +36,11 @@ pub fn compare(
     let compared = Compared::new(path, &study, console)?;
     let parts = with_report.then(|| compared.parts(&study, console)).transpose()?;
     add_study(&mut folder, &compared.comparison)?;
-    let mut report = StudyReport {
+    let report = StudyReport {
         comparison: compared.comparison,
-        files: folder.listed(),
+        files: folder.listed_with(with_report),
     };
     if let Some(parts) = parts {
-        report.files.insert(report.files.len() - 1, REPORT.to_string());
         folder.add(REPORT, study_page(&report, &parts)?.html().as_bytes())?;
     }
     folder.add_summary(&report)?;

@@ -6,7 +6,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use clap::Args;
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
+use crate::export::ExportError;
 use crate::export::file::write_whole;
+use crate::export::html::folder::{Contents, page as report_page, title_of};
+use crate::export::html::{Document, REPORT};
 use crate::export::pictures::sweep::scatter;
 use crate::export::sweep::{SweepSummary, read_plan, table, write_plan};
 use crate::export::tasks::{read_part, write_part};
@@ -54,6 +57,9 @@ pub struct Sweep {
     /// Folder to write into [default: output/NAME-sweep]
     #[arg(long, short, value_name = "DIR", conflicts_with = "resume")]
     pub output: Option<PathBuf>,
+    /// Write report.html besides: words, pictures and tables in one file for a browser
+    #[arg(long)]
+    pub report: bool,
     /// Go on with the sweep of this folder
     #[arg(long, value_name = "DIR", conflicts_with_all = ["base", "vary", "set", "samples", "method"])]
     pub resume: Option<PathBuf>,
@@ -75,18 +81,23 @@ impl Sweep {
     /// Does what is missing and writes the table.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let mut ready = self.ready()?;
-        let folder = ready.folder.display();
-        let again = format!("washout sweep --resume {folder}");
+        let mut again = format!("washout sweep --resume {}", ready.folder.display());
+        let report = self.report.then_some("--report");
+        again.extend(report.map(|option| format!(" {option}")));
         let here = std::path::absolute(&ready.folder);
-        let here = here.map_err(crate::export::ExportError::file("find", &ready.folder))?;
+        let here = here.map_err(ExportError::file("find", &ready.folder))?;
         let job = Job {
             folder: ready.folder.clone(),
-            words: ["sweep".into(), "--resume".into(), here.display().to_string()].into(),
+            words: ["sweep", "--resume", &here.display().to_string()]
+                .into_iter()
+                .chain(report)
+                .map(str::to_string)
+                .collect(),
             from: None,
             again,
         };
         match self.tasks.finish(&mut ready, &job, console)? {
-            true => ready.merge(console),
+            true => ready.merge(self.report, console),
             false => Ok(()),
         }
     }
@@ -251,7 +262,7 @@ impl Ready {
     }
 
     /// The table from all results, in the order of the cases.
-    fn merge(&self, console: &Console) -> Result<(), Failure> {
+    fn merge(&self, with_report: bool, console: &Console) -> Result<(), Failure> {
         let mut rows = Vec::new();
         for task in &self.tasks {
             rows.extend(self.kept(task)?.ok_or_else(|| gone(task.number))?);
@@ -267,10 +278,7 @@ impl Ready {
         if let Some(picture) = scatter(&self.plan, &rows) {
             write_whole(
                 &self.folder.join("scatter.svg"),
-                picture
-                    .to_svg()
-                    .map_err(crate::export::ExportError::from)?
-                    .as_bytes(),
+                picture.to_svg().map_err(ExportError::from)?.as_bytes(),
             )?;
         }
         let json = serde_json::to_string_pretty(&summary).map_err(|error| Failure::Output(error.into()))?;
@@ -281,9 +289,26 @@ impl Ready {
                 table: table_file,
             });
         }
-        let page = format!(
-            "{}\nFiles in {}: sweep.csv scatter.svg summary.json tasks\n",
-            summary.page(&rows),
+        let mut page = summary.page(&rows);
+        let mut files = "sweep.csv scatter.svg".to_string();
+        if with_report {
+            let title = title_of(&self.folder);
+            let contents = Contents {
+                title: &title,
+                words: &page,
+                document: Document::new("summary", &summary)?,
+                files: &["scatter.svg", "sweep.csv"].map(str::to_string),
+            };
+            let read = |name: &str| {
+                let path = self.folder.join(name);
+                std::fs::read(&path).map_err(ExportError::file("read", path))
+            };
+            let report = report_page(contents, &read)?.html();
+            write_whole(&self.folder.join(REPORT), report.as_bytes())?;
+            files = format!("{files} {REPORT}");
+        }
+        page += &format!(
+            "\nFiles in {}: {files} summary.json tasks\n",
             self.folder.display()
         );
         console.result(&page, &summary)

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::export::file::write_whole;
+use crate::export::html::{Document, folder as report};
 use crate::export::run::RunFolder;
 use crate::export::text::Table;
 use crate::export::trust::{markdown, trust_page};
@@ -16,7 +17,7 @@ use super::study::compared;
 use super::{Console, Failure};
 
 /// Name of the document of the folder.
-const DOCUMENT: &str = "verify.json";
+pub const DOCUMENT: &str = "verify.json";
 
 /// Arguments of `washout verify`.
 #[derive(Debug, Args)]
@@ -41,6 +42,9 @@ pub struct Verify {
     /// Folder to write into
     #[arg(long, short, value_name = "DIR", default_value = "output/verify")]
     pub output: PathBuf,
+    /// Write report.html besides: words, pictures and tables in one file for a browser
+    #[arg(long)]
+    pub report: bool,
     /// Also write the page "How far to trust washout"
     #[arg(long, value_name = "FILE")]
     pub page: Option<PathBuf>,
@@ -66,7 +70,10 @@ impl Verify {
         let mut report = VerifyReport::new(&outcomes, extent);
         folder.add("verify.md", markdown(&report).as_bytes())?;
         folder.add("verify.csv", &report.csv()?)?;
-        report.files = folder.listed();
+        report.files = folder.listed_with(self.report);
+        if self.report {
+            report::add(&mut folder, &report.page(), Document::new("verify", &report)?)?;
+        }
         folder.add_summary(&report)?;
         console.progress().check()?;
         let path = folder.commit()?;

@@ -85,9 +85,14 @@ impl RunFolder {
 
     /// Names of all files of the folder, the summary among them, as its `files` must list them.
     pub fn listed(&self) -> Vec<String> {
-        let mut names = self.names.clone();
-        names.push(self.summary.to_string());
-        names
+        self.listed_with(false)
+    }
+
+    /// The same with the report, if one is still to be added.
+    pub fn listed_with(&self, report: bool) -> Vec<String> {
+        let report = report.then(|| REPORT.to_string());
+        let names = self.names.iter().cloned().chain(report);
+        names.chain([self.summary.to_string()]).collect()
     }
 
     /// Adds the summary (`summary.json`), the last file; its `files` are what [`RunFolder::listed`] says.

@@ -55,6 +55,60 @@ fn a_run_is_reported_in_one_file_with_its_summary_and_reported_again_to_the_same
 }
 
 #[test]
+fn every_verb_that_writes_a_folder_reports_it_in_words_pictures_tables_and_numbers() {
+    let here = folder();
+    let (rigid, v2) = (design("rigid.toml"), design("twist-v2.toml"));
+    let verbs: [(&[&str], &str, &str, &[&str]); 4] = [
+        (
+            &["lift", &rigid, &v2, "--twist", "measured"],
+            "output/lift",
+            "summary",
+            &["<svg", "span.csv", "data-of=\"/wings/0/"],
+        ),
+        (
+            &["modes", &v2, "--refine", "0.4", "--count", "2"],
+            "output/twist-v2-modes",
+            "summary",
+            &["<pre class=\"words\">", "data-of=\"/modes/0/frequency_hz\""],
+        ),
+        (
+            &["verify", "--short", "elastica"],
+            "output/verify",
+            "verify",
+            &["elastica", "verify.csv"],
+        ),
+        (
+            &[
+                "sweep",
+                &v2,
+                "--set",
+                "mesh.refine=0.3",
+                "--vary",
+                "flapping.frequency_hz=20..24:3",
+            ],
+            "output/twist-v2-sweep",
+            "summary",
+            &["<svg", "sweep.csv", "3 cases"],
+        ),
+    ];
+    for (arguments, target, id, parts) in verbs {
+        let said = washout(here.path(), &[arguments, &["--report", "--json"]].concat());
+        assert_eq!(said.code, Some(0), "{arguments:?}: {}", said.err);
+        let target_path = here.path().join(target);
+        let page = fs::read_to_string(target_path.join("report.html")).expect("a report");
+        assert_eq!(embedded(&page, id), said.document(), "{arguments:?}");
+        for part in parts {
+            assert!(page.contains(part), "{part} is not in the report of {arguments:?}");
+        }
+        let again = washout(here.path(), &["report", target, "--json"]);
+        assert_eq!(again.code, Some(0), "{arguments:?}: {}", again.err);
+        let page_again = fs::read_to_string(target_path.join("report.html")).expect("a report");
+        // what a sweep says rests on its rows, which its document does not hold
+        assert_eq!(page_again == page, !target.ends_with("sweep"), "{arguments:?}");
+    }
+}
+
+#[test]
 fn what_cannot_be_reported_ends_with_2_and_says_what_to_give() {
     let here = folder();
     let refused = |arguments: &[&str], words: &str| {

@@ -27,6 +27,8 @@ pub mod study;
 
 pub mod diagnosis;
 
+pub mod folder;
+
 pub use document::{Digits, Document};
 pub use page::{Page, Section};
 pub use wing::Wing;
