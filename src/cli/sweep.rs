@@ -269,11 +269,12 @@ impl Ready {
         }
         let summary = SweepSummary::new(&self.plan, &rows, sensitivities(&self.plan, &rows));
         let table_file = self.folder.join("sweep.csv");
-        write_whole(&table_file, &table(&self.plan, &rows)?)?;
+        let csv = table(&self.plan, &rows)?;
+        write_whole(&table_file, &csv)?;
         #[cfg(feature = "parquet")]
         write_whole(
             &self.folder.join("sweep.parquet"),
-            &crate::export::parquet::sweep(&self.plan, &rows)?,
+            &crate::export::parquet::of_csv(&csv)?,
         )?;
         if let Some(picture) = scatter(&self.plan, &rows) {
             write_whole(

@@ -55,7 +55,7 @@ impl RunFolder {
         })
     }
 
-    /// Adds one file.
+    /// Adds one file; a table (`.csv`) as Parquet besides, where the feature `parquet` is on.
     pub fn add(&mut self, name: &str, bytes: &[u8]) -> Result<(), ExportError> {
         let path = self.partial.path().join(name);
         let write = || {
@@ -66,6 +66,10 @@ impl RunFolder {
         // The user knows the target, not the hidden folder.
         write().map_err(ExportError::file("write", self.target.join(name)))?;
         self.names.push(name.to_string());
+        #[cfg(feature = "parquet")]
+        if let Some(table) = name.strip_suffix(".csv") {
+            self.add(&format!("{table}.parquet"), &super::parquet::of_csv(bytes)?)?;
+        }
         Ok(())
     }
 

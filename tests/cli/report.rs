@@ -98,7 +98,10 @@ fn every_verb_that_writes_a_folder_reports_it_in_words_pictures_tables_and_numbe
         let page = fs::read_to_string(target_path.join("report.html")).expect("a report");
         assert_eq!(embedded(&page, id), said.document(), "{arguments:?}");
         for part in parts {
-            assert!(page.contains(part), "{part} is not in the report of {arguments:?}");
+            assert!(
+                page.contains(part),
+                "{part} is not in the report of {arguments:?}"
+            );
         }
         let again = washout(here.path(), &["report", target, "--json"]);
         assert_eq!(again.code, Some(0), "{arguments:?}: {}", again.err);
