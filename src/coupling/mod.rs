@@ -53,7 +53,7 @@ pub use periodic::{Periodic, PeriodicSettings, periodic};
 pub use sensitivity::Sensitivity;
 
 use crate::geometry::Planform;
-use crate::input::design::{Accelerator, Design};
+use crate::input::design::{Accelerator, Design, Factorization};
 use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::state::State;
@@ -127,6 +127,9 @@ pub fn solve_wing(
     progress: &Progress,
 ) -> Result<(Solution, Tangent), CouplingError> {
     let mut equilibrium = Equilibrium::new(&wing.model)?;
+    if design.structure.factorization == Factorization::Parallel {
+        equilibrium.spread();
+    }
     let (rest, steps) = match near.filter(|near| near.is_trial) {
         None => cure::cured(&wing.model, &mut equilibrium, progress)?,
         Some(near) => cure::cured_near(wing, &mut equilibrium, near, progress)?,

@@ -130,6 +130,11 @@ impl<'m> Equilibrium<'m> {
         })
     }
 
+    /// Factorizes by all threads from now on: faster for large structures, and the same to rounding only.
+    pub fn spread(&mut self) {
+        self.factor.spread();
+    }
+
     /// Freedoms held by the supports.
     pub fn held(&self) -> &[bool] {
         &self.held

@@ -21,6 +21,7 @@ pub struct Factor {
     values: Vec<f64>,
     buffer: MemBuffer,
     kind: Kind,
+    par: Par,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,18 +58,20 @@ impl Factor {
             },
         )
         .map_err(|_| StructureError::Singular { node: 0 })?;
-        let need = StackReq::any_of(&[
-            symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default()),
-            symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default()),
-            symbolic.solve_in_place_scratch::<f64>(1, Par::Seq),
-        ]);
         let values = vec![0.0; symbolic.len_val()];
         Ok(Factor {
+            buffer: MemBuffer::new(need(&symbolic, Par::Seq)),
             symbolic,
             values,
-            buffer: MemBuffer::new(need),
             kind: Kind::None,
+            par: Par::Seq,
         })
+    }
+
+    /// From now on by all threads: faster for large matrices, and the same to rounding only.
+    pub fn spread(&mut self) {
+        self.par = Par::rayon(0);
+        self.buffer = MemBuffer::new(need(&self.symbolic, self.par));
     }
 
     /// Number of stored entries of the factor.
@@ -84,7 +87,7 @@ impl Factor {
             view,
             Side::Lower,
             LltRegularization::default(),
-            Par::Seq,
+            self.par,
             MemStack::new(&mut self.buffer),
             Default::default(),
         );
@@ -105,7 +108,7 @@ impl Factor {
             view,
             Side::Lower,
             LdltRegularization::default(),
-            Par::Seq,
+            self.par,
             MemStack::new(&mut self.buffer),
             Default::default(),
         );
@@ -140,7 +143,7 @@ impl Factor {
     /// Solves with the last factor, in place; `count` right-hand sides one after the other.
     pub fn solve(&mut self, right: &mut [f64], count: usize) {
         let size = self.symbolic.nrows();
-        let need = self.symbolic.solve_in_place_scratch::<f64>(count, Par::Seq);
+        let need = self.symbolic.solve_in_place_scratch::<f64>(count, self.par);
         let mut large;
         let buffer = if count == 1 {
             &mut self.buffer
@@ -155,7 +158,7 @@ impl Factor {
                 LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
                     Conj::No,
                     right,
-                    Par::Seq,
+                    self.par,
                     stack,
                 );
             }
@@ -163,7 +166,7 @@ impl Factor {
                 LdltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
                     Conj::No,
                     right,
-                    Par::Seq,
+                    self.par,
                     stack,
                 );
             }
@@ -171,4 +174,13 @@ impl Factor {
             Kind::None => right.fill(f64::NAN),
         }
     }
+}
+
+/// Memory that factorizing and one solve need.
+fn need(symbolic: &SymbolicCholesky<usize>, par: Par) -> StackReq {
+    StackReq::any_of(&[
+        symbolic.factorize_numeric_llt_scratch::<f64>(par, Default::default()),
+        symbolic.factorize_numeric_ldlt_scratch::<f64>(par, Default::default()),
+        symbolic.solve_in_place_scratch::<f64>(1, par),
+    ])
 }

@@ -30,7 +30,7 @@ pub use flow::{Air, CentreOfPressure, Coefficients, Flapping, Steady};
 pub use layout::{Film, FilmCompression, Ribs, RodSegment, Root, RootChord, Spar};
 pub use load::{BenchLoad, Gravity};
 pub use material::Material;
-pub use numerics::{Accelerator, Coupling, Kinematics, MeshSettings, Structure};
+pub use numerics::{Accelerator, Coupling, Factorization, Kinematics, MeshSettings, Structure};
 pub use observation::{CameraAxis, Instrument, Measured, Observation};
 pub use planform::Planform;
 pub use section::{CouplingTerm, Flat, Ply, Section, SectionStrain};

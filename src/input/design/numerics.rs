@@ -24,6 +24,20 @@ pub struct Structure {
     /// The number of load increments to start with; results do not depend on it.
     #[schemars(extend("minimum" = 1, "maximum" = 10000, "examples" = [1]))]
     pub load_increments: usize,
+    /// How the stiffness matrix is factorized.
+    #[schemars(extend("examples" = ["one-thread"]))]
+    pub factorization: Factorization,
+}
+
+/// How the stiffness matrix is factorized.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Factorization {
+    /// By one thread: the same bit for bit everywhere.
+    #[default]
+    OneThread,
+    /// By all threads: for a single wing of a hundred thousand freedoms or more; the same to rounding only.
+    Parallel,
 }
 
 /// Kinematics of the structure.
@@ -95,6 +109,7 @@ impl Default for Structure {
             rod_bending_factor: Quantity::Stated(1.0),
             rod_torsion_factor: Quantity::Stated(1.0),
             load_increments: 1,
+            factorization: Factorization::OneThread,
         }
     }
 }
