@@ -15,6 +15,7 @@ use super::corotational::Response;
 use super::equilibrium::Equilibrium;
 use super::loads::Loads;
 use super::model::{Aid, Guess};
+use super::newton::TURN_OF_FILM;
 use super::sheet::{Compression, Sheet};
 use super::shell::Shell;
 use super::state::State;
@@ -83,7 +84,7 @@ impl Equilibrium<'_> {
 
     /// The state after as much of a step as turns no node too far.
     pub fn move_mixed(&self, state: &State, step: &mut [f64], way: &mut Mixed) -> State {
-        let length = self.longest(step);
+        let length = self.longest(step, TURN_OF_FILM);
         step.iter_mut().for_each(|s| *s *= length);
         way.aid.guess = Some(self.model.guess(&self.pattern, state, step, true));
         self.moved(state, step, 1.0)

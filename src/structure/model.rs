@@ -367,6 +367,17 @@ pub struct Guess {
     pub(super) beams: Vec<SVector<f64, 12>>,
 }
 
+impl Guess {
+    /// The same with a share of the way to another.
+    pub(super) fn toward(mut self, other: &Guess, share: f64) -> Guess {
+        let shells = self.shells.iter_mut().zip(&other.shells);
+        shells.for_each(|(own, to)| *own += share * (to - *own));
+        let beams = self.beams.iter_mut().zip(&other.beams);
+        beams.for_each(|(own, to)| *own += share * (to - *own));
+        self
+    }
+}
+
 impl Spring {
     fn stretch(&self, state: &State) -> SVector<f64, 6> {
         let (u, turn) = (
