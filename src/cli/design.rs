@@ -7,7 +7,6 @@ use clap::Args;
 use crate::explore::ExploreError;
 use crate::explore::rods::search::{Workshop, read_twist};
 use crate::explore::rods::{Aim, Candidate, Choices, Found, Tolerances, band};
-use crate::export::html::{Document, folder as report};
 use crate::export::layouts::{BandSummary, Cause, LayoutRow, LayoutSummary, PieceRow};
 use crate::export::pictures;
 use crate::export::run::RunFolder;
@@ -19,6 +18,7 @@ use crate::lift::TwistAlongSpan;
 use super::case::{Case, DesignArguments};
 use super::flights::{can_fly, design_arguments};
 use super::layouts::Looks;
+use super::report::finished;
 use super::solve::solve;
 use super::tasks::{Job, TaskArguments, beside, unfinished};
 use super::{Console, Failure};
@@ -211,12 +211,8 @@ impl DesignRod {
         pictures::layouts::add(&mut folder, &summary, &points)?;
         summary.files = folder.listed_with(self.report);
         let page = summary.page(&target.display().to_string());
-        if self.report {
-            report::add(&mut folder, &page, Document::new("summary", &summary)?)?;
-        }
-        folder.add_summary(&summary)?;
-        console.progress().check()?;
-        folder.commit()?;
+        let words = self.report.then_some(page.as_str());
+        finished(folder, words, ("summary", &summary), console)?;
         console.result(&page, &summary)
     }
 

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::Args;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use crate::export::html::{Document, folder as report};
 use crate::export::lift::{
     Inertial, LiftSummary, RatioSet, SpanCurve, StrokeCurve, SweepCurve, WingLift, WingRatios,
 };
@@ -20,6 +19,7 @@ use crate::lift::{
 use super::case::Case;
 use super::flights::{Flown, TwistSource, can_fly, design_arguments, is_profile, of_design, of_profile};
 use super::lift_ratios::{measured, sensitivity, wing_ratios};
+use super::report::finished;
 use super::{Console, Failure};
 
 /// Part of the span at either end that a profile may leave to its end points without a word.
@@ -152,12 +152,8 @@ impl Lift {
         pictures::lift::add(&mut folder, &summary)?;
         summary.files = folder.listed_with(self.report);
         let page = summary.page(&folder.target().display().to_string());
-        if self.report {
-            report::add(&mut folder, &page, Document::new("summary", &summary)?)?;
-        }
-        folder.add_summary(&summary)?;
-        console.progress().check()?;
-        folder.commit()?;
+        let words = self.report.then_some(page.as_str());
+        finished(folder, words, ("summary", &summary), console)?;
         console.result(&page, &summary)
     }
 

@@ -8,7 +8,6 @@ use nalgebra::Vector3;
 use crate::aero::Flow;
 use crate::coupling::CouplingError;
 use crate::coupling::vibration::Standing;
-use crate::export::html::{Document, folder as report};
 use crate::export::modes::{ModeRow, ModesSummary, mode_grid};
 use crate::export::pvd;
 use crate::export::run::RunFolder;
@@ -18,6 +17,7 @@ use crate::structure::state::State;
 use crate::structure::{MassProperties, Mode, Vibration};
 
 use super::case::{Case, DesignArguments};
+use super::report::finished;
 use super::{Console, Failure};
 
 /// Arguments of `washout modes`.
@@ -99,12 +99,8 @@ impl Modes {
             files: folder.listed_with(self.report),
         };
         let page = summary.page(&target.display().to_string());
-        if self.report {
-            report::add(&mut folder, &page, Document::new("summary", &summary)?)?;
-        }
-        folder.add_summary(&summary)?;
-        console.progress().check()?;
-        folder.commit()?;
+        let words = self.report.then_some(page.as_str());
+        finished(folder, words, ("summary", &summary), console)?;
         console.result(&page, &summary)
     }
 

@@ -8,7 +8,6 @@ use crate::effects::acting;
 use crate::explore::shape_factor::{Gained, with_strength};
 use crate::explore::twist_front::{efficiency_at, other_stops};
 use crate::explore::{Efficiency, ExploreError, Nsga2, ShapeFactor, StagedTwist, TwistFront};
-use crate::export::html::{Document, folder as report};
 use crate::export::pareto::{
     Algorithm, FittedFactor, FittedWing, Front, Gap, Marked, ParetoSummary, UntwistedPoint,
 };
@@ -22,6 +21,7 @@ use super::case::Case;
 use super::flights::{TwistSource, can_fly, design_arguments, is_profile, of_design, of_profile};
 use super::fronts::Searches;
 use super::lift_ratios::measured;
+use super::report::finished;
 use super::tasks::{Job, TaskArguments, beside};
 use super::{Console, Failure};
 
@@ -145,12 +145,8 @@ impl Pareto {
         pictures::pareto::add(&mut folder, &summary)?;
         summary.files = folder.listed_with(self.report);
         let page = summary.page(&target.display().to_string());
-        if self.report {
-            report::add(&mut folder, &page, Document::new("summary", &summary)?)?;
-        }
-        folder.add_summary(&summary)?;
-        console.progress().check()?;
-        folder.commit()?;
+        let words = self.report.then_some(page.as_str());
+        finished(folder, words, ("summary", &summary), console)?;
         console.result(&page, &summary)
     }
 

@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::export::ExportError;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::file::write_whole;
-use crate::export::html::folder::{Contents, page, title_of};
+use crate::export::html::folder::{Contents, add as add_report, page, title_of};
 use crate::export::html::study::StudyParts;
 use crate::export::html::wing::Wings;
 use crate::export::html::{Document, Page, REPORT, diagnosis, run, study};
@@ -21,7 +21,7 @@ use crate::export::layouts::LayoutSummary;
 use crate::export::lift::LiftSummary;
 use crate::export::modes::ModesSummary;
 use crate::export::pareto::ParetoSummary;
-use crate::export::run::{SUMMARY, is_report, read_summary};
+use crate::export::run::{RunFolder, SUMMARY, is_report, read_summary};
 use crate::export::study::StudyReport;
 use crate::export::sweep::SweepSummary;
 use crate::export::verification::VerifyReport;
@@ -148,6 +148,27 @@ impl Report {
         };
         Ok((study::page(&report, &parts)?, default))
     }
+}
+
+/// Ends the folder of a verb: its report where the verb's words are given for one, its document, and then it stands in its place.
+///
+/// # Errors
+/// If it cannot be written, or the user asked to stop.
+pub fn finished<T>(
+    mut folder: RunFolder,
+    words: Option<&str>,
+    (id, document): (&'static str, &T),
+    console: &Console,
+) -> Result<PathBuf, Failure>
+where
+    T: Serialize + DeserializeOwned + PartialEq,
+{
+    if let Some(words) = words {
+        add_report(&mut folder, words, Document::new(id, document)?)?;
+    }
+    folder.add_summary(document)?;
+    console.progress().check()?;
+    Ok(folder.commit()?)
 }
 
 /// The report of the folder of a run.

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::export::file::write_whole;
-use crate::export::html::{Document, folder as report};
 use crate::export::run::RunFolder;
 use crate::export::text::Table;
 use crate::export::trust::{markdown, trust_page};
@@ -13,6 +12,7 @@ use crate::export::verification::VerifyReport;
 use crate::input::nearest_word;
 use crate::verify::{ALL, Case, Extent, Kind, named, run};
 
+use super::report::finished;
 use super::study::compared;
 use super::{Console, Failure};
 
@@ -71,12 +71,8 @@ impl Verify {
         folder.add("verify.md", markdown(&report).as_bytes())?;
         folder.add("verify.csv", &report.csv()?)?;
         report.files = folder.listed_with(self.report);
-        if self.report {
-            report::add(&mut folder, &report.page(), Document::new("verify", &report)?)?;
-        }
-        folder.add_summary(&report)?;
-        console.progress().check()?;
-        let path = folder.commit()?;
+        let words = self.report.then(|| report.page());
+        let path = finished(folder, words.as_deref(), ("verify", &report), console)?;
         if let Some(page) = &self.page {
             write_whole(page, trust_page(&report, &studies).as_bytes())?;
         }

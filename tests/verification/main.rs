@@ -18,3 +18,5 @@ mod rigid_motion;
 mod sheared_panel;
 
 mod support;
+
+mod whole_load;
