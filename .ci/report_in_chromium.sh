@@ -19,4 +19,7 @@ fi
 cargo build --release --quiet
 target/release/washout solve designs/twist-v2.toml --quiet --report --output "$out/run"
 target/release/washout report "$study" --quiet --output "$out/study.html"
-python3 .ci/report_in_chromium.py "$out/run/report.html" "$out/study.html" --pictures docs/pictures --work "$out"
+target/release/washout lift designs/rigid.toml designs/twist-v2.toml --quiet --report --output "$out/lift"
+target/release/washout modes designs/twist-v2.toml --quiet --report --output "$out/modes"
+target/release/washout sweep designs/twist-v2.toml --set mesh.refine=0.5 --vary flapping.frequency_hz=20,23 --quiet --report --output "$out/sweep"
+python3 .ci/report_in_chromium.py "$out/run/report.html" "$out/study.html" "$out/"{lift,modes,sweep}/report.html --pictures docs/pictures --work "$out"

@@ -85,7 +85,10 @@ impl Flow {
                 ..
             } => {
                 let rate_rad_s = std::f64::consts::TAU * frequency_hz * half_amplitude_rad;
-                let speed_m_s = rate_rad_s * phase_rad.cos().abs() * (r_m + root_offset_m);
+                // at a reversal the wing stands still; the cosine of the nearest number to π/2 is not zero
+                let cosine = phase_rad.cos().abs();
+                let cosine = if cosine > f64::EPSILON { cosine } else { 0.0 };
+                let speed_m_s = rate_rad_s * cosine * (r_m + root_offset_m);
                 Vector3::new(0.0, stop_angle_rad.cos(), stop_angle_rad.sin()) * speed_m_s
             }
             Flow::Steady {

@@ -5,7 +5,6 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::draw::is_visible;
 use super::spot::Spot;
 use super::{Blind, BlindError};
 use crate::diagnose::plan::PlannedEffect;
@@ -113,7 +112,7 @@ pub fn turned(blind: &Blind, progress: &Progress) -> Result<Vec<Turned>, BlindEr
         .plan
         .effects
         .par_iter()
-        .filter(|effect| is_visible(effect));
+        .filter(|effect| blind.sees(effect));
     let found = visible.map(|effect| {
         progress.check().map_err(StudyError::from)?;
         let somewhere = Hidden::known(&effect.effect, 0.0);

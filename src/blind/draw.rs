@@ -9,10 +9,11 @@ use crate::progress::Progress;
 use crate::study::draws::Draws;
 use crate::synthesize::{Hidden, Recipe};
 
-/// Detectability of hidden effects, sigma: drawn evenly from this range.
-const DETECTABLE: [f64; 2] = [5.0, 15.0];
-/// Cosine from which on two effects of different families are twins.
-const TWINS: f64 = 0.98;
+/// Detectability of hidden effects, sigma, unless another range is asked for: drawn evenly from it.
+pub const DETECTABLE: [f64; 2] = [5.0, 15.0];
+/// Two effects of different families are twins if what is hidden leaves less than this between them, sigma: no statistic can split
+/// them.
+const TWINS: f64 = 1.0;
 /// Refinements of the wing that is measured over that of the model.
 const MESHES: [f64; 3] = [1.2, 1.3, 0.85];
 
@@ -37,7 +38,7 @@ pub fn recipe(
         reason,
     };
     let is_turned = |effect: &PlannedEffect| blind.turned.iter().any(|turned| turned.effect == effect.effect);
-    let may = |effect: &PlannedEffect| is_visible(effect) && !is_turned(effect);
+    let may = |effect: &PlannedEffect| blind.sees(effect) && !is_turned(effect);
     match kind {
         Kind::Null => {}
         Kind::NullQuiet => recipe.noise = 1.3,
@@ -49,7 +50,7 @@ pub fn recipe(
         }
         Kind::Twin => {
             let first = pick(&blind.outlook.plan.effects, draws, 0, &|effect| {
-                may(effect) && has_twin(effect)
+                may(effect) && has_twin(effect, target(blind, draws, 0))
             })
             .ok_or(none("no two effects look alike"))?;
             recipe.hidden = vec![hidden(blind, first, draws, 0)?];
@@ -79,29 +80,31 @@ fn pick<'a>(
     may.get(place).copied()
 }
 
-/// Whether its plausible size reaches the range from which strengths are drawn.
-pub fn is_visible(effect: &PlannedEffect) -> bool {
-    effect.detectability >= DETECTABLE[0]
-}
-
-fn has_twin(effect: &PlannedEffect) -> bool {
+/// Whether another effect comes as near as no statistic can tell to it where it stands `seen` sigma out of the data.
+fn has_twin(effect: &PlannedEffect, seen: f64) -> bool {
+    let apart = |cosine: f64| seen * (1.0 - cosine * cosine).max(0.0).sqrt();
     effect
         .confused_with
         .iter()
-        .any(|other| other.cosine.abs() > TWINS)
+        .any(|other| apart(other.cosine) < TWINS)
+}
+
+/// Detectability that is drawn for a hidden effect, sigma.
+fn target(blind: &Blind, draws: Draws, which: u64) -> f64 {
+    let [low, high] = blind.detectable;
+    low + (high - low) * draws.uniform(3, which)
 }
 
 /// With a strength that is seen at a distance drawn from the range, as far as it is plausible.
 fn hidden(blind: &Blind, effect: &PlannedEffect, draws: Draws, which: u64) -> Result<Hidden, BlindError> {
-    let [low, high] = DETECTABLE;
-    let target = low + (high - low) * draws.uniform(3, which);
+    let target = target(blind, draws, which);
     let sign = if draws.uniform(4, which) < 0.5 { 1.0 } else { -1.0 };
     let spot = Spot::drawn(&blind.campaign, &effect.effect, draws, 8 + which).ok_or(BlindError::NoCase {
         kind: "with an effect",
         reason: "the effect acts on none of its wings",
     })?;
     let (strength, seen) = strength_seen_at(blind, (effect, spot), target, sign);
-    if seen < low * (1.0 - NEAR) {
+    if seen < blind.detectable[0] * (1.0 - NEAR) {
         return Err(BlindError::TooFaint {
             effect: effect.effect.clone(),
             seen,

@@ -32,7 +32,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::diagnose::baseline::Shared;
-use crate::diagnose::plan::Outlook;
+use crate::diagnose::plan::{Outlook, PlannedEffect};
 use crate::diagnose::{self, Settings, judged};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
@@ -153,19 +153,22 @@ pub struct Blind<'a> {
     pub shared: Shared,
     /// What could be measured besides, if the study lists anything.
     pub experiments: Option<Campaign>,
+    /// Range from which the detectability of what is hidden is drawn, sigma.
+    pub detectable: [f64; 2],
     /// Effects that would be seen but are not hidden: a small error of the wing turns their signature.
     pub turned: Vec<Turned>,
 }
 
 impl<'a> Blind<'a> {
-    /// Judges the campaign, so that strengths can be drawn by how well they can be seen; `known`: effects that are not hidden,
-    /// if they are known from an earlier run.
+    /// Judges the campaign, so that strengths can be drawn by how well they can be seen, from the range `detectable` (sigma);
+    /// `known`: effects that are not hidden, if they are known from an earlier run.
     ///
     /// # Errors
     /// If the study has no solution.
     pub fn new(
         study: &'a LoadedStudy,
         candidates: Vec<&'a str>,
+        detectable: [f64; 2],
         known: Option<Vec<Turned>>,
         progress: &Progress,
     ) -> Result<Blind<'a>, BlindError> {
@@ -186,6 +189,7 @@ impl<'a> Blind<'a> {
             outlook,
             settings,
             shared,
+            detectable,
             turned: Vec::new(),
         };
         blind.turned = match known {
@@ -196,6 +200,11 @@ impl<'a> Blind<'a> {
             }
         };
         Ok(blind)
+    }
+
+    /// Whether the plausible size of an effect reaches the range from which strengths are drawn.
+    fn sees(&self, effect: &PlannedEffect) -> bool {
+        effect.detectability >= self.detectable[0]
     }
 
     /// What is hidden in a case, its measurements, and how often it was drawn anew because a wing had no equilibrium with it, or it was

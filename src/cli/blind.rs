@@ -50,6 +50,7 @@ struct Run {
   washout blind 12                              a dozen cases of all kinds
   washout blind 290 --output night              150 without anything missing, 60 single, 30 pairs, 30 novel, 20 twins
   washout blind 20 --kind pair --kind twin      ten of each
+  washout blind 20 --kind single --detectability 30..60   effects that stand out
   washout blind 290 --output night              the same again after an interruption: goes on where it stopped
   washout blind 290 --output night --slurm --partition night --minutes 120 --task-size 2
 
@@ -71,10 +72,13 @@ pub struct TryBlind {
     /// Seed of the first case
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
+    /// How well the hidden effects could be seen, sigma: strengths are drawn evenly from this range
+    #[arg(long, value_name = "LOW..HIGH", default_value = "5..15", value_parser = sigmas)]
+    pub detectability: Sigmas,
     /// Change a key in every design of the study; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// Folder to write into [default: output/blind]
+    /// Folder to write into
     #[arg(long, short, value_name = "DIR", default_value = "output/blind")]
     pub output: PathBuf,
     /// Cases in one task
@@ -161,7 +165,7 @@ impl TryBlind {
         let content = Base::Study(Box::new(study.clone())).content().map_err(fault)?;
         let run = Run {
             version: env!("CARGO_PKG_VERSION").to_string(),
-            content: key([&[content.as_str()], names].concat()),
+            content: key([&[content.as_str(), &format!("{:?}", self.detectability.0)], names].concat()),
             turned: None,
         };
         let path = self.run_file();
@@ -234,7 +238,13 @@ impl Work for Ready<'_> {
             self.cases.len()
         ));
         let known = self.run.turned.take();
-        let blind = Blind::new(self.study, self.names.clone(), known, progress);
+        let blind = Blind::new(
+            self.study,
+            self.names.clone(),
+            self.verb.detectability.0,
+            known,
+            progress,
+        );
         let blind = blind.map_err(|error| self.verb.failed(error))?;
         self.run.turned = Some(blind.turned.clone());
         write_json(&self.verb.run_file(), &self.run)?;
@@ -246,6 +256,20 @@ impl Work for Ready<'_> {
             progress.say(format_args!("{count} of {}: {} {seed}", left.len(), kind.word()));
             Ok(())
         })
+    }
+}
+
+/// A range, sigma.
+#[derive(Debug, Clone, Copy)]
+pub struct Sigmas([f64; 2]);
+
+fn sigmas(word: &str) -> Result<Sigmas, String> {
+    let ends = word
+        .split_once("..")
+        .and_then(|(low, high)| Some([low.trim().parse().ok()?, high.trim().parse().ok()?]));
+    match ends {
+        Some([low, high]) if 1.0 <= low && low < high && high <= 1000.0 => Ok(Sigmas([low, high])),
+        _ => Err("give two numbers from 1 to 1000, the smaller first, as 5..15".to_string()),
     }
 }
 

@@ -107,9 +107,22 @@ impl DesignArguments {
         let mut sets = self.set.clone();
         sets.extend_from_slice(more);
         sets.extend(self.refine.map(|factor| format!("mesh.refine={factor}")));
-        let file = self.mesh.as_ref().map(|file| beside(&self.design, file));
-        sets.extend(file.map(|file| format!("mesh.file={}", file.display())));
+        if let Some(file) = &self.mesh {
+            is_there("--mesh", file)?;
+            sets.push(format!("mesh.file={}", beside(&self.design, file).display()));
+        }
         Ok(Design::load(&self.design, &sets)?)
+    }
+}
+
+/// Refuses a file of the command line that does not exist.
+pub(super) fn is_there(option: &'static str, file: &Path) -> Result<(), Failure> {
+    match file.exists() {
+        true => Ok(()),
+        false => Err(Failure::Option {
+            option,
+            reason: format!("{}: no such file", file.display()),
+        }),
     }
 }
 

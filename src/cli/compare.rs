@@ -25,7 +25,7 @@ use crate::input::measurement::Channel;
 use crate::input::study::LoadedStudy;
 use crate::lift::{Ratios, StrokeMeans};
 
-use super::case::{Case, DesignArguments, beside};
+use super::case::{Case, DesignArguments, beside, is_there};
 use super::reading::{Reading, means_on_ramp};
 use super::solve::solve;
 use super::study::{COMPARISON, listed, target};
@@ -33,6 +33,7 @@ use super::{Console, Failure};
 
 /// Arguments of `washout compare`.
 #[derive(Debug, Args)]
+#[command(mut_arg("design", |design| design.value_name("DESIGN|STUDY").help("Design or study file")))]
 #[command(after_help = "Examples:
   washout compare designs/twist-v1.toml
   washout compare designs/twist-v2.toml --with measurements/colmenares-as-restated.csv
@@ -47,13 +48,13 @@ pub struct Compare {
     /// The design
     #[command(flatten)]
     pub design: DesignArguments,
-    /// Measurement file [default: the one that the design names]
+    /// Measurement file, of a design only [default: the one that the design names]
     #[arg(long, value_name = "CSV")]
     pub with: Option<PathBuf>,
-    /// Case in that file [default: the one that the design names, or the name of the wing]
+    /// Case in that file, of a design only [default: the one that the design names, or the name of the wing]
     #[arg(long, value_name = "NAME")]
     pub case: Option<String>,
-    /// Design of the wing that measured ratios refer to
+    /// Design of the wing that measured ratios refer to, for a design only
     #[arg(long, value_name = "DESIGN")]
     pub reference: Option<PathBuf>,
     /// Folder to write into [default: output/NAME-compare]
@@ -186,6 +187,7 @@ impl Compare {
     fn load(&self) -> Result<Loaded, Failure> {
         let mut sets = Vec::new();
         if let Some(file) = &self.with {
+            is_there("--with", file)?;
             let file = beside(&self.design.design, file);
             sets.push(format!("measured.file={}", file.display()));
         }

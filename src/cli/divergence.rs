@@ -95,6 +95,16 @@ impl Divergence {
         let case = self.design.case(console)?;
         let sweep = Sweep::new(case, console)?;
         let highest = self.to.unwrap_or(2.0 * sweep.design_value);
+        for end in [highest / f64::from(self.steps), highest] {
+            sweep.at(end).map_err(|error| Failure::Option {
+                option: "--to",
+                reason: format!(
+                    "one of the {} steps to {highest} would be at {}, which cannot be: {error}",
+                    self.steps,
+                    significant(end, 3)
+                ),
+            })?;
+        }
         let mut report = DivergenceReport {
             wing: sweep.case.loaded.design.name.clone(),
             key: sweep.key.to_string(),

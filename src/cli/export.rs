@@ -36,7 +36,7 @@ pub struct Export {
     /// The other program
     #[arg(long)]
     pub to: Program,
-    /// Folder to write into [default: RUN/calculix]
+    /// Folder to write into [default: RUN/calculix or RUN/kratos]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
 }

@@ -24,7 +24,7 @@ use super::{Console, Failure};
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=15..27:13
-  washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=18..26 --vary rod[0].section.diameter_mm=0.9..1.1 --samples 64
+  washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=18..26 --vary 'rod[0].section.diameter_mm=0.9..1.1' --samples 64
   washout sweep studies/paper-wings.toml --vary material.carbon-rod.g_gpa=3..6:7      what a study says of each
   washout sweep --resume output/twist-v2-sweep            after an interruption: only what is missing is done
   washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=15..27:500 --slurm --partition night

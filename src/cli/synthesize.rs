@@ -34,7 +34,7 @@ pub struct Synthesize {
     /// Hide this effect with this strength, NAME@WING=STRENGTH on one wing only; can be given several times
     #[arg(long, value_name = "NAME=STRENGTH")]
     pub effect: Vec<String>,
-    /// Hide the effects of your own of this file, tables [effects.NAME] with kind = \"custom\"
+    /// Hide the effects of your own of this file, tables [effects.NAME] with kind = "custom"
     #[arg(long, value_name = "FILE")]
     pub own: Option<PathBuf>,
     /// Scatter of the readings over their stated sigma

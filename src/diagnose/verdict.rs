@@ -109,7 +109,7 @@ pub struct Hypothesis {
     pub strength: Option<f64>,
     /// Its standard error.
     pub standard_error: Option<f64>,
-    /// Whether all strengths are plausible.
+    /// Whether the plausible range of every strength lies within two standard errors of it.
     pub plausible: bool,
     /// Whether it belongs to the smallest set that holds the truth with 95 %.
     pub in_set: bool,
@@ -206,7 +206,7 @@ pub struct EffectRow {
     pub refitted_error: Option<f64>,
     /// Where it sits, if that was not known: the row is that of its best place.
     pub place: Option<PlaceFound>,
-    /// Whether that strength (by one step, if not refitted) is plausible.
+    /// Whether its plausible range lies within two standard errors of that strength (by one step, if not refitted).
     pub plausible: bool,
     /// Distance from none, in standard deviations, that its plausible size would have; `length` times the scale.
     pub detectability: f64,

@@ -32,12 +32,12 @@ pub fn sentence(diagnosis: &Diagnosis, level: f64) -> String {
                 diagnosis.noise.numbers
             )
         }
-        (Verdict::Undecidable, Some(hypothesis)) if diagnosis.significance.stands_on_few(level) => format!(
+        (Verdict::Undecidable, known) if diagnosis.significance.stands_on_few(level) => format!(
             "These data do not decide whether something is missing: the misfit is more than the stated errors allow, but errors of uneven \
              size make such a one by chance with probability {:.2}. If it is real, {} explains it best; more readings, above all \
              repeats of those that miss most, would tell.",
             diagnosis.significance.p_null,
-            hypothesis.effects.join(" with ")
+            known.map_or("none that is known".to_string(), |known| known.effects.join(" with "))
         ),
         (Verdict::Undecidable, _) if diagnosis.significance.p_null > level => {
             "These data show nothing missing, but could not have shown any known effect of plausible size: measure \

@@ -7,6 +7,7 @@ use super::custom::Custom;
 use super::error::EffectError;
 use super::{Effect, all, named};
 use crate::input::design::{Design, FilmCompression, Kinematics, Section};
+use crate::input::nearest;
 
 /// The numbers of an effect, in the order of its card.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,12 +127,16 @@ pub fn is_applicable(card: &Card, design: &Design) -> bool {
 
 fn unknown(name: &str) -> EffectError {
     let names: Vec<&str> = all().map(|effect| effect.card().name).collect();
-    EffectError::Unknown {
-        name: name.to_string(),
-        cure: format!(
+    let cure = match nearest(name, names.iter().copied()) {
+        Some(near) => format!("did you mean {near}? (washout effects)"),
+        None => format!(
             "write kind = \"custom\" for one of your own; there are {} (washout effects)",
             names.join(", ")
         ),
+    };
+    EffectError::Unknown {
+        name: name.to_string(),
+        cure,
     }
 }
 
@@ -173,7 +178,11 @@ fn read(card: &Card, table: &toml::Table) -> Result<Values, EffectError> {
                 value,
                 low,
                 high,
-                unit: if parameter.unit == "1" { "" } else { parameter.unit }.to_string(),
+                unit: if parameter.unit == "1" {
+                    String::new()
+                } else {
+                    format!(" {}", parameter.unit)
+                },
                 meaning: parameter.meaning.to_string(),
             });
         }

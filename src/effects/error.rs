@@ -49,7 +49,7 @@ pub enum EffectError {
         example: f64,
     },
     /// Outside of what the effect accepts.
-    #[error("effects.{name}.{key} = {value}: must lie in {low} … {high} {unit}; it is {meaning}")]
+    #[error("effects.{name}.{key} = {value}: must lie in {low} … {high}{unit}; it is {meaning}")]
     OutOfRange {
         /// Name of the effect.
         name: String,

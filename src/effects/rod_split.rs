@@ -21,10 +21,10 @@ pub struct RodSplit;
 const CARD: Card = Card {
     name: "rod-split",
     family: "rod-damage",
-    summary: "From a station on the rod is split along the wing's plane, and its halves slide on each other.",
+    summary: "From a station on the rod is split along the wing's plane, or two half-rods glued to one have debonded; the halves slide on each other.",
     formula: "1/GJ' = (1 + 1.640 s) / GJ, 1/EI_flap' = (1 + 2.578 s) / EI_flap outboard of the station (two half-rounds, J = 2 × 0.2976 a⁴, I = 2 × 0.1098 a⁴)",
     source: "St Venant torsion of the half circle, Timoshenko & Goodier, Theory of Elasticity, torsion",
-    when_right: "pultruded rods split along their fibres; prefer rod-ends-early if edgewise bending is lost too",
+    when_right: "pultruded rods split along their fibres, glue lines between half-rods that failed; prefer rod-ends-early if edgewise bending is lost too",
     gets_wrong: "friction between the halves; rods that are not round; partial cracks are smeared",
     case: "a_split_rod_twists_by_the_ratio_of_two_halves_to_the_whole",
     seam: Seam::Structure,

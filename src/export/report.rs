@@ -66,7 +66,9 @@ fn solved(summary: &RunSummary) -> String {
             "{} iterations, {} Newton steps; residual {}, last change of twist {} deg",
             solve.iterations,
             solve.newton_steps,
-            exponent(solve.residual),
+            solve
+                .residual
+                .map_or("–, for there is no load".to_string(), exponent),
             exponent(solve.twist_change_deg)
         ),
     );

@@ -165,8 +165,8 @@ pub struct SolveSummary {
     pub iterations: usize,
     /// Newton steps of the structure in all.
     pub newton_steps: usize,
-    /// Coupled residual relative to the applied load.
-    pub residual: f64,
+    /// Coupled residual relative to the applied load; null if there is next to no load.
+    pub residual: Option<f64>,
     /// Largest change of twist in the last iteration.
     pub twist_change_deg: f64,
     /// Negative pivots of the tangent (inertia count); 0: stable branch.

@@ -40,7 +40,16 @@ pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, InputError> {
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return fail(
             "is empty".into(),
-            format!("Name a {what} with content; `washout init NAME` writes a design to start from"),
+            match what {
+                "study file" => {
+                    "`washout init NAME --study` writes a study with its design and readings to start from"
+                        .into()
+                }
+                "design file" | "design or study" => {
+                    "`washout init NAME` writes a design to start from".into()
+                }
+                _ => format!("Name a {what} with content"),
+            },
         );
     }
     if bytes.contains(&0) {

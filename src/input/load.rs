@@ -88,6 +88,13 @@ impl Design {
 
     fn of_text(text: &str, path: &Path, settings: &[Setting]) -> Result<Loaded, InputError> {
         let mut root = Node::parse_file(&file::shown(path), text)?;
+        if root.get("case").is_some() {
+            return Err(InputError::about_file(
+                &file::shown(path),
+                "is a study, not a design",
+                "`washout compare`, `diagnose` and `report` take studies; give this command a design, such as one that the study names",
+            ));
+        }
         for setting in settings.iter().filter(|setting| setting.is_for("materials")) {
             setting.apply(&mut root)?;
         }

@@ -53,6 +53,7 @@ pub use design::Design;
 pub use error::{InputError, Place, Problem, Range};
 pub use expression::{Expression, ExpressionError};
 pub use load::Loaded;
+pub(crate) use nearest::nearest;
 pub(crate) use nearest::nearest as nearest_word;
 pub use twist_table::TwistTable;
 pub use unit::unit_symbol;

@@ -24,7 +24,7 @@ impl Setting {
             let problem = Problem::Syntax { message };
             Err(InputError::new(Place::file(NAME), text, "", problem, cure))
         };
-        let example = "Write e.g. --set flapping.frequency_hz=23 or --set rod[0].section.diameter_mm=0.8";
+        let example = "Write e.g. --set flapping.frequency_hz=23 or --set 'rod[0].section.diameter_mm=0.8'";
         let Some((key, value)) = text.split_once('=') else {
             return fail_without_equals(text, example);
         };

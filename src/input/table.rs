@@ -195,6 +195,9 @@ fn check_header(
         if !known.contains(&header) {
             let cure = match nearest(header, known.iter().copied()) {
                 Some(near) => format!("Did you mean {near}? {all}"),
+                None if header.contains([';', '\t']) => {
+                    format!("Columns are separated by commas, not by semicolons or tabs. {all}")
+                }
                 None => all,
             };
             let message = "is not known".to_string();

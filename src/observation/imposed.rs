@@ -50,7 +50,7 @@ pub fn wing(
         beam_force: Vec::new(),
         membrane_force_n_per_m: Vec::new(),
         report: SolveReport {
-            residual: 0.0,
+            residual: Some(0.0),
             twist_change_deg: 0.0,
             iterations: 0,
             newton_steps: 0,

@@ -77,6 +77,8 @@ pub enum UnknownKind {
         family: String,
         /// Size of strength that is plausible: one standard deviation of what is thought possible.
         scale: f64,
+        /// Strengths that are plausible in nature.
+        plausible: [f64; 2],
         /// Whether only strengths of one sign make sense.
         one_sided: bool,
         /// Whether its response has a kink at zero, so that it must be seen from a step.

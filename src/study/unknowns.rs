@@ -385,6 +385,7 @@ fn strength_of(card: &Card, name: String, sigma: f64) -> Unknown {
             effect: card.name.to_string(),
             family: card.family.to_string(),
             scale: parameter.scale(),
+            plausible: parameter.plausible,
             one_sided: parameter.is_one_sided(),
             has_switch: card.has_switch,
         },

@@ -121,7 +121,11 @@ fn judge(quantity: &Quantity, values: &[&[f64]]) -> Judged {
     }
 }
 
-/// Place and size of the largest error, relative; infinite if the values are not as many as the references.
+/// Errors (relative) that differ by less are equal: rounding must not choose the point of a curve that is shown.
+const ROUNDING: f64 = 1e-9;
+
+/// Place and size of the largest error, relative, the last of equals; infinite if the values are not as many as
+/// the references.
 fn worst(ours: &[f64], reference: &[f64], scale: Scale) -> (usize, f64) {
     if ours.len() != reference.len() || ours.iter().any(|value| !value.is_finite()) {
         return (0, f64::INFINITY);
@@ -135,7 +139,14 @@ fn worst(ours: &[f64], reference: &[f64], scale: Scale) -> (usize, f64) {
         (ours - reference).abs() / unit
     };
     let errors = ours.iter().zip(reference).map(error).enumerate();
-    errors.fold((0, 0.0), |most, this| if this.1 > most.1 { this } else { most })
+    errors.fold((0, 0.0), |most, this| {
+        let at = if this.1 > most.1 - ROUNDING {
+            this.0
+        } else {
+            most.0
+        };
+        (at, most.1.max(this.1))
+    })
 }
 
 /// Changes from coarse to middle and from middle to fine over the size of the fine values (root of the sum of squares).
@@ -231,5 +242,15 @@ mod tests {
             ..curve
         };
         assert!((judge(&largest, &[&[1.1, 10.0]]).errors[0] - 0.01).abs() < 1e-12);
+    }
+
+    #[test]
+    fn rounding_does_not_choose_the_point_that_is_shown() {
+        let curve = Quantity {
+            reference: || vec![0.25, 0.5],
+            ..BASE
+        };
+        assert_eq!(judge(&curve, &[&[0.25, 0.5 + 1e-13]]).ours, 0.5 + 1e-13);
+        assert_eq!(judge(&curve, &[&[0.25 - 1e-13, 0.5]]).ours, 0.5);
     }
 }

@@ -91,7 +91,7 @@ fn compared(name: &str) -> Comparison {
         state.displacement[node] = turn * (Vector3::y() * *y) - Vector3::y() * *y;
     }
     let report = SolveReport {
-        residual: 0.0,
+        residual: Some(0.0),
         twist_change_deg: 0.0,
         iterations: 0,
         newton_steps: 0,

@@ -379,6 +379,7 @@ fn unknowns() -> Vec<Unknown> {
             effect: effect.name.into(),
             family: effect.family.into(),
             scale: effect.scale,
+            plausible: [if effect.one_sided { 0.0 } else { -effect.scale }, effect.scale],
             one_sided: effect.one_sided,
             has_switch: false,
         },

@@ -66,7 +66,7 @@ fn an_empty_design() {
     assert_eq!(
         message(&[("wing.toml", b" \n\n")]),
         "DIR/wing.toml: is empty.\n  \
-         Name a design file with content; `washout init NAME` writes a design to start from"
+         `washout init NAME` writes a design to start from"
     );
 }
 

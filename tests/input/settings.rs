@@ -29,22 +29,22 @@ const CASES: &[(&str, &str)] = &[
     (
         "flapping.frequency_hz",
         "--set: flapping.frequency_hz must be KEY=VALUE.\n  \
-         Write e.g. --set flapping.frequency_hz=23 or --set rod[0].section.diameter_mm=0.8",
+         Write e.g. --set flapping.frequency_hz=23 or --set 'rod[0].section.diameter_mm=0.8'",
     ),
     (
         "flapping.frequency_hz=",
         "--set: flapping.frequency_hz= has no value.\n  \
-         Write e.g. --set flapping.frequency_hz=23 or --set rod[0].section.diameter_mm=0.8",
+         Write e.g. --set flapping.frequency_hz=23 or --set 'rod[0].section.diameter_mm=0.8'",
     ),
     (
         "flapping..frequency_hz=3",
         "--set: flapping..frequency_hz=3 is no dotted key: \"\" is no key (letters, digits, _ and - only).\n  \
-         Write e.g. --set flapping.frequency_hz=23 or --set rod[0].section.diameter_mm=0.8",
+         Write e.g. --set flapping.frequency_hz=23 or --set 'rod[0].section.diameter_mm=0.8'",
     ),
     (
         "rod[a].to_mm=3",
         "--set: rod[a].to_mm=3 is no dotted key: \"a\" must be a whole number from 0.\n  \
-         Write e.g. --set flapping.frequency_hz=23 or --set rod[0].section.diameter_mm=0.8",
+         Write e.g. --set flapping.frequency_hz=23 or --set 'rod[0].section.diameter_mm=0.8'",
     ),
     (
         "flapping.frequency_hz=-3",

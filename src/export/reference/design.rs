@@ -19,7 +19,7 @@ half_amplitude_deg = { assumed = 34.5, range = [24.0, 45.0], why = \"not stated\
 ```
 
 Every output lists what was assumed, and `--uncertainty` says how far it moves the result. Any key can be changed for one run:
-`--set flapping.frequency_hz=25`, `--set rod[0].section.diameter_mm=0.9`.
+`--set flapping.frequency_hz=25`, `--set 'rod[0].section.diameter_mm=0.9'`.
 ";
 
 const VIDEO: &str = "\

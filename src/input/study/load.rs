@@ -89,6 +89,14 @@ impl LoadedStudy {
 
     fn from_planned(path: &Path, text: &str, sets: &[String]) -> Result<LoadedStudy, InputError> {
         let root = Node::parse_file(&file::shown(path), text)?;
+        if root.get("planform").is_some() && root.get("case").is_none() {
+            return Err(InputError::about_file(
+                &file::shown(path),
+                "is a design, not a study",
+                "`washout solve` and `compare` take designs; a study names designs and what was measured on them: \
+                 `washout init NAME --study` writes one to start from",
+            ));
+        }
         format_is_one(&root)?;
         form::check(&root, keys::study())?;
         let study = Study::deserialize(root.to_value()).map_err(|error| {

@@ -26,7 +26,7 @@ pub struct Video {
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[schemars(extend("examples" = ["my bench, 3 May, 1000 frames/s"]))]
     pub source: String,
-    /// The file of the marks, relative to this one: CSV with the columns frame, r_mm, mark, x_px, y_px.
+    /// The file of the marks, relative to this one: CSV with the columns frame, r_mm, mark, x_px, y_px, and if wanted repeat, chord_mm.
     #[schemars(extend("examples" = ["my-wing-marks.csv"]))]
     pub marks: String,
     /// The frame that shows the wing untwisted.
