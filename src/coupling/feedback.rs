@@ -6,6 +6,10 @@
 
 use std::borrow::Cow;
 
+use faer::diag::DiagMut;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
+use faer::{MatRef, Par, Spec};
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::strips::StripAir;
@@ -222,11 +226,50 @@ impl<'a, 'm> Feedback<'a, 'm> {
     }
 }
 
-/// Largest eigenvalue that is real; −∞ if none is.
+/// Largest eigenvalue that is real; −∞ if none is, or none is found.
+///
+/// By faer's QR iteration: it ends on every matrix, where that of nalgebra went round on some for ever (it shifts always alike).
 fn largest_real(matrix: &DMatrix<f64>) -> f64 {
-    let eigenvalues = matrix.complex_eigenvalues();
-    let real = eigenvalues
-        .iter()
-        .filter(|z| z.im.abs() <= 1e-9 * z.norm_sqr().sqrt().max(1e-300));
-    real.map(|z| z.re).fold(f64::NEG_INFINITY, f64::max)
+    let size = matrix.nrows();
+    let (no, params) = (ComputeEigenvectors::No, Spec::default());
+    let mut memory = MemBuffer::new(evd_scratch::<f64>(size, no, no, Par::Seq, params));
+    let (mut re, mut im) = (vec![0.0; size], vec![0.0; size]);
+    let found = evd_real(
+        MatRef::from_column_major_slice(matrix.as_slice(), size, size),
+        DiagMut::from_slice_mut(&mut re),
+        DiagMut::from_slice_mut(&mut im),
+        None,
+        None,
+        Par::Seq,
+        MemStack::new(&mut memory),
+        params,
+    );
+    if found.is_err() {
+        return f64::NEG_INFINITY;
+    }
+    let is_real = |&(re, im): &(f64, f64)| im.abs() <= 1e-9 * re.hypot(im).max(1e-300);
+    let all = re.into_iter().zip(im).filter(is_real);
+    all.map(|(re, _)| re).fold(f64::NEG_INFINITY, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::linalg::Schur;
+
+    use super::*;
+
+    #[test]
+    fn the_largest_real_eigenvalue_is_found_also_where_alike_shifts_go_round_for_ever() {
+        let ring = DMatrix::from_fn(5, 5, |i, j| if i == (j + 1) % 5 { 1.0 } else { 0.0 });
+        assert!(Schur::try_new(ring.clone(), f64::EPSILON, 10_000).is_none());
+        assert!((largest_real(&ring) - 1.0).abs() < 1e-12);
+        let turn = DMatrix::from_row_slice(2, 2, &[0.0, -1.0, 1.0, 0.0]);
+        assert_eq!(largest_real(&turn), f64::NEG_INFINITY);
+        let upper = DMatrix::from_row_slice(3, 3, &[-4.0, 1.0, 2.0, 0.0, 0.5, 3.0, 0.0, 0.0, -0.1]);
+        assert!((largest_real(&upper) - 0.5).abs() < 1e-14);
+        assert_eq!(
+            largest_real(&DMatrix::from_element(4, 4, f64::NAN)),
+            f64::NEG_INFINITY
+        );
+    }
 }
