@@ -207,7 +207,7 @@ mod tests {
     use crate::aero::law::AirLaw;
     use nalgebra::{SVector, Vector3};
     use num_dual::{Dual64, DualNum, DualSVec64};
-    use proptest::prelude::{prop, proptest};
+    use proptest::prelude::{prop, prop_assume, proptest};
 
     fn law() -> AirLaw {
         AirLaw {
@@ -316,9 +316,6 @@ mod tests {
             spread in prop::array::uniform9(-0.4..0.4_f64),
             alpha in -3.1..3.1_f64,
         ) {
-            // Angles where the curvature of the laws jumps spoil the difference, not the derivative.
-            let quarter = alpha.to_degrees().rem_euclid(90.0);
-            let alpha = if !(2.0..=88.0).contains(&quarter) { 0.7 } else { alpha };
             let mut x = SVector::<f64, 9>::from_column_slice(&spread);
             x[1] += 6.0 * alpha.cos();
             x[2] += 6.0 * alpha.sin();
@@ -327,6 +324,10 @@ mod tests {
             }
             x[4] += 0.02;
             x[6] += 1.0;
+            // Where the curvature of the laws jumps, at the ends of their joins, the difference is spoilt, not the derivative.
+            let [velocity, chord, span] = [0, 3, 6].map(|at| Vector3::new(x[at], x[at + 1], x[at + 2]));
+            let met = section_air(&velocity, &chord, &span).alpha.to_degrees().rem_euclid(90.0);
+            prop_assume!([1.0, 89.0].iter().all(|join| (met - join).abs() > 0.01));
             let base = outputs(&x);
             let dual: SVector<DualSVec64<9>, 9> = SVector::from_fn(|i, _| {
                 DualSVec64::<9>::from_re(x[i]).derivative(i)
