@@ -12,12 +12,19 @@ use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
 use faer::{MatRef, Par, Spec};
 use nalgebra::{DMatrix, DVector, Vector3};
 
+use super::recycled::Recycled;
 use super::strips::StripAir;
 use super::wing::Wing;
 use crate::structure::Equilibrium;
 
 /// Largest number of Krylov vectors.
 const KRYLOV: usize = 80;
+
+/// Directions to keep for the right-hand sides to come.
+const MOST_KEPT: usize = 160;
+
+/// Residual of a solve, relative to that of no air, where all digits count.
+pub const EXACT: f64 = 1e-12;
 
 /// Eigenvalue below which the air does not count as driving the wing toward divergence.
 const NEGLIGIBLE: f64 = 1e-2;
@@ -54,35 +61,57 @@ impl<'a, 'm> Feedback<'a, 'm> {
 
     /// J y.
     pub fn apply(&mut self, shape_change: &[f64]) -> Vec<f64> {
-        let force = self.wing.air_force_change(&self.air, shape_change);
-        self.shapes_of(&self.by_freedom(&force))
+        let moved = self.moved_by(shape_change);
+        self.shapes_at(&moved)
     }
 
-    /// Solves (K − A S) x = b by freedom of the pattern; `None` if the coupled tangent is singular.
-    pub fn solve(&mut self, right: &[f64]) -> Option<Vec<f64>> {
-        self.solve_to(right, 1e-12)
-    }
-
-    /// The same to a residual of the shapes relative to that of no air.
-    pub fn solve_to(&mut self, right: &[f64], tolerance: f64) -> Option<Vec<f64>> {
+    /// Solves (K − A S) x = b by freedom of the pattern, to a residual of the shapes relative to that of no air, with what is `known`
+    /// of this feedback and into it; `None` if the coupled tangent is singular.
+    pub fn solve(&mut self, right: &[f64], tolerance: f64, known: &mut Recycled) -> Option<Vec<f64>> {
+        let mut x = right.to_vec();
+        self.equilibrium.solve_tangent(&mut x, 1);
         if self.air.is_empty() {
-            let mut x = right.to_vec();
-            self.equilibrium.solve_tangent(&mut x, 1);
             return Some(x);
         }
-        let seen = self.shapes_of(right);
-        let y = match self.gmres(&seen, tolerance) {
-            Some(y) => y,
-            None => self.direct(&seen)?,
-        };
-        let air = self.wing.air_force_change(&self.air, &y);
-        let mut x: Vec<f64> = right
-            .iter()
-            .zip(self.by_freedom(&air))
-            .map(|(b, f)| b + f)
-            .collect();
-        self.equilibrium.solve_tangent(&mut x, 1);
+        let seen = DVector::from_vec(self.shapes_at(&x));
+        if known.len() > MOST_KEPT {
+            known.clear();
+        }
+        match self.residuals(&seen, tolerance, known) {
+            Some(weights) => known.add_moved(weights, &mut x),
+            None => {
+                let y = self.direct(&seen)?;
+                let moved = self.moved_by(&y);
+                x.iter_mut().zip(moved).for_each(|(x, moved)| *x += moved);
+            }
+        }
         Some(x)
+    }
+
+    /// (I − J)⁻¹ s by generalized conjugate residuals, as weights of the directions known then.
+    fn residuals(&mut self, seen: &DVector<f64>, tolerance: f64, known: &mut Recycled) -> Option<Vec<f64>> {
+        let enough = tolerance * seen.norm();
+        let mut rest = seen.clone();
+        let mut weights = known.take_away(0, &mut rest);
+        let mut stands = false;
+        for _ in 0..KRYLOV.min(seen.len()) {
+            let left = rest.norm();
+            if left <= enough {
+                return Some(weights);
+            }
+            // where a direction has not helped, the next of Krylov's space
+            let from = known.last_image().filter(|_| stands).unwrap_or(&rest);
+            let shape = known.expected(from);
+            let moved = self.moved_by(shape.as_slice());
+            let image = &shape - DVector::from_vec(self.shapes_at(&moved));
+            let first = known.len();
+            if !known.keep(shape, image, moved) {
+                break;
+            }
+            weights.extend(known.take_away(first, &mut rest));
+            stands = rest.norm() >= 0.9 * left;
+        }
+        (rest.norm() <= tolerance.max(1e-6) * seen.norm()).then_some(weights)
     }
 
     /// Critical dynamic pressure over the present one: the inverse of the largest real eigenvalue of J (Arnoldi).
@@ -96,7 +125,8 @@ impl<'a, 'm> Feedback<'a, 'm> {
         }
         // the response to the present load, and a little of everything so that no direction is left out
         let force = self.wing.air_force(&self.air);
-        let response = DVector::from_vec(self.shapes_of(&self.by_freedom(&force)));
+        let moved = self.response(&force);
+        let response = DVector::from_vec(self.shapes_at(&moved));
         let everything = DVector::from_fn(size, |i, _| 1e-3 * (1.0 + i as f64).sin());
         let start = &response / response.norm().max(f64::MIN_POSITIVE) + everything;
         let mut basis = vec![start.normalize()];
@@ -154,39 +184,8 @@ impl<'a, 'm> Feedback<'a, 'm> {
         true
     }
 
-    /// (I − J)⁻¹ b by GMRES (Saad & Schultz 1986).
-    fn gmres(&mut self, right: &[f64], tolerance: f64) -> Option<Vec<f64>> {
-        let right = DVector::from_column_slice(right);
-        let norm = right.norm();
-        if norm == 0.0 {
-            return Some(right.data.into());
-        }
-        let mut basis = vec![&right / norm];
-        let most = KRYLOV.min(right.len());
-        let mut feedback = DMatrix::<f64>::zeros(most + 1, most);
-        for k in 0..most {
-            let more = self.orthogonal_step(&mut basis, &mut feedback, k);
-            let mut projected = -feedback.view((0, 0), (k + 2, k + 1)).into_owned();
-            for i in 0..=k {
-                projected[(i, i)] += 1.0;
-            }
-            let mut target = DVector::zeros(k + 2);
-            target[0] = norm;
-            let solution = projected.clone().svd(true, true).solve(&target, 1e-14).ok()?;
-            let residual = (&projected * &solution - &target).norm();
-            if residual <= tolerance * norm || !more {
-                let mut y = DVector::zeros(right.len());
-                for (vector, weight) in basis.iter().zip(solution.iter()) {
-                    y += vector * *weight;
-                }
-                return (residual <= tolerance.max(1e-6) * norm).then(|| y.data.into());
-            }
-        }
-        None
-    }
-
-    /// (I − J)⁻¹ b by the matrix itself: a solve for each of its columns, where GMRES stagnates.
-    fn direct(&mut self, right: &[f64]) -> Option<Vec<f64>> {
+    /// (I − J)⁻¹ b by the matrix itself: a solve for each of its columns, where the residuals stand.
+    fn direct(&mut self, right: &DVector<f64>) -> Option<Vec<f64>> {
         let size = right.len();
         let mut matrix = DMatrix::<f64>::identity(size, size);
         for k in 0..size {
@@ -195,16 +194,26 @@ impl<'a, 'm> Feedback<'a, 'm> {
                 matrix[(i, k)] -= answer;
             }
         }
-        let right = DVector::from_column_slice(right);
-        let solution = matrix.clone().lu().solve(&right)?;
-        let residual = (&matrix * &solution - &right).norm();
+        let solution = matrix.clone().lu().solve(right)?;
+        let residual = (&matrix * &solution - right).norm();
         (residual <= 1e-9 * right.norm()).then(|| solution.data.into())
     }
 
-    /// S K⁻¹ f.
-    fn shapes_of(&mut self, force: &[f64]) -> Vec<f64> {
-        let mut moved = force.to_vec();
+    /// K⁻¹ A y by freedom.
+    fn moved_by(&mut self, shape_change: &[f64]) -> Vec<f64> {
+        let force = self.wing.air_force_change(&self.air, shape_change);
+        self.response(&force)
+    }
+
+    /// K⁻¹ f by freedom.
+    fn response(&mut self, force: &[Vector3<f64>]) -> Vec<f64> {
+        let mut moved = self.by_freedom(force);
         self.equilibrium.solve_tangent(&mut moved, 1);
+        moved
+    }
+
+    /// S x.
+    fn shapes_at(&self, moved: &[f64]) -> Vec<f64> {
         let pattern = &self.equilibrium.pattern;
         let displacement: Vec<_> = (0..self.wing.model.nodes.len())
             .map(|node| {

@@ -32,6 +32,8 @@ pub mod motion;
 
 pub mod periodic;
 
+pub mod recycled;
+
 pub mod sensitivity;
 
 pub mod solution;

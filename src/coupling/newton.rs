@@ -7,6 +7,7 @@
 use super::error::CouplingError;
 use super::feedback::Feedback;
 use super::fixed_point::{Coupled, largest_difference, twists};
+use super::recycled::Recycled;
 use super::wing::Wing;
 use crate::input::design::Coupling;
 use crate::mesh::Mesh;
@@ -49,6 +50,7 @@ pub fn iterate(
     let rest_twist = twists(&wing.strips.shapes(start.rest));
     let mut coupled = Coupled::at(start.shape.clone(), Loads::none(wing.model.nodes.len()));
     let mut way = Mixed::new();
+    let mut known = Recycled::new();
     if let Some(step) = start.step.filter(|step| step.len() == equilibrium.pattern.len()) {
         coupled.state = equilibrium.move_mixed(start.shape, &mut step.to_vec(), &mut way);
     }
@@ -82,7 +84,8 @@ pub fn iterate(
             return Ok(Err(coupled.newton_steps));
         }
         let tolerance = if coupled.residual > 1e-2 { LOOSE } else { TIGHT };
-        let found = Feedback::new(wing, equilibrium, &shapes).solve_to(&distance.right, tolerance);
+        known.change();
+        let found = Feedback::new(wing, equilibrium, &shapes).solve(&distance.right, tolerance, &mut known);
         let Some(mut step) = found else {
             return Ok(Err(coupled.newton_steps));
         };

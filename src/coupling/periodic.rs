@@ -12,9 +12,10 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::air_resistance::AirResistance;
 use super::error::CouplingError;
-use super::feedback::Feedback;
+use super::feedback::{EXACT, Feedback};
 use super::harmonic_balance::{Harmonics, Oscillators, StrokeWork};
 use super::motion::at_mid_stroke;
+use super::recycled::Recycled;
 use super::solution::Solution;
 use super::strip_path::{StripPath, strip_paths};
 use super::stroke::{Stroke, standing_path};
@@ -298,12 +299,11 @@ impl Fields {
         });
         let force = by_freedom(&|node| [Vector3::from(still.air_force_n[node]), Vector3::zeros()]);
         let shapes = wing.strips.shapes(&still.state);
-        let rate =
-            Feedback::new(wing, equilibrium, &shapes)
-                .solve(&force)
-                .ok_or(CouplingError::NoPeriodic {
-                    reason: "the wing stands at its divergence",
-                })?;
+        let rate = Feedback::new(wing, equilibrium, &shapes)
+            .solve(&force, EXACT, &mut Recycled::new())
+            .ok_or(CouplingError::NoPeriodic {
+                reason: "the wing stands at its divergence",
+            })?;
         let offset_m = match wing.air.as_ref().map(|air| air.flow) {
             Some(crate::aero::Flow::Flapping { root_offset_m, .. }) => root_offset_m,
             _ => 0.0,

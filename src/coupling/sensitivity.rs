@@ -19,7 +19,8 @@ use crate::structure::{Equilibrium, Loads, Tangent};
 
 use super::beside::{Beside, Home};
 use super::error::SensitivityError;
-use super::feedback::Feedback;
+use super::feedback::{EXACT, Feedback};
+use super::recycled::Recycled;
 use super::solution::Solution;
 use super::strips::StripAir;
 use super::wing::Wing;
@@ -36,6 +37,8 @@ pub struct Sensitivity<'a> {
     equilibrium: Equilibrium<'a>,
     /// Air on each strip, with derivatives.
     air: Vec<StripAir>,
+    /// What the parameters before have told of the air's feedback.
+    known: Recycled,
     /// The tangent of the shape without load; made when a parameter first moves that shape.
     rest: Option<Equilibrium<'a>>,
     /// Wings of the last parameter's stencil, which reading takes up again.
@@ -134,6 +137,7 @@ impl<'a> Sensitivity<'a> {
             air: wing.strip_air(&wing.strips.shapes(state), true),
             home,
             equilibrium,
+            known: Recycled::new(),
             rest: None,
             last: None,
         }
@@ -190,7 +194,7 @@ impl<'a> Sensitivity<'a> {
         self.last = Some(around);
         let [[loaded, carried], rest] = sums;
         let mut state = Feedback::with_air(here, &mut self.equilibrium, &self.air)
-            .solve(&loaded)
+            .solve(&loaded, EXACT, &mut self.known)
             .ok_or(SensitivityError::Singular)?;
         state.iter_mut().zip(carried).for_each(|(x, carry)| *x += carry);
         Ok(Rate {
@@ -215,7 +219,7 @@ impl<'a> Sensitivity<'a> {
             right[at..at + 3].copy_from_slice(force.as_slice());
         }
         let state = Feedback::with_air(self.home.wing, &mut self.equilibrium, &self.air)
-            .solve(&right)
+            .solve(&right, EXACT, &mut self.known)
             .ok_or(SensitivityError::Singular)?;
         Ok(Rate {
             key: String::new(),

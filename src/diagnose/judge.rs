@@ -70,13 +70,22 @@ impl Judgement {
         self.trial(index).ln_prior + self.ln_evidence[index]
     }
 
-    /// Notes what a fit of a trial found, if it settled anywhere; says by how much its evidence rose.
+    /// Notes what a fit of a trial found, if it settled anywhere, and better than one before; says by how much its evidence rose.
     pub fn take(&mut self, index: usize, found: Option<Explanation>) -> Option<f64> {
+        let known = self.refits.iter().position(|(known, _)| *known == index);
         let Some(found) = found else {
-            self.unsettled.push(index);
+            if known.is_none() {
+                self.unsettled.push(index);
+            }
             return None;
         };
         let rise = found.ln_evidence - self.ln_evidence[index];
+        if let Some(known) = known {
+            if rise <= 0.0 {
+                return None;
+            }
+            self.refits.remove(known);
+        }
         self.ln_evidence[index] = found.ln_evidence;
         self.refits.push((index, found));
         Some(rise)

@@ -15,6 +15,9 @@ use super::whitened::Whitened;
 /// Pairs are fitted anew only if the linear model puts one this close to the best explanation.
 const PAIR_CHANCE: f64 = 8.0;
 
+/// A strength within this many standard errors of zero is as good as nothing.
+const NOTHING: f64 = 2.0;
+
 /// Pairs with where their fit is to start: members, and strengths in prior standard deviations.
 type Starts = Vec<Option<(Vec<usize>, Vec<f64>)>>;
 
@@ -61,7 +64,42 @@ pub fn refit_pairs(
         count,
         judgement.weight(best),
         progress,
-    )
+    )?;
+    alone(judgement, refits, progress)
+}
+
+/// Fits each effect of a pair whose other one came out as good as nothing again, alone, from where the pair ended: its own fit may have
+/// ended in a wrong valley.
+fn alone(judgement: &mut Judgement, refits: &Refits, progress: &Progress) -> Result<(), DiagnoseError> {
+    let first = judgement.singles.len();
+    let mut starts: Vec<(usize, usize, Vec<f64>)> = Vec::new();
+    for (index, pair) in judgement.refits.iter().filter(|(index, _)| *index >= first) {
+        let (Some(fit), &[a, b]) = (&pair.fit, pair.members.as_slice()) else {
+            continue;
+        };
+        for (small, (kept, dropped)) in [(1, (a, b)), (0, (b, a))] {
+            if pair.strength[small].abs() > NOTHING * pair.standard_error[small] {
+                continue;
+            }
+            let Some(single) = judgement.singles.iter().position(|trial| trial.members == [kept]) else {
+                continue;
+            };
+            let mut at = fit.at.clone();
+            at[refits.data.missing[dropped]] = 0.0;
+            starts.push((single, *index, at));
+        }
+    }
+    for (single, pair, start) in starts {
+        progress.check()?;
+        // nothing that the pair could not tell better is worth a fit
+        if judgement.is_refitted(single) && judgement.ln_evidence[single] > judgement.ln_evidence[pair] {
+            continue;
+        }
+        let members = judgement.singles[single].members.clone();
+        let found = refits.refit_from(&members, &[start])?;
+        judgement.take(single, found);
+    }
+    Ok(())
 }
 
 /// The second effect of a pair, if its first is `explanation`, of `family`.

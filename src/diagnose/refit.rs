@@ -60,18 +60,31 @@ impl Refits<'_> {
     /// # Errors
     /// If the user asked to stop.
     pub fn refit(&self, members: &[usize], estimates: &[f64]) -> Result<Option<Explanation>, DiagnoseError> {
+        let starts = [
+            self.start(members, estimates),
+            self.cautious_start(members, estimates),
+        ];
+        self.refit_from(members, &starts)
+    }
+
+    /// The same from given values of all unknowns, the first first.
+    ///
+    /// # Errors
+    /// If the user asked to stop.
+    pub fn refit_from(
+        &self,
+        members: &[usize],
+        starts: &[Vec<f64>],
+    ) -> Result<Option<Explanation>, DiagnoseError> {
         let effects: Vec<usize> = members.iter().map(|&k| self.data.missing[k]).collect();
         let mut free = self.data.model.clone();
         free.extend(&effects);
         free.extend(self.places(&effects));
         let most = self.baseline.q + 1e-6 * (1.0 + self.baseline.q);
-        for start in [
-            self.start(members, estimates),
-            self.cautious_start(&effects, estimates),
-        ] {
+        for start in starts {
             let fit = match self
                 .scatter
-                .fit(self.forward, self.data, &free, &start, self.footing)
+                .fit(self.forward, self.data, &free, start, self.footing)
             {
                 Ok(fit) => fit,
                 Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),
@@ -174,11 +187,22 @@ impl Refits<'_> {
         at
     }
 
+    /// The fit without an effect, and the effect at an estimate (in prior standard deviations).
+    pub fn stepped(&self, member: usize, estimate: f64) -> Vec<f64> {
+        let effect = self.data.missing[member];
+        let unknown = &self.forward.unknowns()[effect];
+        let [low, high] = unknown.range;
+        let mut at = self.baseline.at.clone();
+        at[effect] = (unknown.mean + estimate * unknown.sigma).clamp(low, high);
+        at
+    }
+
     /// The fit without the effects, and the effects a little off zero.
-    fn cautious_start(&self, effects: &[usize], estimates: &[f64]) -> Vec<f64> {
+    fn cautious_start(&self, members: &[usize], estimates: &[f64]) -> Vec<f64> {
         let unknowns = self.forward.unknowns();
         let mut at = self.baseline.at.clone();
-        for (&effect, estimate) in effects.iter().zip(estimates) {
+        for (&k, estimate) in members.iter().zip(estimates) {
+            let effect = self.data.missing[k];
             let [low, high] = unknowns[effect].range;
             at[effect] = (0.05 * unknowns[effect].sigma * estimate.signum()).clamp(low, high);
         }

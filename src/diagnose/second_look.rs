@@ -1,7 +1,7 @@
 //! A second look at effects whose derivative at zero says little of them: seen from a step of a plausible size.
 //!
 //! Screening ranks effects by their derivatives; one that saturates, or grows faster than its strength, may rank too low to
-//! be fitted. Where no effect that was fitted explains the data, the others are tried with a step.
+//! be fitted, or its fit ends in a wrong valley. Where no effect that was fitted explains the data, all are tried with a step.
 
 use nalgebra::DMatrix;
 
@@ -13,7 +13,7 @@ use super::error::DiagnoseError;
 use super::evidence::of_one;
 use super::judge::Judgement;
 use super::refit::Refits;
-use super::screening::{Directions, effect_of, is_one_sided};
+use super::screening::{Directions, effect_of};
 
 /// The step, as a share of the plausible size.
 const STEP: f64 = 0.5;
@@ -44,34 +44,28 @@ pub fn second_look(
     }
     let (forward, data) = (baseline.forward, &baseline.data);
     let unknowns = forward.unknowns();
-    let is_fitted = |member: usize| {
-        let trials = judgement.refits.iter();
-        trials
-            .map(|(index, _)| judgement.trial(*index))
-            .any(|trial| trial.members == [member])
-    };
     let tried: Vec<usize> = (0..judgement.singles.len())
-        .filter(|&index| matches!(judgement.singles[index].members[..], [member] if !is_fitted(member)))
+        .filter(|&index| judgement.singles[index].members.len() == 1)
         .collect();
     let members: Vec<usize> = tried
         .iter()
         .map(|&index| judgement.singles[index].members[0])
         .collect();
-    let slopes = steps(baseline, &baseline.fit, &members, progress)?;
-    let directions = Directions::new(data, &slopes, &baseline.whitened);
-    let mut ranked: Vec<(f64, usize, f64)> = tried
-        .into_iter()
-        .map(|index| {
+    let mut ranked: Vec<(f64, usize, f64)> = Vec::new();
+    for sign in [1.0, -1.0] {
+        // an effect may answer otherwise to a step than its derivative says, in either direction
+        let slopes = steps(baseline, &baseline.fit, &members, sign, progress)?;
+        let directions = Directions::new(data, &slopes, &baseline.whitened);
+        for &index in &tried {
             let trial = &judgement.singles[index];
             let k = trial.members[0];
             let dot = directions.scores[k] * directions.lengths[k];
-            let one_sided = is_one_sided(&unknowns[data.missing[k]]);
             let q0 = baseline.whitened.q();
-            let found = of_one(baseline.likelihood, q0, directions.gram[(k, k)], dot, one_sided);
-            (trial.ln_prior + found.ln_gain, index, found.estimate[0])
-        })
-        .collect();
-    ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            let found = of_one(baseline.likelihood, q0, directions.gram[(k, k)], dot, true);
+            ranked.push((trial.ln_prior + found.ln_gain, index, sign * found.estimate[0]));
+        }
+    }
+    ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(b.2.total_cmp(&a.2)));
     for &(ln_weight, index, estimate) in ranked.iter().take(REFITS) {
         progress.check()?;
         if ln_weight <= judgement.singles[index].ln_prior {
@@ -80,18 +74,23 @@ pub fn second_look(
         let members = judgement.singles[index].members.clone();
         let name = &unknowns[data.missing[members[0]]].name;
         progress.say(format_args!("refit after a second look: {name}"));
-        let found = refits.refit(&members, &[estimate])?;
+        let found = match refits.refit_from(&members, &[refits.stepped(members[0], estimate)])? {
+            None if !judgement.is_refitted(index) => refits.refit(&members, &[estimate])?,
+            found => found,
+        };
         judgement.take(index, found);
     }
     Ok(())
 }
 
-/// How all observables answer to steps of a plausible size of the effects `members` about a fit, per prior standard deviation
-/// (observables × missing effects; zero for all others, and where the model has no solution).
+/// How all observables answer to steps of a plausible size of the effects `members` about a fit, up or down, per prior standard
+/// deviation of the step's length (observables × missing effects; zero for all others, for steps down of what has one sign, and where the
+/// model has no solution).
 fn steps(
     baseline: &Baseline,
     fit: &Fit,
     members: &[usize],
+    sign: f64,
     progress: &Progress,
 ) -> Result<DMatrix<f64>, DiagnoseError> {
     let (forward, data) = (baseline.forward, &baseline.data);
@@ -103,13 +102,11 @@ fn steps(
         let Some((name, _, scale, one_sided)) = effect_of(&unknowns[unknown]) else {
             continue;
         };
+        if one_sided && sign < 0.0 {
+            continue;
+        }
         progress.check()?;
         progress.say(format_args!("a second look at {name}"));
-        let sign = if one_sided {
-            1.0
-        } else {
-            baseline.directions.scores[member].signum()
-        };
         let [low, high] = unknowns[unknown].range;
         let step = (fit.at[unknown] + sign * STEP * scale).clamp(low, high) - fit.at[unknown];
         if step == 0.0 {
@@ -121,7 +118,7 @@ fn steps(
         let Ok((Linear { value: moved, .. }, _)) = there else {
             continue;
         };
-        let share = unknowns[unknown].sigma / step;
+        let share = unknowns[unknown].sigma / step.abs();
         slopes.set_column(member, &((moved - &fit.predicted) * share));
     }
     for row in data.kept_bounds(forward, &fit.predicted) {

@@ -268,15 +268,17 @@ impl Equilibrium<'_> {
             *raise = 0.0;
         }
         loop {
-            self.work.copy_from_slice(&self.values);
-            if *raise > 0.0 {
-                self.pattern.raise_diagonal(&mut self.work, *raise);
-            }
-            if self.factor.positive(&self.pattern, &self.work) {
+            let raised = (*raise > 0.0).then(|| {
+                let mut values = self.values.clone();
+                self.pattern.raise_diagonal(&mut values, *raise);
+                values
+            });
+            let values = raised.as_ref().unwrap_or(&self.values);
+            if self.factor.positive(&self.pattern, values) {
                 return Ok(());
             }
             if !must_be_positive && tension == 0.0 {
-                self.factor.indefinite(&self.pattern, &self.work)?;
+                self.factor.indefinite(&self.pattern, values)?;
                 return Ok(());
             }
             *raise = if *raise > 0.0 { 10.0 * *raise } else { 1e-8 };

@@ -1,7 +1,8 @@
 //! The coupled tangent K − A S and the air's derivatives against differences of what they differentiate.
 
 use washout::coupling::air::Air;
-use washout::coupling::feedback::Feedback;
+use washout::coupling::feedback::{EXACT, Feedback};
+use washout::coupling::recycled::Recycled;
 use washout::coupling::strips::{StripShape, Strips};
 use washout::coupling::wing::Wing;
 use washout::structure::Equilibrium;
@@ -20,6 +21,7 @@ fn tangent_error(name: &str, refine: &str, move_m: f64) -> f64 {
     equilibrium.factorize(state, &wing.loads_on(state)).unwrap();
     let shapes = wing.strips.shapes(state);
     let mut worst = 0.0_f64;
+    let mut known = Recycled::new();
     for seed in 0..4 {
         let mut noise = Noise(seed);
         let (a, b) = (noise.vector(), noise.vector());
@@ -31,7 +33,7 @@ fn tangent_error(name: &str, refine: &str, move_m: f64) -> f64 {
             }
         }
         let x = Feedback::new(&wing, &mut equilibrium, &shapes)
-            .solve(&right)
+            .solve(&right, EXACT, &mut known)
             .unwrap();
         let step = move_m / x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let residual = |share: f64| {
@@ -46,7 +48,7 @@ fn tangent_error(name: &str, refine: &str, move_m: f64) -> f64 {
             .map(|(a, b)| (a - b) / (2.0 * step))
             .collect();
         let back = Feedback::new(&wing, &mut equilibrium, &shapes)
-            .solve(&slope)
+            .solve(&slope, EXACT, &mut known)
             .unwrap();
         let norm = |v: &mut dyn Iterator<Item = f64>| v.map(|v| v * v).sum::<f64>().sqrt();
         let error = norm(&mut back.iter().zip(&x).map(|(a, b)| a - b)) / norm(&mut x.iter().copied());
@@ -60,6 +62,74 @@ fn solves_with_the_coupled_tangent_agree_with_differences_of_the_coupled_residua
     let error = tangent_error("twist-v2", "mesh.refine=1", 1e-7);
     println!("tangent: {error:.1e}");
     assert!(error < 1e-5, "{error}");
+}
+
+#[test]
+fn what_solves_before_have_told_spares_work_and_changes_no_digit_that_counts() {
+    let shipped = shipped("twist-v2", &["mesh.refine=0.5"]);
+    let solution = shipped.solve();
+    let wing = Wing::new(&shipped.design, &shipped.mesh, None).unwrap();
+    let mut equilibrium = Equilibrium::new(&wing.model).unwrap();
+    let state = &solution.state;
+    equilibrium.factorize(state, &wing.loads_on(state)).unwrap();
+    let shapes = wing.strips.shapes(state);
+    // the same wing with its strips turned a little: a feedback nearby
+    let turned: Vec<f64> = shapes
+        .chunks_exact(6)
+        .flat_map(|shape| {
+            let mut shape = shape.to_vec();
+            shape[2] += 0.01 * shape[1];
+            shape
+        })
+        .collect();
+    let mut noise = Noise(7);
+    let mut right = || -> Vec<f64> {
+        let (a, b) = (noise.vector(), noise.vector());
+        let mut right = vec![0.0; equilibrium.held().len()];
+        for (node, x) in wing.model.nodes.iter().enumerate() {
+            let at = equilibrium.pattern.freedom(node, 0);
+            for k in 0..3 {
+                right[at + k] = a[k] + b[k] * (60.0 * x.x + 90.0 * x.y).sin();
+            }
+        }
+        right
+    };
+    let rights = [right(), right(), right()];
+    let mut kept = Recycled::new();
+    let mut found = 0;
+    for (shapes, right, change) in [
+        (&shapes, &rights[0], false),
+        (&shapes, &rights[1], false),
+        (&turned, &rights[2], true),
+    ] {
+        if change {
+            kept.change();
+        }
+        let mut alone = Recycled::new();
+        let fresh = Feedback::new(&wing, &mut equilibrium, shapes)
+            .solve(right, EXACT, &mut alone)
+            .unwrap();
+        let before = kept.len();
+        let again = Feedback::new(&wing, &mut equilibrium, shapes)
+            .solve(right, EXACT, &mut kept)
+            .unwrap();
+        let size = fresh.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let apart = fresh
+            .iter()
+            .zip(&again)
+            .fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+        println!(
+            "{} directions alone, {} with what is known, {:.1e} apart",
+            alone.len(),
+            kept.len() - before,
+            apart / size
+        );
+        assert!(apart < 1e-10 * size, "{}", apart / size);
+        if found > 0 {
+            assert!(10 * (kept.len() - before) < 8 * alone.len());
+        }
+        found += 1;
+    }
 }
 
 #[test]
