@@ -8,7 +8,7 @@
 
 use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector3};
 
-use super::rotation::{moment_correction, rotation_vector, skew, spin_to_vector};
+use super::rotation::{moment_correction, rotation_vector, skew, spin_moment, spin_to_vector};
 
 /// The moving frame of an element of N nodes and D = 6 N freedoms.
 #[derive(Debug, Clone)]
@@ -214,7 +214,7 @@ impl<const N: usize, const D: usize> Frame<N, D> {
         for i in 0..N {
             let theta: Vector3<f64> = p.fixed_rows::<3>(6 * i + 3).into();
             let m: Vector3<f64> = local_force.fixed_rows::<3>(6 * i + 3).into();
-            let m = spin_to_vector(&theta).transpose() * m;
+            let m = spin_moment(&theta, &m);
             unprojected.fixed_rows_mut::<3>(6 * i + 3).copy_from(&m);
             let n: Vector3<f64> = local_force.fixed_rows::<3>(6 * i).into();
             moment += self.position[i].cross(&n) + m;

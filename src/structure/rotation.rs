@@ -26,20 +26,42 @@ pub fn rotation_vector(r: &Matrix3<f64>) -> Vector3<f64> {
     nalgebra::UnitQuaternion::from_matrix(r).scaled_axis()
 }
 
-/// The map H from a spin of the rotation exp(θ) (acting from the left) to the change of its rotation vector θ.
+/// The map H from a spin of the rotation exp(θ) (acting from the left) to the change of its rotation vector θ:
+/// (1 − η θ²) 1 − skew(θ)/2 + η θ θᵀ.
 pub fn spin_to_vector(theta: &Vector3<f64>) -> Matrix3<f64> {
-    let s = skew(theta);
-    Matrix3::identity() - 0.5 * s + curvature_factors(theta.norm_squared()).0 * s * s
+    let square = theta.norm_squared();
+    let eta = curvature_factors(square).0;
+    let (half, scaled, diagonal) = (0.5 * theta, eta * theta, 1.0 - eta * square);
+    let (xy, yz, zx) = (scaled.x * theta.y, scaled.y * theta.z, scaled.z * theta.x);
+    Matrix3::new(
+        diagonal + scaled.x * theta.x,
+        xy + half.z,
+        zx - half.y,
+        xy - half.z,
+        diagonal + scaled.y * theta.y,
+        yz + half.x,
+        zx + half.y,
+        yz - half.x,
+        diagonal + scaled.z * theta.z,
+    )
+}
+
+/// Hᵀ m, with H of [`spin_to_vector`].
+pub fn spin_moment(theta: &Vector3<f64>, m: &Vector3<f64>) -> Vector3<f64> {
+    let square = theta.norm_squared();
+    let eta = curvature_factors(square).0;
+    m * (1.0 - eta * square) + 0.5 * theta.cross(m) + theta * (eta * theta.dot(m))
 }
 
 /// Derivative of H(θ)ᵀ m with respect to a spin: ∂(Hᵀ m)/∂θ · H.
 pub fn moment_correction(theta: &Vector3<f64>, m: &Vector3<f64>) -> Matrix3<f64> {
-    let (eta, mu) = curvature_factors(theta.norm_squared());
-    let s = skew(theta);
-    let by_vector = eta
-        * (Matrix3::identity() * theta.dot(m) + theta * m.transpose() - 2.0 * m * theta.transpose())
-        + mu * (s * (s * m)) * theta.transpose()
-        - 0.5 * skew(m);
+    let square = theta.norm_squared();
+    let (eta, mu) = curvature_factors(square);
+    let along = theta.dot(m);
+    let by_vector = m * theta.transpose() * (-2.0 * eta - mu * square)
+        + theta * (eta * m + mu * along * theta).transpose()
+        + Matrix3::from_diagonal_element(eta * along)
+        - skew(&(0.5 * m));
     by_vector * spin_to_vector(theta)
 }
 
@@ -111,6 +133,8 @@ mod tests {
                 let difference = (at(spin) - at(-spin)) / (2.0 * h);
                 assert!((difference - map.column(axis)).norm() < 1e-8, "{v} {axis}");
             }
+            let whole = spin_to_vector(&v).transpose() * m;
+            assert!((spin_moment(&v, &m) - whole).norm() < 1e-14, "{v}");
         }
     }
 }
