@@ -20,8 +20,8 @@ use crate::structure::Equilibrium;
 /// Largest number of Krylov vectors.
 const KRYLOV: usize = 80;
 
-/// Directions to keep for the right-hand sides to come.
-const MOST_KEPT: usize = 160;
+/// Directions to keep for the right-hand sides to come: the first, which hold most of every answer.
+const MOST_KEPT: usize = 64;
 
 /// Residual of a solve, relative to that of no air, where all digits count.
 pub const EXACT: f64 = 1e-12;
@@ -74,9 +74,7 @@ impl<'a, 'm> Feedback<'a, 'm> {
             return Some(x);
         }
         let seen = DVector::from_vec(self.shapes_at(&x));
-        if known.len() > MOST_KEPT {
-            known.clear();
-        }
+        known.truncate(MOST_KEPT);
         match self.residuals(&seen, tolerance, known) {
             Some(weights) => known.add_moved(weights, &mut x),
             None => {

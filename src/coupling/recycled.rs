@@ -52,10 +52,9 @@ impl Recycled {
         self.nearby.truncate(KEPT);
     }
 
-    /// J is another one, or there is too much to keep.
-    pub fn clear(&mut self) {
-        self.exact.clear();
-        self.nearby.clear();
+    /// Keeps the first `count` directions of this J.
+    pub fn truncate(&mut self, count: usize) {
+        self.exact.truncate(count);
     }
 
     /// Weights with which the directions of this J from `first` on take away what they can of `rest`.
