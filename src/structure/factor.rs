@@ -68,7 +68,7 @@ impl Factor {
         })
     }
 
-    /// From now on by all threads: faster for large matrices, and the same to rounding only.
+    /// From now on by all threads: the same to rounding only, and not faster on two cores (`cargo bench --bench growth -- --threads 2`).
     pub fn spread(&mut self) {
         self.par = Par::rayon(0);
         self.buffer = MemBuffer::new(need(&self.symbolic, self.par));

@@ -6,6 +6,7 @@ mod lessons;
 mod rod;
 mod scoreboard;
 mod truth;
+mod valleys;
 
 use washout::diagnose::Settings;
 

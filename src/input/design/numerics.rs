@@ -36,7 +36,7 @@ pub enum Factorization {
     /// By one thread: the same bit for bit everywhere.
     #[default]
     OneThread,
-    /// By all threads: for a single wing of a hundred thousand freedoms or more; the same to rounding only.
+    /// By all threads: for a single large wing on many cores (on two it does not pay); the same to rounding only.
     Parallel,
 }
 
