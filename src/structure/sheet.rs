@@ -24,7 +24,7 @@ pub enum Compression {
     ///
     /// Not for films in large rotation: the optimal triangle strains with the nodes' rotations about its normal, and
     /// where sides longer than some 100 thicknesses meet at an angle, a film's bending is too weak to hold those rotations.
-    /// They then relieve the membrane: Hencky's membrane comes out 19 to 21, 18 and 13 % too soft with sides of 1250, 625 and
+    /// They then relieve the membrane: Hencky's membrane comes out 19, 18 and 13 % too soft with sides of 1250, 625 and
     /// 312 thicknesses, 4 and 0.7 % with 125 and 62. A film that carries compression is a tension field with
     /// `residual` = 1: the whole of the plane-stress law (1.4, 0.4 and 0.1 % on the same three meshes).
     Carries,
