@@ -3,17 +3,17 @@
 use super::distance::{NEAR, strength_seen_at};
 use super::novel::novel;
 use super::spot::Spot;
+use super::twin;
 use super::{Blind, BlindError, Kind};
 use crate::diagnose::plan::PlannedEffect;
 use crate::progress::Progress;
 use crate::study::draws::Draws;
 use crate::synthesize::{Hidden, Recipe};
 
-/// Detectability of hidden effects, sigma, unless another range is asked for: drawn evenly from it.
-pub const DETECTABLE: [f64; 2] = [5.0, 15.0];
-/// Two effects of different families are twins if what is hidden leaves less than this between them, sigma: no statistic can split
-/// them.
+/// An effect has a twin if the readings that it makes are explained by another nearly as well, sigma: no statistic can split them.
+/// In the full model less than the first; effects further apart by their slopes than the second are not looked at.
 const TWINS: f64 = 1.0;
+const NEARLY_TWINS: f64 = 2.0;
 /// Refinements of the wing that is measured over that of the model.
 const MESHES: [f64; 3] = [1.2, 1.3, 0.85];
 
@@ -50,10 +50,21 @@ pub fn recipe(
         }
         Kind::Twin => {
             let first = pick(&blind.outlook.plan.effects, draws, 0, &|effect| {
-                may(effect) && has_twin(effect, target(blind, draws, 0))
+                may(effect) && has_twin(effect, target(blind, draws, 0).min(effect.detectability))
             })
             .ok_or(none("no two effects look alike"))?;
-            recipe.hidden = vec![hidden(blind, first, draws, 0)?];
+            let hidden = hidden(blind, first, draws, 0)?;
+            if let Some(spot) = Spot::of(&blind.campaign, &hidden) {
+                let apart = twin::apart(blind, spot, hidden.strength, progress)?;
+                if apart > TWINS {
+                    return Err(BlindError::NoTwin {
+                        effect: hidden.name,
+                        strength: hidden.strength,
+                        apart,
+                    });
+                }
+            }
+            recipe.hidden = vec![hidden];
         }
         Kind::Pair => {
             let reason = "fewer than two families would be seen";
@@ -86,7 +97,7 @@ fn has_twin(effect: &PlannedEffect, seen: f64) -> bool {
     effect
         .confused_with
         .iter()
-        .any(|other| apart(other.cosine) < TWINS)
+        .any(|other| apart(other.cosine) < NEARLY_TWINS)
 }
 
 /// Detectability that is drawn for a hidden effect, sigma.

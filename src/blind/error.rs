@@ -25,6 +25,16 @@ pub enum BlindError {
         /// Distance at which it is seen, sigma.
         seen: f64,
     },
+    /// A drawn effect can be told from every other after all.
+    #[error("{effect} at {strength} is {apart:.1} sigma apart from every other effect: no twin")]
+    NoTwin {
+        /// The effect.
+        effect: String,
+        /// Its strength.
+        strength: f64,
+        /// Distance to the nearest effect of another family, sigma.
+        apart: f64,
+    },
     /// The study has no solution.
     #[error(transparent)]
     Study(#[from] StudyError),

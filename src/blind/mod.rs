@@ -20,6 +20,7 @@ pub mod outcome;
 
 pub mod scoreboard;
 pub mod spot;
+pub mod twin;
 
 pub use distance::Turned;
 pub use error::BlindError;
@@ -42,7 +43,7 @@ use crate::synthesize::{Recipe, Synthetic, synthesize};
 use distance::turned;
 
 /// Draws for a case before it counts as failed.
-const DRAWS: u64 = 6;
+const DRAWS: u64 = 12;
 
 /// Kinds of cases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]

@@ -37,13 +37,15 @@ pub struct Outcome {
     pub probability: f64,
     /// Whether the truth is in the 95 % set.
     pub in_set: bool,
-    /// Names in the set.
+    /// Hypotheses in the set.
     pub set_size: usize,
+    /// Different names among these: an effect with another that may or may not be there counts as itself.
+    pub names_in_set: usize,
     /// Misfit over the numbers: Q less the numbers, in sigma.
     pub misfit_sigma: f64,
     /// Relative error of the strength, and its distance in standard errors, where the formula was the same.
     pub strength_error: Option<[f64; 2]>,
-    /// Error on held-out cases: calibrated, with the best explanation, of the noise.
+    /// Root mean square error of all held-out numbers, sigma: calibrated, with the best explanation, of the noise.
     pub held_out: Option<[f64; 3]>,
     /// What simpler methods name.
     pub simpler: Simpler,
@@ -125,11 +127,11 @@ pub fn judge(
         said.ladder
             .iter()
             .find(|rung| rung.name == name)
-            .and_then(|rung| rung.held_out)
+            .and_then(|rung| rung.held_out_sigma)
     };
     let explained = said.ladder.iter().rev().find(|rung| rung.name.starts_with('+'));
     let held_out = rungs("calibrated")
-        .zip(explained.and_then(|rung| rung.held_out))
+        .zip(explained.and_then(|rung| rung.held_out_sigma))
         .zip(rungs("noise"))
         .map(|((before, after), noise)| [before, after, noise]);
     let numbers = said.noise.numbers as f64;
@@ -147,6 +149,7 @@ pub fn judge(
         in_set: (kind == Kind::Novel && said.verdict == Verdict::Novel)
             || set.any(|hypothesis| is_truth(kind, answer, hypothesis)),
         set_size: set_size(said),
+        names_in_set: names_in_set(said),
         misfit_sigma: (said.misfit.q - numbers).max(0.0).sqrt(),
         strength_error: strength_error(answer, first),
         held_out,
@@ -179,6 +182,21 @@ pub fn set_size(said: &Diagnosis) -> usize {
         .iter()
         .filter(|hypothesis| hypothesis.in_set)
         .count()
+}
+
+/// What the hypotheses in the 95 % set show: families, alone or two together, nothing, and novel.
+fn names_in_set(said: &Diagnosis) -> usize {
+    let set = said.hypotheses.iter().filter(|hypothesis| hypothesis.in_set);
+    let mut names: Vec<&[String]> = set
+        .map(|hypothesis| match &hypothesis.families[..] {
+            [] => &hypothesis.effects[..],
+            [first, _] if !hypothesis.is_shown => std::slice::from_ref(first),
+            all => all,
+        })
+        .collect();
+    names.sort_unstable();
+    names.dedup();
+    names.len()
 }
 
 fn strength_error(answer: &Answer, first: Option<&Hypothesis>) -> Option<[f64; 2]> {

@@ -112,6 +112,7 @@ pub fn scoreboard(outcomes: &[Outcome], failed: &[Failed], turned: &[Turned]) ->
     let falls: Vec<[f64; 3]> = right.iter().filter_map(|o| o.held_out).collect();
     let errors: Vec<[f64; 2]> = right.iter().filter_map(|o| o.strength_error).collect();
     let sizes = seen(Kind::Single).map(|o| o.set_size as f64);
+    let names = seen(Kind::Single).map(|o| o.names_in_set as f64);
     let known = outcomes
         .iter()
         .filter(|o| o.is_alarm() && matches!(o.kind, Kind::Single | Kind::Pair | Kind::Twin));
@@ -153,7 +154,8 @@ pub fn scoreboard(outcomes: &[Outcome], failed: &[Failed], turned: &[Turned]) ->
             seen(Kind::Single),
             |o| o.in_set,
         ),
-        mean("one effect: names in the set", "<= 2.5", sizes.collect()),
+        mean("one effect: names in the set", "<= 2.5", names.collect()),
+        mean("one effect: hypotheses in the set", "", sizes.collect()),
         share(
             "two effects: one of them right, where seen",
             ">= 85 %",

@@ -73,7 +73,7 @@ pub struct TryBlind {
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
     /// How well the hidden effects could be seen, sigma: strengths are drawn evenly from this range
-    #[arg(long, value_name = "LOW..HIGH", default_value = "5..15", value_parser = sigmas)]
+    #[arg(long, value_name = "LOW..HIGH", default_value = "5..25", value_parser = sigmas)]
     pub detectability: Sigmas,
     /// Change a key in every design of the study; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]
@@ -269,7 +269,7 @@ fn sigmas(word: &str) -> Result<Sigmas, String> {
         .and_then(|(low, high)| Some([low.trim().parse().ok()?, high.trim().parse().ok()?]));
     match ends {
         Some([low, high]) if 1.0 <= low && low < high && high <= 1000.0 => Ok(Sigmas([low, high])),
-        _ => Err("give two numbers from 1 to 1000, the smaller first, as 5..15".to_string()),
+        _ => Err("give two numbers from 1 to 1000, the smaller first, as 5..25".to_string()),
     }
 }
 

@@ -12,7 +12,7 @@ use super::evidence::Likelihood;
 use super::fields::{Field, Law, fields};
 use super::novel::seen;
 use super::null::{NullTest, Scale, Significance};
-use super::refit::Explanation;
+use super::refit::{Explanation, Refits};
 use super::robust::outlier_widening;
 use super::rough::{FEWEST, Smooth};
 use super::screening::{Directions, Slopes, is_one_sided, slopes_of_missing};
@@ -205,6 +205,19 @@ impl<'a> Baseline<'a> {
             local,
             whitened,
         }))
+    }
+
+    /// What fits with effects start from; `footing`: what the model left at the fit.
+    pub fn refits<'b>(&'b self, footing: Option<&'b Footing>) -> Refits<'b> {
+        Refits {
+            forward: self.forward,
+            data: &self.data,
+            scatter: &self.scatter,
+            baseline: &self.fit,
+            slopes: &self.slopes,
+            footing,
+            likelihood: self.likelihood,
+        }
     }
 
     /// Whether the scale of the noise is taken on trust, for want of numbers.

@@ -132,20 +132,21 @@ impl Judgement {
         }
         let (a, b) = (self.trial(trial_a).members[0], self.trial(trial_b).members[0]);
         let directions = &baseline.directions;
-        let (stronger, other) = if directions.scores[a].abs() >= directions.scores[b].abs() {
-            (a, b)
-        } else {
-            (b, a)
+        let score = |k: usize| directions.scores[k].abs();
+        // an effect of one sign that would need the other explains nothing of what moves the data
+        let is_possible = |k: usize| {
+            let unknown = &baseline.forward.unknowns()[baseline.data.missing[k]];
+            directions.scores[k] > 0.0 || !is_one_sided(unknown)
         };
-        let unknown = &baseline.forward.unknowns()[baseline.data.missing[other]];
-        let cosine = directions.cosine(a, b);
-        let is_wrong_sign = is_one_sided(unknown) && cosine * directions.scores[stronger] < 0.0;
-        let apart = if is_wrong_sign {
-            1.0
-        } else {
-            (1.0 - cosine * cosine).max(0.0).sqrt()
-        };
-        directions.scores[stronger].abs() * apart
+        match (is_possible(a), is_possible(b)) {
+            (true, true) => {
+                let cosine = directions.cosine(a, b);
+                score(a).max(score(b)) * (1.0 - cosine * cosine).max(0.0).sqrt()
+            }
+            (true, false) => score(a),
+            (false, true) => score(b),
+            (false, false) => score(a).max(score(b)),
+        }
     }
 }
 
@@ -173,13 +174,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
     let significance = baseline.significance(&baseline.whitened, &baseline.directions);
     let is_null = significance.p_null > settings.significance;
     let families = families(forward, data, &baseline.directions.lengths);
-    let scales = Scales {
-        forward,
-        data,
-        directions: &baseline.directions,
-        likelihood: baseline.likelihood,
-        q0: baseline.whitened.q(),
-    };
+    let scales = Scales::of(baseline);
     let singles = scales.singles(&families, settings.prior.one);
     let pairs = scales.pairs(&families, settings.prior.two);
     let ln_nothing = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
@@ -210,15 +205,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         is_novel: false,
     };
     let footing = baseline.footing.as_ref().map(Footing::for_trials);
-    let refits = Refits {
-        forward,
-        data,
-        scatter: &baseline.scatter,
-        baseline: &baseline.fit,
-        slopes: &baseline.slopes,
-        footing: footing.as_ref(),
-        likelihood: baseline.likelihood,
-    };
+    let refits = baseline.refits(footing.as_ref());
     let count = if is_null {
         2.min(settings.refits)
     } else {

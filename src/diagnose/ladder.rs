@@ -27,6 +27,8 @@ pub struct Rung {
     pub left_out: Option<f64>,
     /// The same for held-out cases.
     pub held_out: Option<f64>,
+    /// Root mean square error of all channels of held-out cases, each number in its stated standard deviation.
+    pub held_out_sigma: Option<f64>,
 }
 
 /// The rungs; `explanations` are fitted with more and more effects, each with its name.
@@ -37,6 +39,13 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
         let errors = rows.iter().filter_map(|&row| {
             let observable = &forward.observables()[row];
             (observable.channel == channel).then(|| misfit(observable, predicted[row]))
+        });
+        root_mean_square(errors.collect())
+    };
+    let in_sigmas = |predicted: &DVector<f64>| {
+        let errors = data.held_out.iter().map(|&row| {
+            let observable = &forward.observables()[row];
+            misfit(observable, predicted[row]) / observable.sigma
         });
         root_mean_square(errors.collect())
     };
@@ -69,6 +78,7 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
         in_sample: rms(&data.rows, predicted).unwrap_or(0.0),
         left_out: local.and_then(left_out),
         held_out: rms(&data.held_out, predicted),
+        held_out_sigma: in_sigmas(predicted),
     };
     let mut rungs = vec![
         rung("raw", &baseline.raw, None),
@@ -97,6 +107,7 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
         in_sample: noise(&data.rows).unwrap_or(0.0),
         left_out: noise(&data.rows),
         held_out: noise(&data.held_out),
+        held_out_sigma: (!data.held_out.is_empty()).then_some(baseline.scatter.scale),
     });
     rungs
 }

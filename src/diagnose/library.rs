@@ -2,6 +2,7 @@
 
 use crate::study::Forward;
 
+use super::baseline::Baseline;
 use super::data::Data;
 use super::evidence::{Likelihood, LinearEvidence, of_one, of_two};
 use super::screening::{Directions, effect_of, is_one_sided, place_of};
@@ -90,7 +91,18 @@ pub struct Scales<'a> {
     pub q0: f64,
 }
 
-impl Scales<'_> {
+impl<'a> Scales<'a> {
+    /// About the fit of a model.
+    pub fn of(baseline: &'a Baseline) -> Scales<'a> {
+        Scales {
+            forward: baseline.forward,
+            data: &baseline.data,
+            directions: &baseline.directions,
+            likelihood: baseline.likelihood,
+            q0: baseline.whitened.q(),
+        }
+    }
+
     /// Evidence of one effect.
     pub fn one(&self, k: usize) -> LinearEvidence {
         let directions = self.directions;

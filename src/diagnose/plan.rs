@@ -10,7 +10,9 @@ use crate::study::Forward;
 use super::data::{Data, Scatter, start};
 use super::error::DiagnoseError;
 use super::posterior::SEPARATE;
-use super::screening::{Directions, ENOUGH_POWER, Slopes, effect_of, family_wise, slopes_of_missing};
+use super::screening::{
+    Directions, ENOUGH_POWER, Slopes, effect_of, family_wise, is_one_sided, slopes_of_missing,
+};
 use super::settings::Settings;
 use super::verdict::LookAlike;
 use super::whitened::{Local, Whitened};
@@ -163,13 +165,20 @@ impl Outlook {
     pub fn apart(&self, forward: &dyn Forward, readings: &DVector<f64>, family: &str) -> f64 {
         let seen = self.seen(&(readings - &self.predicted));
         let directions = &self.directions;
+        let unknown = |k: usize| &forward.unknowns()[self.data.missing[k]];
         let others = (0..self.data.missing.len()).filter(|&k| {
-            effect_of(&forward.unknowns()[self.data.missing[k]])
-                .is_some_and(|(_, other, _, _)| other != family)
+            effect_of(unknown(k)).is_some_and(|(_, other, _, _)| other != family)
                 && directions.lengths[k] > 0.0
         });
-        let along = others.map(|k| seen.dot(&directions.columns.column(k)) / directions.lengths[k]);
-        let nearest = along.map(|dot| dot * dot).fold(0.0, f64::max);
+        let along = others.map(|k| {
+            let along = seen.dot(&directions.columns.column(k)) / directions.lengths[k];
+            if is_one_sided(unknown(k)) {
+                along.max(0.0)
+            } else {
+                along
+            }
+        });
+        let nearest = along.map(|along| along * along).fold(0.0, f64::max);
         (seen.norm_squared() - nearest).max(0.0).sqrt()
     }
 
@@ -181,8 +190,9 @@ impl Outlook {
 }
 
 fn confused(forward: &dyn Forward, data: &Data, directions: &Directions, k: usize) -> Vec<LookAlike> {
-    let of = |j: usize| effect_of(&forward.unknowns()[data.missing[j]]);
-    let (Some((_, family, scale, _)), sigma) = (of(k), forward.unknowns()[data.missing[k]].sigma) else {
+    let unknown = |j: usize| &forward.unknowns()[data.missing[j]];
+    let of = |j: usize| effect_of(unknown(j));
+    let (Some((_, family, scale, _)), sigma) = (of(k), unknown(k).sigma) else {
         return Vec::new();
     };
     let distance = scale / sigma * directions.lengths[k];
@@ -191,12 +201,13 @@ fn confused(forward: &dyn Forward, data: &Data, directions: &Directions, k: usiz
             let (effect, other, _, _) = of(j)?;
             let cosine = directions.cosine(k, j);
             let separation_sigma = distance * (1.0 - cosine * cosine).max(0.0).sqrt();
-            (other != family && directions.lengths[j] > 0.0 && separation_sigma < SEPARATE).then(|| {
-                LookAlike {
-                    effect: effect.to_string(),
-                    cosine,
-                    separation_sigma,
-                }
+            // of two effects of one sign, those that move the data oppositely are not alike
+            let may = cosine > 0.0 || !is_one_sided(unknown(k)) || !is_one_sided(unknown(j));
+            let is_seen = directions.lengths[j] > 0.0;
+            (other != family && may && is_seen && separation_sigma < SEPARATE).then(|| LookAlike {
+                effect: effect.to_string(),
+                cosine,
+                separation_sigma,
             })
         })
         .collect();

@@ -6,7 +6,7 @@ use super::baseline::Baseline;
 use super::held_out::{by_condition, by_wing, ln_density};
 use super::judge::Judgement;
 use super::posterior::{Belief, Case};
-use super::screening::{ENOUGH_POWER, effect_of, family_wise, place_of};
+use super::screening::{ENOUGH_POWER, effect_of, family_wise, is_one_sided, place_of};
 use super::verdict::{EffectRow, Hypothesis, LookAlike, PlaceFound, Strength};
 
 /// Strengths beyond this many scales get no name, whatever their probability.
@@ -230,9 +230,15 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
     rows
 }
 
-/// Members of other families whose direction is nearest, the nearest of each.
+/// Members of other families whose direction is nearest, the nearest of each, if they may have the sign that takes.
 fn look_alikes(baseline: &Baseline, judgement: &Judgement, k: usize) -> Vec<LookAlike> {
     let directions = &baseline.directions;
+    let is_one_sided = |k: usize| is_one_sided(unknown(baseline, k));
+    let sign = if is_one_sided(k) {
+        1.0
+    } else {
+        directions.scores[k].signum()
+    };
     let mut found: Vec<(usize, f64)> = judgement
         .families
         .iter()
@@ -242,6 +248,7 @@ fn look_alikes(baseline: &Baseline, judgement: &Judgement, k: usize) -> Vec<Look
             let near = family
                 .members
                 .iter()
+                .filter(|&&j| !is_one_sided(j) || sign * cosine(j) > 0.0)
                 .max_by(|&&a, &&b| cosine(a).abs().total_cmp(&cosine(b).abs()))?;
             Some((*near, cosine(*near)))
         })

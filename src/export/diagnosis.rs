@@ -267,6 +267,7 @@ pub fn ladder(rungs: &[Rung]) -> String {
         "held_out",
         "unit",
         "chi2_all",
+        "held_out_sigma",
     ]);
     for rung in rungs {
         let shown = |value: Option<f64>| value.map_or(String::new(), |value| significant(value, 3));
@@ -278,6 +279,7 @@ pub fn ladder(rungs: &[Rung]) -> String {
             shown(rung.held_out),
             rung.channel.unit().to_string(),
             shown(rung.chi_square_per_number),
+            shown(rung.held_out_sigma),
         ]);
     }
     table.render()

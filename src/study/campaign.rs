@@ -158,18 +158,32 @@ impl Campaign {
         for (case, (_, read)) in cases.iter_mut().zip(rows()) {
             case.rows = read.rows.clone();
         }
-        Some(Campaign {
+        Some(self.read_anew(cases, read))
+    }
+
+    /// The same campaign with these values of all observables.
+    pub fn with_values(&self, values: &DVector<f64>) -> Campaign {
+        let told = |(observable, &value): (&Observable, &f64)| Observable {
+            value,
+            ..observable.clone()
+        };
+        let told = self.observables.iter().zip(values.iter()).map(told).collect();
+        self.read_anew(self.cases.clone(), told)
+    }
+
+    fn read_anew(&self, cases: Vec<PreparedCase>, observables: Vec<Observable>) -> Campaign {
+        Campaign {
             name: self.name.clone(),
             slop: self.slop,
             skipped: self.skipped.clone(),
             cases,
             targets: self.targets.clone(),
-            observables: read,
+            observables,
             conditions: self.conditions.clone(),
             progress: self.progress.unseen(),
             asked: AtomicUsize::new(0),
             tally: Tally::default(),
-        })
+        }
     }
 
     /// Values with which the unknowns start.

@@ -278,6 +278,7 @@ fn ladder(document: &Document, study: &str, found: &Diagnosis) -> Result<String,
         "held out",
         "unit",
         "χ² per number, all channels",
+        "held out, all channels, σ",
     ];
     let mut table = HtmlTable::new(&heads);
     for (index, rung) in found.ladder.iter().enumerate() {
@@ -290,6 +291,7 @@ fn ladder(document: &Document, study: &str, found: &Diagnosis) -> Result<String,
             at("held_out"),
             Shown::text(rung.channel.unit()),
             at("chi_square_per_number"),
+            at("held_out_sigma"),
         ]);
     }
     html.push_str(&table.html());
