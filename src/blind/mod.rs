@@ -19,7 +19,9 @@ pub mod novel;
 pub mod outcome;
 
 pub mod scoreboard;
+
 pub mod spot;
+
 pub mod twin;
 
 pub use distance::Turned;

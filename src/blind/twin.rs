@@ -6,10 +6,11 @@ use crate::diagnose::baseline::Baseline;
 use crate::diagnose::library::{Scales, families, heaviest};
 use crate::diagnose::refit::Explanation;
 use crate::diagnose::screening::effect_of;
+use crate::progress::Progress;
 use crate::study::{Footing, Forward};
 
 use super::spot::Spot;
-use super::{Blind, BlindError, Progress};
+use super::{Blind, BlindError};
 
 /// Other families that are fitted, the best of the linear model first.
 const FITTED: usize = 3;

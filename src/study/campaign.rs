@@ -163,11 +163,10 @@ impl Campaign {
 
     /// The same campaign with these values of all observables.
     pub fn with_values(&self, values: &DVector<f64>) -> Campaign {
-        let told = |(observable, &value): (&Observable, &f64)| Observable {
-            value,
-            ..observable.clone()
-        };
-        let told = self.observables.iter().zip(values.iter()).map(told).collect();
+        let mut told = self.observables.clone();
+        for (observable, value) in told.iter_mut().zip(values.iter()) {
+            observable.value = *value;
+        }
         self.read_anew(self.cases.clone(), told)
     }
 

@@ -48,7 +48,7 @@ pub fn campaign(folder: &Path, stations: &[u32]) {
     fs::write(folder.join("study.toml"), study).unwrap();
 }
 
-fn json(said: &Said) -> serde_json::Value {
+pub fn json(said: &Said) -> serde_json::Value {
     assert_eq!(said.code, Some(0), "{}", said.err);
     serde_json::from_str(&said.out).unwrap()
 }

@@ -1,5 +1,6 @@
 //! The program as its user meets it: words, exit codes, documents, files.
 
+mod alike;
 mod bench;
 
 mod compare;

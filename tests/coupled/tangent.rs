@@ -9,6 +9,19 @@ use washout::structure::Equilibrium;
 
 use crate::support::{Noise, shipped};
 
+/// Random forces all over the wing, even ones and ones in waves.
+fn loads(wing: &Wing, equilibrium: &Equilibrium, noise: &mut Noise) -> Vec<f64> {
+    let (a, b) = (noise.vector(), noise.vector());
+    let mut loads = vec![0.0; equilibrium.held().len()];
+    for (node, x) in wing.model.nodes.iter().enumerate() {
+        let at = equilibrium.pattern.freedom(node, 0);
+        for k in 0..3 {
+            loads[at + k] = a[k] + b[k] * (60.0 * x.x + 90.0 * x.y).sin();
+        }
+    }
+    loads
+}
+
 /// Largest error of the coupled tangent in random directions x, which are answers to loads all over the wing: the
 /// difference (F(u + h x) − F(u − h x))/2h, put through (K − A S)⁻¹, must give x back. Measured as a displacement, because
 /// forces along the rod drown in the rounding of its length.
@@ -23,15 +36,7 @@ fn tangent_error(name: &str, refine: &str, move_m: f64) -> f64 {
     let mut worst = 0.0_f64;
     let mut known = Recycled::new();
     for seed in 0..4 {
-        let mut noise = Noise(seed);
-        let (a, b) = (noise.vector(), noise.vector());
-        let mut right = vec![0.0; equilibrium.held().len()];
-        for (node, x) in wing.model.nodes.iter().enumerate() {
-            let at = equilibrium.pattern.freedom(node, 0);
-            for k in 0..3 {
-                right[at + k] = a[k] + b[k] * (60.0 * x.x + 90.0 * x.y).sin();
-            }
-        }
+        let right = loads(&wing, &equilibrium, &mut Noise(seed));
         let x = Feedback::new(&wing, &mut equilibrium, &shapes)
             .solve(&right, EXACT, &mut known)
             .unwrap();
@@ -83,18 +88,7 @@ fn what_solves_before_have_told_spares_work_and_changes_no_digit_that_counts() {
         })
         .collect();
     let mut noise = Noise(7);
-    let mut right = || -> Vec<f64> {
-        let (a, b) = (noise.vector(), noise.vector());
-        let mut right = vec![0.0; equilibrium.held().len()];
-        for (node, x) in wing.model.nodes.iter().enumerate() {
-            let at = equilibrium.pattern.freedom(node, 0);
-            for k in 0..3 {
-                right[at + k] = a[k] + b[k] * (60.0 * x.x + 90.0 * x.y).sin();
-            }
-        }
-        right
-    };
-    let rights = [right(), right(), right()];
+    let rights = [(); 3].map(|()| loads(&wing, &equilibrium, &mut noise));
     let mut kept = Recycled::new();
     for (shapes, right, change) in [
         (&shapes, &rights[0], false),

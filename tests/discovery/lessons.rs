@@ -78,6 +78,10 @@ fn a_planted_effect_is_named_with_its_strength_and_the_held_out_error_falls() {
     };
     assert!(rung("+").held_out < rung("calibrated").held_out);
     assert!(rung("+").left_out < rung("calibrated").left_out);
+    // of all channels in sigma: down to what the noise has
+    let in_sigma = |name: &str| rung(name).held_out_sigma.expect("held-out cases");
+    assert!(in_sigma("+") < in_sigma("calibrated"));
+    assert!(in_sigma("+") < 1.5 * in_sigma("noise") && (in_sigma("noise") - 1.0).abs() < 0.3);
 }
 
 #[test]
