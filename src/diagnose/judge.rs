@@ -10,10 +10,10 @@ use super::library::{Family, Scales, Trial, families, heaviest};
 use super::novel::{Weighed, weigh};
 use super::null::Significance;
 use super::pairs::refit_pairs;
-use super::posterior::Belief;
+use super::posterior::{Belief, Case};
 use super::refit::{Explanation, Refits};
 use super::screening::is_one_sided;
-use super::second_look::second_look;
+use super::second_look::{HALF, HALF_AND_WHOLE, second_look};
 
 /// Explanations this much below the best in ln(prior × evidence) of the linear model are not fitted anew.
 const HOPELESS: f64 = 25.0;
@@ -56,6 +56,13 @@ impl Judgement {
         let level = baseline.settings.significance;
         self.after_best
             .is_some_and(|left| left.p_null < level || left.p_largest_score.max(left.p_signs) < level)
+    }
+
+    /// Whether it may be that nothing is missing, by the probabilities: a test that asks for nothing in particular may pass what no
+    /// hypothesis of nothing explains.
+    pub fn believes_nothing(&self, baseline: &Baseline) -> bool {
+        let mut nothing = self.beliefs.iter().filter(|belief| belief.case == Case::Nothing);
+        nothing.any(|belief| belief.probability >= baseline.settings.significance)
     }
 
     /// The trial of that index: singles, then pairs.
@@ -105,6 +112,9 @@ impl Judgement {
 
     /// The heaviest trial of `families` and, if it was fitted anew, its explanation.
     pub fn best_of(&self, families: &[usize]) -> Option<(usize, Option<&Explanation>)> {
+        // trials have theirs in ascending order
+        let mut families = families.to_vec();
+        families.sort_unstable();
         let count = self.singles.len() + self.pairs.len();
         let own = (0..count).filter(|&index| self.trial(index).families == families);
         let weight = |index: usize| self.weight(index);
@@ -213,12 +223,15 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
     };
     refit_singles(&mut judgement, &refits, count, progress)?;
     if !is_null {
-        second_look(&mut judgement, baseline, &refits, progress)?;
+        second_look(&mut judgement, baseline, &refits, &HALF, progress)?;
         refit_pairs(&mut judgement, baseline, &refits, progress)?;
     }
     conclude(&mut judgement, baseline, ln_nothing);
     if !is_null {
         gate(&mut judgement, baseline)?;
+    } else if !judgement.believes_nothing(baseline) {
+        second_look(&mut judgement, baseline, &refits, &HALF_AND_WHOLE, progress)?;
+        conclude(&mut judgement, baseline, ln_nothing);
     }
     Ok(judgement)
 }

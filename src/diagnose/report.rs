@@ -143,7 +143,8 @@ fn verdict(
         let could_see = effects.iter().any(|row| row.power >= ENOUGH_POWER);
         let (found, level) = (&judgement.significance, baseline.settings.significance);
         let misses_with_few = are_few(baseline.data.rows.len(), level) && found.p_misfit < level;
-        return if could_see && !misses_with_few && !found.stands_on_few(level) {
+        let is_believed = judgement.believes_nothing(baseline);
+        return if could_see && is_believed && !misses_with_few && !found.stands_on_few(level) {
             Verdict::Nothing
         } else {
             Verdict::Undecidable

@@ -6,7 +6,7 @@ use super::baseline::Baseline;
 use super::held_out::{by_condition, by_wing, ln_density};
 use super::judge::Judgement;
 use super::posterior::{Belief, Case};
-use super::screening::{ENOUGH_POWER, effect_of, family_wise, is_one_sided, place_of};
+use super::screening::{ENOUGH_POWER, Sight, effect_of, family_wise, is_one_sided, place_of};
 use super::verdict::{EffectRow, Hypothesis, LookAlike, PlaceFound, Strength};
 
 /// Strengths beyond this many scales get no name, whatever their probability.
@@ -54,7 +54,14 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -
     if let Some((index, explanation)) = found.filter(|_| !families.is_empty()) {
         let trial = judgement.trial(index);
         let members = explanation.map_or(&trial.members, |explanation| &explanation.members);
-        for (position, &k) in members.iter().enumerate() {
+        // in the order of the families: first what the data show
+        let family_of = |k: usize| {
+            let has = |&family: &usize| judgement.families[family].members.contains(&k);
+            families.iter().position(has)
+        };
+        let mut ordered: Vec<(usize, usize)> = members.iter().copied().enumerate().collect();
+        ordered.sort_by_key(|&(_, k)| family_of(k));
+        for (position, k) in ordered {
             let own = unknown(baseline, k);
             let linear = trial.linear.estimate.get(position).copied().unwrap_or(0.0);
             let value = explanation.map_or(linear * own.sigma, |e| e.strength[position]);
@@ -196,6 +203,7 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
         let one_step_error = if length > 0.0 { 1.0 / length } else { f64::MAX };
         let refitted = refit.map(|e| e.strength[0]);
         let refitted_error = refit.map(|e| e.standard_error[0]);
+        let ln_evidence = single.map_or(0.0, |index| judgement.ln_evidence[index] - base);
         let row = EffectRow {
             effect: effect.to_string(),
             family: family.to_string(),
@@ -214,8 +222,14 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
             ),
             detectability: scale * length,
             power: directions.power(k, own, significance),
-            sight: directions.sight(k, own, significance),
-            ln_evidence: single.map_or(0.0, |index| judgement.ln_evidence[index] - base),
+            // what a fit finds is there, whatever the derivative at zero says of it
+            sight: match refit {
+                Some(fit) if ln_evidence > 0.0 && fit.strength[0].abs() > NEAR * fit.standard_error[0] => {
+                    Sight::Present
+                }
+                _ => directions.sight(k, own, significance),
+            },
+            ln_evidence,
             probability: family_index.map_or(0.0, |f| probability(judgement, &Case::One(f))),
             place: place(baseline, k, refit.and_then(|e| e.places[0])),
             look_alikes: look_alikes(baseline, judgement, k),
@@ -265,14 +279,14 @@ fn look_alikes(baseline: &Baseline, judgement: &Judgement, k: usize) -> Vec<Look
         .collect()
 }
 
-/// Effects of which no member could have been seen.
+/// Effects that could not have been seen, wherever they sit.
 pub fn unseen(effects: &[EffectRow]) -> Vec<String> {
     let mut unseen: Vec<String> = Vec::new();
     for row in effects {
-        let family_is_seen = effects
+        let is_seen = effects
             .iter()
-            .any(|other| other.family == row.family && other.power >= ENOUGH_POWER);
-        if !family_is_seen && !unseen.contains(&row.effect) {
+            .any(|other| other.effect == row.effect && other.power >= ENOUGH_POWER);
+        if !is_seen && !unseen.contains(&row.effect) {
             unseen.push(row.effect.clone());
         }
     }

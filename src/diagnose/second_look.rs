@@ -15,14 +15,16 @@ use super::judge::Judgement;
 use super::refit::Refits;
 use super::screening::{Directions, effect_of};
 
-/// The step, as a share of the plausible size.
-const STEP: f64 = 0.5;
+/// Steps, as shares of the plausible size.
+pub const HALF: [f64; 2] = [0.5, -0.5];
+/// The same with whole ones: an effect may be there or not, and nothing between.
+pub const HALF_AND_WHOLE: [f64; 4] = [0.5, -0.5, 1.0, -1.0];
 /// An effect that was fitted explains the data if its misfit is within this many standard deviations of the expected one.
 const CONTENT: f64 = 4.0;
 /// Effects that are fitted after it.
 const REFITS: usize = 4;
 
-/// Fits those that deserve it by a step of a plausible size, if none that was fitted explains the data.
+/// Fits those that deserve it by `steps` (shares of a plausible size), if none that was fitted explains the data.
 ///
 /// # Errors
 /// If the user asked to stop.
@@ -30,6 +32,7 @@ pub fn second_look(
     judgement: &mut Judgement,
     baseline: &Baseline,
     refits: &Refits,
+    steps: &[f64],
     progress: &Progress,
 ) -> Result<(), DiagnoseError> {
     let numbers = baseline.likelihood.numbers as f64;
@@ -52,9 +55,9 @@ pub fn second_look(
         .map(|&index| judgement.singles[index].members[0])
         .collect();
     let mut ranked: Vec<(f64, usize, f64)> = Vec::new();
-    for sign in [1.0, -1.0] {
+    for &step in steps {
         // an effect may answer otherwise to a step than its derivative says, in either direction
-        let slopes = steps(baseline, &baseline.fit, &members, sign, progress)?;
+        let slopes = stepped(baseline, &baseline.fit, &members, step, progress)?;
         let directions = Directions::new(data, &slopes, &baseline.whitened);
         for &index in &tried {
             let trial = &judgement.singles[index];
@@ -62,7 +65,11 @@ pub fn second_look(
             let dot = directions.scores[k] * directions.lengths[k];
             let q0 = baseline.whitened.q();
             let found = of_one(baseline.likelihood, q0, directions.gram[(k, k)], dot, true);
-            ranked.push((trial.ln_prior + found.ln_gain, index, sign * found.estimate[0]));
+            ranked.push((
+                trial.ln_prior + found.ln_gain,
+                index,
+                step.signum() * found.estimate[0],
+            ));
         }
     }
     ranked.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(b.2.total_cmp(&a.2)));
@@ -83,14 +90,14 @@ pub fn second_look(
     Ok(())
 }
 
-/// How all observables answer to steps of a plausible size of the effects `members` about a fit, up or down, per prior standard
+/// How all observables answer to steps of the effects `members` about a fit, by a `share` of their plausible size, per prior standard
 /// deviation of the step's length (observables × missing effects; zero for all others, for steps down of what has one sign, and where the
 /// model has no solution).
-fn steps(
+fn stepped(
     baseline: &Baseline,
     fit: &Fit,
     members: &[usize],
-    sign: f64,
+    share: f64,
     progress: &Progress,
 ) -> Result<DMatrix<f64>, DiagnoseError> {
     let (forward, data) = (baseline.forward, &baseline.data);
@@ -102,13 +109,13 @@ fn steps(
         let Some((name, _, scale, one_sided)) = effect_of(&unknowns[unknown]) else {
             continue;
         };
-        if one_sided && sign < 0.0 {
+        if one_sided && share < 0.0 {
             continue;
         }
         progress.check()?;
         progress.say(format_args!("a second look at {name}"));
         let [low, high] = unknowns[unknown].range;
-        let step = (fit.at[unknown] + sign * STEP * scale).clamp(low, high) - fit.at[unknown];
+        let step = (fit.at[unknown] + share * scale).clamp(low, high) - fit.at[unknown];
         if step == 0.0 {
             continue;
         }
@@ -118,8 +125,8 @@ fn steps(
         let Ok((Linear { value: moved, .. }, _)) = there else {
             continue;
         };
-        let share = unknowns[unknown].sigma / step.abs();
-        slopes.set_column(member, &((moved - &fit.predicted) * share));
+        let per_sigma = unknowns[unknown].sigma / step.abs();
+        slopes.set_column(member, &((moved - &fit.predicted) * per_sigma));
     }
     for row in data.kept_bounds(forward, &fit.predicted) {
         slopes.row_mut(row).fill(0.0);

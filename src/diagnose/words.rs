@@ -37,8 +37,19 @@ pub fn sentence(diagnosis: &Diagnosis, level: f64) -> String {
              size make such a one by chance with probability {:.2}. If it is real, {} explains it best; more readings, above all \
              repeats of those that miss most, would tell.",
             diagnosis.significance.p_null,
-            known.map_or("none that is known".to_string(), |known| known.effects.join(" with "))
+            known.map_or("none that is known".to_string(), name)
         ),
+        (Verdict::Undecidable, _)
+            if diagnosis.significance.p_null > level && diagnosis.p_nothing < level =>
+        {
+            let first = diagnosis.hypotheses.iter().find(|h| !h.effects.is_empty());
+            format!(
+                "These data do not decide whether something is missing: a misfit like this arises by chance with probability {:.2}, but \
+                 {} explains it far better than nothing does; more readings, above all of what misses most, would tell.",
+                diagnosis.significance.p_null,
+                first.map_or("none that is known".to_string(), name)
+            )
+        }
         (Verdict::Undecidable, _) if diagnosis.significance.p_null > level => {
             "These data show nothing missing, but could not have shown any known effect of plausible size: measure \
              more conditions, more stations, or with less noise."
@@ -170,17 +181,22 @@ fn novel(diagnosis: &Diagnosis) -> String {
     format!("Something is missing that no known effect explains: {what}{nearest}.")
 }
 
+/// The effects of a hypothesis, or that it is none that is known.
+fn name(hypothesis: &Hypothesis) -> String {
+    if hypothesis.families.is_empty() {
+        return "none that is known".into();
+    }
+    hypothesis.effects.join(" with ")
+}
+
 fn names_in_set(diagnosis: &Diagnosis) -> Vec<String> {
     diagnosis
         .hypotheses
         .iter()
         .filter(|h| h.in_set && h.is_shown)
-        .map(|h| {
-            if h.effects.is_empty() {
-                "nothing after all".into()
-            } else {
-                h.effects.join(" with ")
-            }
+        .map(|h| match h.effects[..] {
+            [] => "nothing after all".into(),
+            _ => name(h),
         })
         .collect()
 }

@@ -78,7 +78,14 @@ pub fn hide(
 ) -> Result<Vec<Acted>, SynthesizeError> {
     hidden
         .iter()
-        .map(|effect| {
+        .enumerate()
+        .map(|(index, effect)| {
+            let is_same = |other: &Hidden| other.name == effect.name && other.wing == effect.wing;
+            if hidden[..index].iter().any(is_same) {
+                return Err(effect.fault(
+                    "is to be hidden twice; give one strength, or name another wing (NAME@WING=STRENGTH)",
+                ));
+            }
             if study.study.effect.iter().any(|known| known.name == effect.name) {
                 return Err(effect.fault(
                     "stands in the study already; take it out (washout add NAME --to STUDY --remove), or hide another",

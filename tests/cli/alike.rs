@@ -72,3 +72,27 @@ fn a_twin_is_what_explains_the_readings_of_another_effect_as_well() {
     println!("apart: {near:.2} sigma by the tip, {far:.1} by the whole rod");
     assert!(near < 1.0 && far > 5.0, "{near} {far}");
 }
+
+#[test]
+fn an_effect_that_is_to_be_hidden_twice_on_one_wing_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), &MANY);
+    let twice = [
+        "synthesize",
+        "study.toml",
+        "--effect",
+        "root-flexure=0.2",
+        "--effect",
+        "root-flexure=0.3",
+        "--output",
+        "try",
+    ];
+    let refused = washout(folder.path(), &twice);
+    assert_eq!(refused.code, Some(2), "{}", refused.out);
+    assert!(
+        refused.err.contains("root-flexure: is to be hidden twice"),
+        "{}",
+        refused.err
+    );
+    assert!(!folder.path().join("try").exists());
+}

@@ -62,6 +62,19 @@ fn tang_and_dowell_without_large_rotation_have_one_reading_far_off_and_no_effect
         "{}",
         said["sentence"]
     );
+    // its slope at zero says nothing of it; tried whole it is all there
+    let hypotheses = said["hypotheses"].as_array().unwrap();
+    let found = hypotheses
+        .iter()
+        .find(|own| own["effects"][0] == "large-rotation")
+        .unwrap();
+    assert!((number(&found["strength"]) - 1.0).abs() < 1e-3, "{found}");
+    assert!(
+        said["sentence"]
+            .as_str()
+            .unwrap()
+            .contains("large-rotation explains it")
+    );
     let groups = said["misfit"]["by_condition"].as_array().unwrap().iter();
     let worst = groups
         .max_by(|a, b| number(&a["share"]).total_cmp(&number(&b["share"])))

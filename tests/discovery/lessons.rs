@@ -78,6 +78,11 @@ fn a_planted_effect_is_named_with_its_strength_and_the_held_out_error_falls() {
     };
     assert!(rung("+").held_out < rung("calibrated").held_out);
     assert!(rung("+").left_out < rung("calibrated").left_out);
+    // whatever the order of the families, each has its effect
+    for hypothesis in &said.hypotheses {
+        let has_names = hypothesis.effects.len() == hypothesis.families.len();
+        assert!(has_names || hypothesis.effects == ["novel"], "{hypothesis:?}");
+    }
     // of all channels in sigma: down to what the noise has
     let in_sigma = |name: &str| rung(name).held_out_sigma.expect("held-out cases");
     assert!(in_sigma("+") < in_sigma("calibrated"));
