@@ -4,11 +4,13 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use serde::Serialize;
 use serde_json::Value;
 
 use crate::effects::{Card, all, named};
+use crate::explore::{Signature, signature};
 use crate::export::ExportError;
-use crate::export::effects::effects_page;
+use crate::export::effects::{effects_page, picture};
 
 use super::{Console, Failure};
 
@@ -16,7 +18,7 @@ use super::{Console, Failure};
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout effects                               all effects, one line each
-  washout effects tip-loss-prandtl              formula, source, when it is right, what it gets wrong
+  washout effects tip-loss-prandtl              formula, source, when it is right, what it gets wrong, a picture
   washout solve designs/twist-v2.toml --set effects.tip-loss-prandtl.strength=1")]
 pub struct ListEffects {
     /// Print the card of this effect
@@ -43,8 +45,35 @@ impl ListEffects {
                 reason: format!("there is no effect {name}; there are {}", names.join(", ")),
             });
         };
-        console.result(&page(&effect.card()), &effect.card())
+        let card = effect.card();
+        let (picture, signature, without) = match signature(&card, console.progress()) {
+            Ok(found) => (picture(&found, card.parameters[0].unit), Some(found), None),
+            Err(error) => {
+                let reason = error.to_string();
+                (
+                    format!("No picture of its signature: {reason}\n"),
+                    None,
+                    Some(reason),
+                )
+            }
+        };
+        let shown = ShownCard {
+            card: &card,
+            signature,
+            without_signature: without,
+        };
+        console.result(&(page(&card) + &picture), &shown)
     }
+}
+
+/// A card with what its effect does to an example wing.
+#[derive(Debug, Serialize)]
+struct ShownCard<'a> {
+    #[serde(flatten)]
+    card: &'a Card<'a>,
+    signature: Option<Signature>,
+    /// Why there is none.
+    without_signature: Option<String>,
 }
 
 fn list(cards: &[Card]) -> String {

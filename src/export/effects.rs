@@ -3,6 +3,9 @@
 use std::fmt::Write;
 
 use crate::effects::Card;
+use crate::explore::Signature;
+
+use super::text::{number, significant};
 
 /// The page in Markdown; the same cards give the same page.
 pub fn effects_page(cards: &[Card]) -> String {
@@ -51,4 +54,51 @@ pub fn effects_page(cards: &[Card]) -> String {
         }
     }
     page
+}
+
+/// Columns of a bar on each side of zero.
+const BAR: usize = 20;
+
+/// What an effect does to the example wing, as a small picture: a bar for every station.
+pub fn picture(signature: &Signature, unit: &str) -> String {
+    let changes = signature.stations.iter().map(|station| station.change_deg.abs());
+    let largest = changes.fold(0.0, f64::max);
+    let decimals = if largest < 0.1 { 4 } else { 2 };
+    let mut text = format!(
+        "Signature: what strength {}{}{} does to the wing of `washout init`{}\n  r, mm  twist, deg   change\n",
+        significant(signature.strength, 3),
+        if unit == "1" { "" } else { " " },
+        if unit == "1" { "" } else { unit },
+        match signature.set.is_empty() {
+            true => String::new(),
+            false => format!(" with {}", signature.set.join(", ")),
+        }
+    );
+    for station in &signature.stations {
+        let share = if largest > 0.0 {
+            station.change_deg.abs() / largest
+        } else {
+            0.0
+        };
+        let bar = "█".repeat((share * BAR as f64).round() as usize);
+        let (down, up) = if station.change_deg < 0.0 {
+            (bar.as_str(), "")
+        } else {
+            ("", bar.as_str())
+        };
+        let _ = writeln!(
+            text,
+            "  {:>5}  {:>10}  {:>7}  {down:>BAR$}|{up}",
+            number(station.r_mm, 1),
+            number(station.without_deg, 2),
+            number(station.change_deg, decimals),
+        );
+    }
+    let _ = writeln!(
+        text,
+        "  leading edge at the tip {} mm, lift {} mN",
+        number(signature.tip_deflection_mm, 3),
+        number(signature.lift_mn, 2)
+    );
+    text
 }

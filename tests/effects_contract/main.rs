@@ -13,6 +13,8 @@ mod page;
 
 mod periodic;
 
+mod signatures;
+
 mod structure_forms;
 
 use std::collections::BTreeSet;

@@ -1,0 +1,145 @@
+//! What an effect does to an example wing, that of `washout init`: the picture on its card.
+
+use std::path::Path;
+
+use nalgebra::Vector3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::aero::Flow;
+use crate::coupling::{self, CouplingError, solution::Solution};
+use crate::effects::Card;
+use crate::geometry::{GeometryError, Planform};
+use crate::input::{Design, InputError};
+use crate::mesh::{MeshError, generate};
+use crate::observation::{ObservationError, Observer};
+use crate::progress::Progress;
+
+/// The wing, on a coarse mesh.
+const EXAMPLE: &str = include_str!("../cli/init_design.toml");
+const COARSE: &str = "mesh.refine=0.5";
+/// Halvings of a strength with which the wing has no equilibrium.
+const HALVINGS: usize = 4;
+
+/// What an effect changes on the example wing, where all else stays.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Signature {
+    /// Its strength, in the unit of its card: the largest plausible one, or what is left of it after halvings until the wing has an
+    /// equilibrium.
+    pub strength: f64,
+    /// Keys of the example that were set, so that the effect has something to act on.
+    pub set: Vec<String>,
+    /// Twist at the base, the spars and the tip.
+    pub stations: Vec<TwistChange>,
+    /// Change of the deflection of the leading edge at the tip, mm, positive along +z.
+    pub tip_deflection_mm: f64,
+    /// Change of the force of the air across stream and span, mN.
+    pub lift_mn: f64,
+}
+
+/// Twist at a station.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TwistChange {
+    /// Distance from the wing base, mm.
+    pub r_mm: f64,
+    /// Twist without the effect, deg, positive washout.
+    pub without_deg: f64,
+    /// What the effect adds, deg.
+    pub change_deg: f64,
+}
+
+/// Why an effect has no picture.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SignatureError {
+    /// The example is refused.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// Its outline is refused.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// It cannot be meshed.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// It has no equilibrium.
+    #[error(transparent)]
+    Coupling(#[from] CouplingError),
+    /// It cannot be read.
+    #[error(transparent)]
+    Observation(#[from] ObservationError),
+}
+
+/// What must be set on the example so that an effect has something to act on.
+fn set_for(effect: &str) -> &'static [&'static str] {
+    match effect {
+        "film-wrinkling" => &["film.compression=\"carries\""],
+        "tip-mass" | "distributed-mass" => &["effects.centrifugal-load.strength=1"],
+        "large-rotation" => &["structure.kinematics=\"linear\""],
+        "inertia-off-mid-stroke" => &["flapping.phase_deg=20"],
+        _ => &[],
+    }
+}
+
+/// The signature of the effect of `card` at its largest plausible strength.
+///
+/// # Errors
+/// If the example has no solution with it, or the user asked to stop.
+pub fn signature(card: &Card, progress: &Progress) -> Result<Signature, SignatureError> {
+    let set: Vec<String> = set_for(card.name).iter().map(|set| set.to_string()).collect();
+    let without = read(&set, progress)?;
+    let mut strength = card.parameters[0].scale();
+    let mut halvings = 0;
+    let with = loop {
+        let own = format!("effects.{}.strength={strength:?}", card.name);
+        match read(&[&set[..], &[own]].concat(), progress) {
+            Err(SignatureError::Coupling(error)) if error.is_not_converged() && halvings < HALVINGS => {
+                halvings += 1;
+                strength *= 0.5;
+            }
+            found => break found?,
+        }
+    };
+    let stations = without.twist.iter().zip(&with.twist);
+    Ok(Signature {
+        strength,
+        set,
+        stations: stations
+            .map(|(without, with)| TwistChange {
+                r_mm: without[0],
+                without_deg: without[1],
+                change_deg: with[1] - without[1],
+            })
+            .collect(),
+        tip_deflection_mm: with.tip_deflection_mm - without.tip_deflection_mm,
+        lift_mn: with.lift_mn - without.lift_mn,
+    })
+}
+
+/// What is read of the example: station, mm, and twist, deg; deflection of the leading edge at the tip; force across the stream.
+struct Read {
+    twist: Vec<[f64; 2]>,
+    tip_deflection_mm: f64,
+    lift_mn: f64,
+}
+
+fn read(set: &[String], progress: &Progress) -> Result<Read, SignatureError> {
+    let text = EXAMPLE.replace("NAME", "example");
+    let sets = [set, &[COARSE.to_string()]].concat();
+    let design: Design = Design::load_text(&text, Path::new("the wing of washout init"), &sets)?.design;
+    let planform = Planform::from_design(&design)?;
+    let mesh = generate(&design, &planform)?;
+    let solution: Solution = coupling::solve(&design, &planform, &mesh, None, &progress.unseen())?;
+    let observer = Observer::new(&design, &planform, &solution)?;
+    let readings = observer.profile().readings;
+    let twist = readings
+        .iter()
+        .map(|reading| [1e3 * reading.r_m, reading.twist_rad.to_degrees()]);
+    let tip = readings.last().and_then(|tip| observer.leading_edge(tip.r_m));
+    let force: Vector3<f64> = solution.air_force_n.iter().map(|f| Vector3::from(*f)).sum();
+    let across = Flow::from_design(&design).map_or(Vector3::z(), |flow| flow.lift_direction());
+    Ok(Read {
+        twist: twist.collect(),
+        tip_deflection_mm: tip.map_or(0.0, |tip| 1e3 * tip.deflection_m),
+        lift_mn: 1e3 * force.dot(&across),
+    })
+}
