@@ -54,15 +54,15 @@ pub fn recipe(
             })
             .ok_or(none("no two effects look alike"))?;
             let hidden = hidden(blind, first, draws, 0)?;
-            if let Some(spot) = Spot::of(&blind.campaign, &hidden) {
-                let apart = twin::apart(blind, spot, hidden.strength, progress)?;
-                if apart > TWINS {
-                    return Err(BlindError::NoTwin {
-                        effect: hidden.name,
-                        strength: hidden.strength,
-                        apart,
-                    });
-                }
+            let spot =
+                Spot::of(&blind.campaign, &hidden).ok_or(none("the effect acts on none of its wings"))?;
+            let apart = twin::apart(blind, spot, hidden.strength, progress)?;
+            if apart > TWINS {
+                return Err(BlindError::NoTwin {
+                    effect: hidden.name,
+                    strength: hidden.strength,
+                    apart,
+                });
             }
             recipe.hidden = vec![hidden];
         }

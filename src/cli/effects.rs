@@ -8,7 +8,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::effects::{Card, all, named};
-use crate::explore::{Signature, signature};
+use crate::explore::{ExploreError, Signature, signature};
 use crate::export::ExportError;
 use crate::export::effects::{effects_page, picture};
 
@@ -48,13 +48,20 @@ impl ListEffects {
         let card = effect.card();
         let (picture, signature, without) = match signature(&card, console.progress()) {
             Ok(found) => (picture(&found, card.parameters[0].unit), Some(found), None),
-            Err(error) => {
+            // an example that has no equilibrium is told; a fault or an interruption is one
+            Err(ExploreError::Coupling(error)) if error.is_not_converged() => {
                 let reason = error.to_string();
                 (
-                    format!("No picture of its signature: {reason}\n"),
+                    format!("No picture of its signature: the wing of `washout init` is {reason}\n"),
                     None,
                     Some(reason),
                 )
+            }
+            Err(source) => {
+                return Err(Failure::Explore {
+                    design: PathBuf::from("the wing of washout init"),
+                    source,
+                });
             }
         };
         let shown = ShownCard {

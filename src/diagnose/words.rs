@@ -32,22 +32,21 @@ pub fn sentence(diagnosis: &Diagnosis, level: f64) -> String {
                 diagnosis.noise.numbers
             )
         }
-        (Verdict::Undecidable, known) if diagnosis.significance.stands_on_few(level) => format!(
+        (Verdict::Undecidable, _) if diagnosis.significance.stands_on_few(level) => format!(
             "These data do not decide whether something is missing: the misfit is more than the stated errors allow, but errors of uneven \
              size make such a one by chance with probability {:.2}. If it is real, {} explains it best; more readings, above all \
              repeats of those that miss most, would tell.",
             diagnosis.significance.p_null,
-            known.map_or("none that is known".to_string(), name)
+            best(diagnosis)
         ),
         (Verdict::Undecidable, _)
             if diagnosis.significance.p_null > level && diagnosis.p_nothing < level =>
         {
-            let first = diagnosis.hypotheses.iter().find(|h| !h.effects.is_empty());
             format!(
                 "These data do not decide whether something is missing: a misfit like this arises by chance with probability {:.2}, but \
                  {} explains it far better than nothing does; more readings, above all of what misses most, would tell.",
                 diagnosis.significance.p_null,
-                first.map_or("none that is known".to_string(), name)
+                best(diagnosis)
             )
         }
         (Verdict::Undecidable, _) if diagnosis.significance.p_null > level => {
@@ -187,6 +186,20 @@ fn name(hypothesis: &Hypothesis) -> String {
         return "none that is known".into();
     }
     hypothesis.effects.join(" with ")
+}
+
+/// What explains the data best, if anything is missing; the best of the known effects besides, if it is none of them.
+fn best(diagnosis: &Diagnosis) -> String {
+    let mut missing = diagnosis.hypotheses.iter().filter(|h| !h.effects.is_empty());
+    let first = missing.next();
+    let known = missing.find(|h| !h.families.is_empty());
+    match (first, known) {
+        (Some(first), Some(known)) if first.families.is_empty() => {
+            format!("{} (or else {})", name(first), name(known))
+        }
+        (Some(first), _) => name(first),
+        (None, _) => "none that is known".into(),
+    }
 }
 
 fn names_in_set(diagnosis: &Diagnosis) -> Vec<String> {

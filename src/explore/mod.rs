@@ -24,5 +24,5 @@ pub use front::{hypervolume, is_dominated, non_dominated};
 pub use nsga2::{Evaluation, Individual, Nsga2, Problem};
 pub use profile::StagedTwist;
 pub use shape_factor::ShapeFactor;
-pub use signature::{Signature, SignatureError, signature};
+pub use signature::{Signature, signature};
 pub use twist_front::{Efficiency, FrontPoint, TwistFront};

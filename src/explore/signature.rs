@@ -5,16 +5,17 @@ use std::path::Path;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use thiserror::Error;
 
 use crate::aero::Flow;
-use crate::coupling::{self, CouplingError, solution::Solution};
+use crate::coupling::{self, solution::Solution};
 use crate::effects::Card;
-use crate::geometry::{GeometryError, Planform};
-use crate::input::{Design, InputError};
-use crate::mesh::{MeshError, generate};
-use crate::observation::{ObservationError, Observer};
+use crate::geometry::Planform;
+use crate::input::Design;
+use crate::mesh::generate;
+use crate::observation::Observer;
 use crate::progress::Progress;
+
+use super::ExploreError;
 
 /// The wing, on a coarse mesh.
 const EXAMPLE: &str = include_str!("../cli/init_design.toml");
@@ -28,6 +29,8 @@ pub struct Signature {
     /// Its strength, in the unit of its card: the largest plausible one, or what is left of it after halvings until the wing has an
     /// equilibrium.
     pub strength: f64,
+    /// The largest plausible one.
+    pub plausible: f64,
     /// Keys of the example that were set, so that the effect has something to act on.
     pub set: Vec<String>,
     /// Twist at the base, the spars and the tip.
@@ -49,26 +52,6 @@ pub struct TwistChange {
     pub change_deg: f64,
 }
 
-/// Why an effect has no picture.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum SignatureError {
-    /// The example is refused.
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// Its outline is refused.
-    #[error(transparent)]
-    Geometry(#[from] GeometryError),
-    /// It cannot be meshed.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    /// It has no equilibrium.
-    #[error(transparent)]
-    Coupling(#[from] CouplingError),
-    /// It cannot be read.
-    #[error(transparent)]
-    Observation(#[from] ObservationError),
-}
-
 /// What must be set on the example so that an effect has something to act on.
 fn set_for(effect: &str) -> &'static [&'static str] {
     match effect {
@@ -84,15 +67,16 @@ fn set_for(effect: &str) -> &'static [&'static str] {
 ///
 /// # Errors
 /// If the example has no solution with it, or the user asked to stop.
-pub fn signature(card: &Card, progress: &Progress) -> Result<Signature, SignatureError> {
+pub fn signature(card: &Card, progress: &Progress) -> Result<Signature, ExploreError> {
     let set: Vec<String> = set_for(card.name).iter().map(|set| set.to_string()).collect();
     let without = read(&set, progress)?;
-    let mut strength = card.parameters[0].scale();
+    let plausible = card.parameters[0].scale();
+    let mut strength = plausible;
     let mut halvings = 0;
     let with = loop {
         let own = format!("effects.{}.strength={strength:?}", card.name);
         match read(&[&set[..], &[own]].concat(), progress) {
-            Err(SignatureError::Coupling(error)) if error.is_not_converged() && halvings < HALVINGS => {
+            Err(ExploreError::Coupling(error)) if error.is_not_converged() && halvings < HALVINGS => {
                 halvings += 1;
                 strength *= 0.5;
             }
@@ -102,6 +86,7 @@ pub fn signature(card: &Card, progress: &Progress) -> Result<Signature, Signatur
     let stations = without.twist.iter().zip(&with.twist);
     Ok(Signature {
         strength,
+        plausible,
         set,
         stations: stations
             .map(|(without, with)| TwistChange {
@@ -122,7 +107,7 @@ struct Read {
     lift_mn: f64,
 }
 
-fn read(set: &[String], progress: &Progress) -> Result<Read, SignatureError> {
+fn read(set: &[String], progress: &Progress) -> Result<Read, ExploreError> {
     let text = EXAMPLE.replace("NAME", "example");
     let sets = [set, &[COARSE.to_string()]].concat();
     let design: Design = Design::load_text(&text, Path::new("the wing of washout init"), &sets)?.design;

@@ -65,7 +65,7 @@ pub fn picture(signature: &Signature, unit: &str) -> String {
     let largest = changes.fold(0.0, f64::max);
     let decimals = if largest < 0.1 { 4 } else { 2 };
     let mut text = format!(
-        "Signature: what strength {}{}{} does to the wing of `washout init`{}\n  r, mm  twist, deg   change\n",
+        "Signature: what strength {}{}{} does to the wing of `washout init`{}\n",
         significant(signature.strength, 3),
         if unit == "1" { "" } else { " " },
         if unit == "1" { "" } else { unit },
@@ -74,6 +74,14 @@ pub fn picture(signature: &Signature, unit: &str) -> String {
             false => format!(" with {}", signature.set.join(", ")),
         }
     );
+    if signature.strength != signature.plausible {
+        let more = significant(signature.plausible, 3);
+        let _ = writeln!(
+            text,
+            "  (no more, because up to the plausible {more} the wing was not solved)"
+        );
+    }
+    text.push_str("  r, mm  twist, deg   change\n");
     for station in &signature.stations {
         let share = if largest > 0.0 {
             station.change_deg.abs() / largest

@@ -26,6 +26,9 @@ pub struct Columns {
 /// Two columns stand at least this many chordwise element sizes apart: smallest angle atan 0.3 = 17°.
 const CLOSEST: f64 = 0.3;
 
+/// An end of a rod piece nearer than this fraction of the wing's length to another column stands on it (0.7 nm on a wing of 70 mm).
+const SAME_PLACE: f64 = 1e-8;
+
 /// Lays the columns for `chordwise` elements along each of them.
 pub fn lay_columns(planform: &Planform, layout: &Layout, chordwise: usize) -> Columns {
     let tip_m = planform.tip_m();
@@ -57,7 +60,7 @@ pub fn lay_columns(planform: &Planform, layout: &Layout, chordwise: usize) -> Co
             .partition_point(|column| column.leading_edge_m <= x_m)
             .clamp(1, fixed.len() - 1);
         let (a, b) = (fixed[bay - 1], fixed[bay]);
-        let near_m = 1e-9 * planform.length_m();
+        let near_m = SAME_PLACE * planform.length_m();
         if (x_m - a.leading_edge_m).abs() <= near_m || (x_m - b.leading_edge_m).abs() <= near_m {
             continue;
         }

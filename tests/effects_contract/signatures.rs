@@ -31,8 +31,7 @@ fn every_effect_moves_the_example_wing_or_says_why_it_cannot() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// A root that gives way by C = 0.3 L/GJ turns by C T(0), of a rod that twists by T(0) L/GJ times a half to one: and the wing, whose load falls
-/// by its twist, by less.
+/// The root turns all of the wing alike; the air, whose load falls with twist, takes some of that back, the more the farther out.
 #[test]
 fn a_soft_root_turns_the_whole_example_wing_the_most_at_its_root() {
     let card = named("root-flexure").unwrap().card();

@@ -252,6 +252,15 @@ fn spars_on_the_root_and_on_the_tip_close_the_wing() {
 proptest::proptest! {
     #![proptest_config(proptest::prelude::ProptestConfig { cases: 300, failure_persistence: None, ..Default::default() })]
 
+    /// Down to a few picometres: two nodes at one place would be refused by the check of the mesh.
+    #[test]
+    fn a_joint_ever_nearer_to_a_spar_is_meshed_soundly(at in 1.0..60.0f64, decade in -8.5..-1.0f64, beyond: bool, film: bool) {
+        let joint = at + if beyond { 10f64.powf(decade) } else { -10f64.powf(decade) };
+        let design = design(&[[0.0, joint], [joint, 69.3]], &[[at, at]], 0.5, if film { FILM } else { "" });
+        let mesh = generate(&design, &Planform::from_design(&design).unwrap()).unwrap();
+        check(&mesh).unwrap_or_else(|defect| panic!("{joint} beside {at}: {defect}"));
+    }
+
     #[test]
     fn whatever_is_meshed_is_sound(
         places in proptest::collection::vec((0.0..69.3f64, -4.0..4.0f64), 0..8),
