@@ -8,15 +8,16 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml_edit::{ArrayOfTables, DocumentMut, Item, value};
 
-use crate::compare::StudyComparison;
-use crate::compare::study::compare_study;
+use crate::compare::ladder::{StudyRung, ladder};
+use crate::compare::study::{StudyComparison, compare_study};
 use crate::effects::named;
 use crate::export::file::write_whole;
 use crate::export::html::{self, Document};
+use crate::export::ladder as ladder_text;
 use crate::export::pictures::ladder::Fall;
 use crate::export::pictures::write::add_falls;
 use crate::export::run::RunFolder;
-use crate::export::text::{Table, significant};
+use crate::export::text::significant;
 use crate::input::study::LoadedStudy;
 use crate::study::Campaign;
 
@@ -36,7 +37,9 @@ pub const LADDER: &str = "ladder.json";
 
 The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of
 the strength stays as wide as what is plausible. Comments of the study are kept.
-Writes output/NAME-ladder/ besides: the error step by step as a picture (SVG), with its numbers (CSV); ladder.json.")]
+The error is shown rung by rung: as stated and calibrated without any effect that was added, then with one after the other of
+those in the study, this one last (or taken out), down to the noise; fitted, left out (each case predicted from the others), held out.
+Writes output/NAME-ladder/ besides: the same as a picture (SVG), with its numbers (CSV); ladder.json.")]
 pub struct Add {
     /// The effect: its name, or with --own that of a table [effects.NAME]
     pub effect: String,
@@ -75,46 +78,11 @@ pub struct AddReport {
     pub effect: String,
     /// Its fitted strength and standard error; none if it was taken out.
     pub strength: Option<[f64; 2]>,
-    /// Root mean square errors: as stated, calibrated without the effect, with it.
-    pub ladder: Vec<AddRung>,
-    /// χ² per fitted number with the correlations of the error that the study admits to the model: what the fit makes least.
-    pub chi_square_per_row: ChiSquared,
+    /// The error falling: as stated and calibrated without any effect that was added, with one after the other of those in the
+    /// study, with this one (or without it), the noise.
+    pub ladder: Vec<StudyRung>,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
-}
-
-/// Errors of a channel of a wing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct AddRung {
-    /// The wing.
-    pub wing: String,
-    /// The channel.
-    pub channel: String,
-    /// Unit of the errors.
-    pub unit: String,
-    /// Whether it was kept out of the fit.
-    pub is_held_out: bool,
-    /// Root mean square error of the model as stated.
-    pub stated: f64,
-    /// Calibrated, before.
-    pub before: f64,
-    /// Calibrated, after.
-    pub after: f64,
-    /// Root mean square sigma of the measurement.
-    pub noise: f64,
-    /// The same errors as χ² per number: each counts by its own sigma and by what the study admits to the model.
-    pub chi_squared: ChiSquared,
-}
-
-/// χ² per number, step by step.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct ChiSquared {
-    /// The model as stated.
-    pub stated: f64,
-    /// Calibrated, before.
-    pub before: f64,
-    /// Calibrated, after.
-    pub after: f64,
 }
 
 impl Add {
@@ -125,33 +93,44 @@ impl Add {
         let study = LoadedStudy::load(&self.to, &[])?;
         let name = study.study.name.clone();
         let mut folder = RunFolder::listed_by(&target_of(self.ladder.as_ref(), &name, "ladder"), LADDER)?;
-        let before = self.compared(&study, console)?;
         let text = std::fs::read_to_string(&self.to).map_err(|error| Failure::Option {
             option: "--to",
             reason: format!("{}: {error}", self.to.display()),
         })?;
+        let compared = |text: &str| self.compared(&LoadedStudy::from_text(&self.to, text, &[])?, console);
+        let added = added_effects(&study);
+        let mut steps = Vec::new();
+        for count in 0..=added.len() {
+            let step = match count {
+                0 => "calibrated".to_string(),
+                _ => format!("+ {}", added[count - 1]),
+            };
+            console.progress().say(&step);
+            steps.push((step, compared(&without(&text, &added[count..])?)?));
+        }
         let changed = self.changed(&text, 0.0, 1.5 * scale, &table)?;
-        let after = self.compared(&LoadedStudy::from_text(&self.to, &changed, &[])?, console)?;
+        let change = match (self.remove, added.contains(&self.effect)) {
+            (true, _) => format!("− {}", self.effect),
+            (false, false) => format!("+ {}", self.effect),
+            (false, true) => format!("{} anew", self.effect),
+        };
+        console.progress().say(&change);
+        let after = compared(&changed)?;
         let key = format!("effects.{}.strength", self.effect);
         let found = after.unknowns.iter().find(|unknown| unknown.unknown.name == key);
         let strength = found.map(|unknown| [unknown.value, unknown.standard_error]);
+        steps.push((change, after));
+        let ladder = ladder(&steps);
         let text = match strength {
             Some([value, _]) => self.changed(&text, value, 1.5 * scale, &table)?,
             None => changed,
         };
-        let sign = if self.remove { "−" } else { "+" };
-        let falls = Fall::of_groups(&before.groups, &after.groups, &format!("{sign} {}", self.effect));
-        add_falls(&mut folder, &name, &falls)?;
+        add_falls(&mut folder, &name, &Fall::of_study(&ladder))?;
         let report = AddReport {
             written: target,
             effect: self.effect.clone(),
             strength,
-            ladder: ladder(&before, &after),
-            chi_square_per_row: ChiSquared {
-                stated: before.chi_square_per_row[0],
-                before: before.chi_square_per_row[1],
-                after: after.chi_square_per_row[1],
-            },
+            ladder,
             files: folder.listed_with(self.report),
         };
         if self.report {
@@ -266,6 +245,7 @@ impl Add {
             // one that stands there already takes what is given now, and keeps the rest
             if let Some(table) = tables.iter_mut().find(|table| is_it(table)) {
                 table["strength"] = value(strength);
+                table.entry("sigma").or_insert(value(sigma));
                 if !self.on.is_empty() {
                     let wings: toml_edit::Array = self.on.iter().map(String::as_str).collect();
                     table["designs"] = value(wings);
@@ -316,23 +296,33 @@ pub(super) fn own_effects(file: &Path) -> Result<BTreeMap<String, toml::Table>, 
     }
 }
 
-fn ladder(before: &StudyComparison, after: &StudyComparison) -> Vec<AddRung> {
-    let rungs = before.groups.iter().zip(&after.groups).map(|(old, new)| AddRung {
-        wing: old.wing.clone(),
-        channel: old.channel.name().to_string(),
-        unit: old.unit.clone(),
-        is_held_out: old.is_held_out,
-        stated: old.rmse[0],
-        before: old.rmse[1],
-        after: new.rmse[1],
-        noise: old.sigma_of_measurement,
-        chi_squared: ChiSquared {
-            stated: old.chi_square_per_row[0],
-            before: old.chi_square_per_row[1],
-            after: new.chi_square_per_row[1],
-        },
-    });
-    rungs.collect()
+/// Names of the effects of a study whose strength is fitted, in its order.
+fn added_effects(study: &LoadedStudy) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for effect in study.study.effect.iter().filter(|effect| effect.sigma.is_some()) {
+        if !names.contains(&effect.name) {
+            names.push(effect.name.clone());
+        }
+    }
+    names
+}
+
+/// The study's text without these effects, as far as their strength is fitted.
+fn without(text: &str, effects: &[String]) -> Result<String, Failure> {
+    let mut document: DocumentMut = text
+        .parse()
+        .map_err(|error: toml_edit::TomlError| Failure::Option {
+            option: "--to",
+            reason: error.to_string(),
+        })?;
+    if let Some(tables) = document.get_mut("effect").and_then(Item::as_array_of_tables_mut) {
+        let is_out = |table: &toml_edit::Table| {
+            let name = table.get("name").and_then(Item::as_str);
+            table.contains_key("sigma") && effects.iter().any(|effect| name == Some(effect))
+        };
+        tables.retain(|table| !is_out(table));
+    }
+    Ok(document.to_string())
 }
 
 pub fn page(report: &AddReport) -> String {
@@ -345,42 +335,12 @@ pub fn page(report: &AddReport) -> String {
         ),
         None => format!("without {}", report.effect),
     };
-    let mut table = Table::new([
-        "wing",
-        "channel",
-        "as_stated",
-        "calibrated",
-        "now",
-        "noise",
-        "unit",
-        "chi2_stated",
-        "chi2_calibrated",
-        "chi2_now",
-        "use",
-    ]);
-    for rung in &report.ladder {
-        table.row([
-            rung.wing.clone(),
-            rung.channel.clone(),
-            significant(rung.stated, 3),
-            significant(rung.before, 3),
-            significant(rung.after, 3),
-            significant(rung.noise, 3),
-            rung.unit.clone(),
-            significant(rung.chi_squared.stated, 3),
-            significant(rung.chi_squared.before, 3),
-            significant(rung.chi_squared.after, 3),
-            if rung.is_held_out { "held out" } else { "fit" }.to_string(),
-        ]);
-    }
-    let whole = report.chi_square_per_row;
-    let [stated, before, after] =
-        [whole.stated, whole.before, whole.after].map(|value| significant(value, 3));
     format!(
-        "{}: {what}\n\nRoot mean square error, and chi-square per number (1: the noise), each number for itself\n{}\n\
-         With errors of the model that go together along the span (slop), which is what a fit makes least: chi-square per \
-         fitted number {stated} as stated, {before} calibrated, {after} now\n",
+        "{}: {what}\n\nError step by step, of all channels, in stated sigma; chi2: per fitted number, with errors of the model that go \
+         together along the span (slop), which is what a fit makes least\n{}\n\
+         Root mean square error (rmse), and chi-square (chi2) per number, each number for itself\n{}",
         report.written.display(),
-        table.render()
+        ladder_text::steps(&report.ladder),
+        ladder_text::groups(&report.ladder)
     )
 }

@@ -6,6 +6,8 @@ pub mod comparison;
 
 pub mod integrated;
 
+pub mod ladder;
+
 pub mod row;
 
 pub mod span;
@@ -17,6 +19,7 @@ pub mod study;
 pub mod verdict;
 
 pub use comparison::{Comparison, compare};
+pub use ladder::{RungGroup, StudyRung};
 pub use row::{ComparedRow, NotCompared};
 pub use span::{ComparedStation, ProfileOrigin, SpanComparison};
 pub use stages::{FittedStage, ModelledStages};

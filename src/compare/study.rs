@@ -8,6 +8,7 @@ use crate::input::measurement::{Bound, Channel, Row};
 use crate::input::study::CaseNumber;
 use crate::study::calibrate::misfit;
 use crate::study::case::PreparedCase;
+use crate::study::left_out::{Local, by_condition, leave_out};
 use crate::study::{
     AdmittedError, Campaign, Condition, Fit, Forward, Linear, Noise, StudyError, Task, Unknown, UnknownKind,
     calibrate,
@@ -89,6 +90,9 @@ pub struct StudyRow {
     pub sigma_of_inputs: f64,
     /// The model as calibrated.
     pub after: f64,
+    /// The model as calibrated to all other cases, linear about the calibration to all; none for what is held out, and where
+    /// only one case is fitted.
+    pub left_out: Option<f64>,
     /// Whether it was kept out of the fit.
     pub is_held_out: bool,
 }
@@ -108,6 +112,8 @@ pub struct GroupMisfit {
     pub count: usize,
     /// Root mean square error before and after calibration.
     pub rmse: [f64; 2],
+    /// The same with each case predicted by the model as calibrated to all others; none where no row has such a prediction.
+    pub left_out: Option<f64>,
     /// Mean square error over its variance (sigma of the measurement, and the error that the study admits to the model)
     /// before and after: unlike the root mean square it counts each number by what it is worth.
     pub chi_square_per_row: [f64; 2],
@@ -185,7 +191,8 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
             .norm_squared()
             / rows.len().max(1) as f64
     };
-    let study_rows = rows_of(campaign, &before, after);
+    let left_out = predictions_from_others(campaign, &rows, &noise, fit.as_ref(), after);
+    let study_rows = rows_of(campaign, &before, after, &left_out);
     let mut comparison = StudyComparison {
         study: campaign.name.clone(),
         title: title.to_string(),
@@ -228,7 +235,40 @@ fn cases_of(campaign: &Campaign) -> Vec<StudyCase> {
     cases.map(case).collect()
 }
 
-fn rows_of(campaign: &Campaign, before: &Linear, after: &DVector<f64>) -> Vec<StudyRow> {
+/// Every observable of `rows` as predicted from all cases but its own, if there are several; `after`: as calibrated, or, with nothing
+/// to calibrate, as stated.
+fn predictions_from_others(
+    campaign: &Campaign,
+    rows: &[usize],
+    noise: &Noise,
+    fit: Option<&Fit>,
+    after: &DVector<f64>,
+) -> Vec<Option<f64>> {
+    let observables = campaign.observables();
+    let mut predicted = vec![None; observables.len()];
+    let groups = by_condition(campaign, rows);
+    if groups.len() < 2 {
+        return predicted;
+    }
+    let Some(fit) = fit else {
+        rows.iter().for_each(|&row| predicted[row] = Some(after[row]));
+        return predicted;
+    };
+    for group in leave_out(&Local::about(fit, campaign, noise), noise, &groups) {
+        for (&position, error) in group.positions.iter().zip(&group.errors) {
+            let row = rows[position];
+            predicted[row] = Some(observables[row].value - error);
+        }
+    }
+    predicted
+}
+
+fn rows_of(
+    campaign: &Campaign,
+    before: &Linear,
+    after: &DVector<f64>,
+    left_out: &[Option<f64>],
+) -> Vec<StudyRow> {
     let unknowns = campaign.unknowns();
     let measured: Vec<&Row> = campaign.cases().iter().flat_map(|case| &case.rows).collect();
     let row = |(index, observable): (usize, &crate::study::Observable)| {
@@ -255,6 +295,7 @@ fn rows_of(campaign: &Campaign, before: &Linear, after: &DVector<f64>) -> Vec<St
             before: before.value[index],
             sigma_of_inputs: variance.sqrt(),
             after: after[index],
+            left_out: left_out[index],
             is_held_out: condition.is_held_out,
         }
     };
@@ -264,12 +305,29 @@ fn rows_of(campaign: &Campaign, before: &Linear, after: &DVector<f64>) -> Vec<St
 impl StudyRow {
     /// Measured minus modelled before and after calibration; nothing where a bound is kept.
     pub fn errors(&self) -> [f64; 2] {
-        [self.before, self.after].map(|modelled| match (self.bound, self.measured - modelled) {
+        [self.before, self.after].map(|modelled| self.error(modelled))
+    }
+
+    /// Measured minus modelled by the model as calibrated to all other cases.
+    pub fn left_out_error(&self) -> Option<f64> {
+        self.left_out.map(|modelled| self.error(modelled))
+    }
+
+    fn error(&self, modelled: f64) -> f64 {
+        match (self.bound, self.measured - modelled) {
             (Bound::None, error) => error,
             (Bound::Upper, error) => error.min(0.0),
             (Bound::Lower, error) => error.max(0.0),
-        })
+        }
     }
+}
+
+/// Of errors, if there are any.
+pub(super) fn root_mean_square(errors: impl Iterator<Item = f64>) -> Option<f64> {
+    let (sum, count) = errors.fold((0.0, 0usize), |(sum, count), error| {
+        (sum + error * error, count + 1)
+    });
+    (count > 0).then(|| (sum / count as f64).sqrt())
 }
 
 fn groups(rows: &[StudyRow], slop: f64) -> Vec<GroupMisfit> {
@@ -300,6 +358,7 @@ fn groups(rows: &[StudyRow], slop: f64) -> Vec<GroupMisfit> {
             is_held_out,
             count: members.len(),
             rmse: [square(0).sqrt(), square(1).sqrt()],
+            left_out: root_mean_square(members.iter().filter_map(|row| row.left_out_error())),
             chi_square_per_row: [chi_square(0), chi_square(1)],
             bias: [mean(&|row| row.errors()[0]), mean(&|row| row.errors()[1])],
             sigma_of_measurement: measurement.sqrt(),

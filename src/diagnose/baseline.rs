@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
 use crate::study::calibrate::misfit;
+use crate::study::left_out::Local;
 use crate::study::{AdmittedError, Fit, Footing, Forward};
 
 use super::data::{Data, Scatter, start};
@@ -17,7 +18,7 @@ use super::robust::outlier_widening;
 use super::rough::{FEWEST, Smooth};
 use super::screening::{Directions, Slopes, is_one_sided, slopes_of_missing};
 use super::settings::Settings;
-use super::whitened::{Local, Whitened};
+use super::whitened::Whitened;
 use crate::study::draws::Draws;
 
 /// Size of the fields that count as smooth when the noise is judged, over that of the prediction.

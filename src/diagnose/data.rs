@@ -6,6 +6,7 @@ use nalgebra::DVector;
 
 use crate::input::measurement::Bound;
 use crate::study::calibrate::misfit;
+use crate::study::left_out::conditions_of;
 use crate::study::{
     AdmittedError, Fit, Footing, Forward, Noise, Observable, Task, Unknown, UnknownKind, calibrate,
 };
@@ -95,15 +96,7 @@ impl Data {
 
     /// Conditions that are fitted, each with the positions of its observables in [`Data::rows`].
     pub fn conditions(&self, forward: &dyn Forward) -> Vec<(usize, Vec<usize>)> {
-        let mut found: Vec<(usize, Vec<usize>)> = Vec::new();
-        for (position, &row) in self.rows.iter().enumerate() {
-            let condition = forward.observables()[row].condition;
-            match found.iter_mut().find(|(known, _)| *known == condition) {
-                Some((_, positions)) => positions.push(position),
-                None => found.push((condition, vec![position])),
-            }
-        }
-        found
+        conditions_of(forward, &self.rows)
     }
 }
 

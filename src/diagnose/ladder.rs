@@ -6,11 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::Channel;
 use crate::study::calibrate::misfit;
+use crate::study::left_out::{Local, by_condition, leave_out};
 
 use super::baseline::Baseline;
-use super::held_out::{by_condition, leave_out};
 use super::refit::Explanation;
-use super::whitened::Local;
 
 /// One rung.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -50,7 +49,7 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
         root_mean_square(errors.collect())
     };
     let left_out = |local: &Local| {
-        let groups = by_condition(forward, data);
+        let groups = by_condition(forward, &data.rows);
         if groups.len() < 2 {
             return None;
         }

@@ -14,8 +14,6 @@ pub mod evidence;
 
 pub mod fields;
 
-pub mod held_out;
-
 pub mod judge;
 
 pub mod ladder;

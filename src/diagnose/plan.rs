@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::progress::Progress;
 use crate::study::Forward;
+use crate::study::left_out::Local;
 
 use super::data::{Data, Scatter, start};
 use super::error::DiagnoseError;
@@ -15,7 +16,7 @@ use super::screening::{
 };
 use super::settings::Settings;
 use super::verdict::LookAlike;
-use super::whitened::{Local, Whitened};
+use super::whitened::Whitened;
 
 /// What a planned campaign could tell.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

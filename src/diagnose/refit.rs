@@ -3,13 +3,13 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use crate::study::boxed::least_in_box;
+use crate::study::left_out::Local;
 use crate::study::{Fit, Footing, Forward};
 
 use super::data::{Data, Scatter};
 use super::error::DiagnoseError;
 use super::evidence::{Likelihood, one_sided};
 use super::screening::{is_one_sided, place_of};
-use super::whitened::Local;
 
 /// Largest step from zero at which a refit starts, in prior standard deviations.
 const LONGEST_START: f64 = 2.0;

@@ -1,9 +1,9 @@
 //! The rows of the report: hypotheses with their strengths, effects with their look-alikes.
 
+use crate::study::left_out::{by_condition, by_wing, ln_density};
 use crate::study::{Unknown, UnknownKind};
 
 use super::baseline::Baseline;
-use super::held_out::{by_condition, by_wing, ln_density};
 use super::judge::Judgement;
 use super::posterior::{Belief, Case};
 use super::screening::{ENOUGH_POWER, Sight, effect_of, family_wise, is_one_sided, place_of};
@@ -114,8 +114,8 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -
         plausible,
         in_set: belief.in_set,
         refitted: found.is_some_and(|(_, explanation)| explanation.is_some()),
-        gain_left_out_conditions: gain(&by_condition(baseline.forward, &baseline.data)),
-        gain_left_out_wings: gain(&by_wing(baseline.forward, &baseline.data)),
+        gain_left_out_conditions: gain(&by_condition(baseline.forward, &baseline.data.rows)),
+        gain_left_out_wings: gain(&by_wing(baseline.forward, &baseline.data.rows)),
     }
 }
 

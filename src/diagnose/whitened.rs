@@ -7,43 +7,10 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SVD};
 
-use crate::study::{Fit, Forward, Noise};
+use crate::study::Noise;
+use crate::study::left_out::Local;
 
 use super::error::DiagnoseError;
-
-/// One fit, linear and in the units of the observables: what the data are about it under any scatter.
-#[derive(Debug, Clone)]
-pub struct Local {
-    /// Measured minus modelled with the fitted unknowns at their prior means, by the linear model about the fit.
-    pub at_means: DVector<f64>,
-    /// Derivatives per prior standard deviation of the fitted unknowns.
-    pub slopes: DMatrix<f64>,
-    /// Indices of the observables.
-    pub rows: Vec<usize>,
-}
-
-impl Local {
-    /// About `fit`, which was made with `noise`.
-    pub fn about(fit: &Fit, forward: &dyn Forward, noise: &Noise) -> Local {
-        let unknowns = forward.unknowns();
-        let pulls = fit
-            .free
-            .iter()
-            .map(|&i| (fit.at[i] - unknowns[i].mean) / unknowns[i].sigma);
-        let pulls = DVector::from_iterator(fit.free.len(), pulls);
-        let at_means = noise.colour(&(&fit.residual + &fit.slopes * pulls));
-        let mut slopes = fit.slopes.clone();
-        for mut column in slopes.column_iter_mut() {
-            let coloured = noise.colour(&column.clone_owned());
-            column.copy_from(&coloured);
-        }
-        Local {
-            at_means,
-            slopes,
-            rows: fit.rows.clone(),
-        }
-    }
-}
 
 /// The data about one fit.
 #[derive(Debug, Clone)]

@@ -20,6 +20,8 @@ pub mod modes;
 
 pub mod pareto;
 
+pub mod ladder;
+
 pub mod layouts;
 #[cfg(feature = "parquet")]
 pub mod parquet;

@@ -9,15 +9,16 @@ pub struct Table {
 
 impl Table {
     /// A table with these column heads.
-    pub fn new<const N: usize>(head: [&str; N]) -> Self {
+    pub fn new<'a>(head: impl IntoIterator<Item = &'a str>) -> Self {
+        let head: Vec<String> = head.into_iter().map(str::to_string).collect();
         Table {
-            rows: vec![head.map(str::to_string).to_vec()],
-            columns: N,
+            columns: head.len(),
+            rows: vec![head],
         }
     }
 
     /// Adds a row; cells that are missing stay blank, cells beyond the head are left out.
-    pub fn row<const N: usize>(&mut self, cells: [String; N]) {
+    pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
         self.rows.push(cells.into_iter().take(self.columns).collect());
     }
 

@@ -22,6 +22,8 @@ mod footing;
 
 pub mod forward;
 
+pub mod left_out;
+
 pub mod noise;
 
 pub mod output;

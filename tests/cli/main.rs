@@ -17,6 +17,8 @@ mod init;
 
 mod interrupt;
 
+mod ladder;
+
 mod lift;
 
 mod measure;

@@ -44,6 +44,7 @@ pub fn row(case: &StudyCase, channel: Channel, r_mm: Option<f64>, values: [f64; 
         before: values[1],
         sigma_of_inputs: 0.25,
         after: values[2],
+        left_out: None,
         is_held_out: case.is_held_out,
     }
 }

@@ -1,6 +1,6 @@
 //! The error falling from the model as stated to the noise: `ladder.svg`.
 
-use crate::compare::study::GroupMisfit;
+use crate::compare::{self, StudyRung};
 use crate::diagnose::ladder::Rung;
 use crate::input::measurement::Channel;
 use crate::plot::{Figure, Ink, Key, Panel, Sample, Step, Waterfall};
@@ -42,9 +42,9 @@ impl Fall {
             return Vec::new();
         };
         let all: [RungGroup; 3] = [
-            ("fitted", |rung| Some(rung.in_sample)),
-            ("each case predicted from the others", |rung| rung.left_out),
-            ("held out", |rung| rung.held_out),
+            (FITTED, |rung| Some(rung.in_sample)),
+            (LEFT_OUT, |rung| rung.left_out),
+            (HELD_OUT, |rung| rung.held_out),
         ];
         let kept: Vec<_> = all
             .into_iter()
@@ -67,64 +67,87 @@ impl Fall {
         }]
     }
 
-    /// Of an effect that joined or left a study, wing by wing and channel by channel: `before` and `after` are the misfits
-    /// without and with the `change`.
-    pub fn of_groups(before: &[GroupMisfit], after: &[GroupMisfit], change: &str) -> Vec<Fall> {
-        let key = |group: &GroupMisfit| (group.wing.clone(), group.channel);
-        let falls = distinct(before.iter().map(key))
-            .into_iter()
-            .map(|(wing, channel)| {
-                let pick = |groups: &[GroupMisfit], is_held_out: bool| {
-                    let is_it = |group: &&GroupMisfit| {
-                        group.wing == wing && group.channel == channel && group.is_held_out == is_held_out
-                    };
-                    groups.iter().find(is_it).cloned()
-                };
-                let kept: Vec<bool> = [false, true]
-                    .into_iter()
-                    .filter(|held| pick(before, *held).is_some())
-                    .collect();
-                let levels = |groups: &[GroupMisfit], of: fn(&GroupMisfit) -> f64| {
-                    kept.iter()
-                        .map(|held| pick(groups, *held).map(|group| of(&group)))
-                        .collect()
-                };
-                let names = kept
+    /// Of the ladder of a study, wing by wing and channel by channel; groups that no rung has are left out.
+    pub fn of_study(rungs: &[StudyRung]) -> Vec<Fall> {
+        let Some(first) = rungs.first() else {
+            return Vec::new();
+        };
+        let groups = || rungs.iter().flat_map(|rung| &rung.groups);
+        let kept: Vec<&StudyGroup> = STUDY_GROUPS
+            .iter()
+            .filter(|of| groups().any(|group| of.error(group, Measure::RootMeanSquare).is_some()))
+            .collect();
+        let fall = |wing: &str, channel: Channel, measure: Measure| {
+            let level = |rung: &StudyRung, of: &StudyGroup| {
+                let mut own = rung
+                    .groups
                     .iter()
-                    .map(|held| if *held { "held out" } else { "fitted" }.to_string());
-                let groups: Vec<String> = names.collect();
-                let fall = |measure: Measure, of: [fn(&GroupMisfit) -> f64; 3]| Fall {
-                    measure,
-                    groups: groups.clone(),
-                    steps: vec![
-                        ("as stated".to_string(), levels(before, of[0])),
-                        ("calibrated".to_string(), levels(before, of[1])),
-                        (change.to_string(), levels(after, of[1])),
-                        ("noise".to_string(), levels(before, of[2])),
-                    ],
-                    wing: wing.clone(),
-                    channel,
-                };
-                [
-                    fall(
-                        Measure::RootMeanSquare,
-                        [
-                            |group| group.rmse[0],
-                            |group| group.rmse[1],
-                            |group| group.sigma_of_measurement,
-                        ],
-                    ),
-                    fall(
-                        Measure::ChiSquare,
-                        [
-                            |group| group.chi_square_per_row[0],
-                            |group| group.chi_square_per_row[1],
-                            |_| 1.0,
-                        ],
-                    ),
-                ]
-            });
-        falls.flatten().collect()
+                    .filter(|group| group.wing == wing && group.channel == channel);
+                own.find_map(|group| of.error(group, measure))
+            };
+            let step = |rung: &StudyRung| {
+                let levels = kept.iter().map(|of| level(rung, of)).collect();
+                (step_words(&rung.name), levels)
+            };
+            Fall {
+                measure,
+                wing: wing.to_string(),
+                channel,
+                groups: kept.iter().map(|of| of.name.to_string()).collect(),
+                steps: rungs.iter().map(step).collect(),
+            }
+        };
+        let key = |group: &compare::RungGroup| (group.wing.clone(), group.channel);
+        distinct(first.groups.iter().map(key))
+            .iter()
+            .flat_map(|(wing, channel)| {
+                [Measure::RootMeanSquare, Measure::ChiSquare].map(|measure| fall(wing, *channel, measure))
+            })
+            .collect()
+    }
+}
+
+/// Names of the groups of data.
+const FITTED: &str = "fitted";
+const LEFT_OUT: &str = "each case predicted from the others";
+const HELD_OUT: &str = "held out";
+
+/// A group of data of a study.
+struct StudyGroup {
+    name: &'static str,
+    is_held_out: bool,
+    root_mean_square: fn(&compare::RungGroup) -> Option<f64>,
+    chi_square: fn(&compare::RungGroup) -> Option<f64>,
+}
+
+const STUDY_GROUPS: [StudyGroup; 3] = [
+    StudyGroup {
+        name: FITTED,
+        is_held_out: false,
+        root_mean_square: |group| Some(group.rmse),
+        chi_square: |group| Some(group.chi_square_per_number),
+    },
+    StudyGroup {
+        name: LEFT_OUT,
+        is_held_out: false,
+        root_mean_square: |group| group.left_out,
+        chi_square: |_| None,
+    },
+    StudyGroup {
+        name: HELD_OUT,
+        is_held_out: true,
+        root_mean_square: |group| Some(group.rmse),
+        chi_square: |group| Some(group.chi_square_per_number),
+    },
+];
+
+impl StudyGroup {
+    fn error(&self, group: &compare::RungGroup, measure: Measure) -> Option<f64> {
+        let error = match measure {
+            Measure::RootMeanSquare => self.root_mean_square,
+            Measure::ChiSquare => self.chi_square,
+        };
+        error(group).filter(|_| group.is_held_out == self.is_held_out)
     }
 }
 

@@ -57,6 +57,7 @@ impl Compared {
             before: row.modelled,
             sigma_of_inputs: 0.0,
             after: row.modelled,
+            left_out: None,
             is_held_out: false,
         };
         Compared {

@@ -1,0 +1,152 @@
+//! Two effects hidden, one added after the other: the error falls rung by rung, fitted, left out and held out.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::hidden::{MANY, campaign, json};
+use crate::washout;
+
+/// The campaign of a rod, with its largest moment held out, and two effects hidden in its readings.
+fn hidden_pair(folder: &Path) {
+    campaign(folder, &MANY);
+    let path = folder.join("study.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    fs::write(
+        &path,
+        text.replacen(
+            "measured = 'm-{moment}'",
+            "measured = 'm-{moment}'\nheld_out = ['m-3']",
+            1,
+        ),
+    )
+    .unwrap();
+    let made = [
+        "synthesize",
+        "study.toml",
+        "--effect",
+        "root-flexure=0.2",
+        "--effect",
+        "rod-shear-modulus=0.3",
+        "--seed",
+        "9",
+        "--output",
+        "try",
+        "--json",
+    ];
+    json(&washout(folder, &made));
+}
+
+fn names(added: &Value) -> Vec<String> {
+    let rungs = added["ladder"].as_array().unwrap().iter();
+    rungs
+        .map(|rung| rung["name"].as_str().unwrap().to_string())
+        .collect()
+}
+
+fn errors(added: &Value, of: &str) -> Vec<Option<f64>> {
+    let rungs = added["ladder"].as_array().unwrap().iter();
+    rungs.map(|rung| rung[of].as_f64()).collect()
+}
+
+#[test]
+fn each_effect_that_was_added_has_its_rung_from_as_stated_down_to_the_noise() {
+    let folder = tempfile::tempdir().unwrap();
+    hidden_pair(folder.path());
+    let add = |arguments: &[&str]| {
+        let all = [&["add"], arguments, &["--to", "try/study.toml", "--json"]].concat();
+        json(&washout(folder.path(), &all))
+    };
+
+    let one = add(&["rod-shear-modulus"]);
+    assert_eq!(names(&one), ["raw", "calibrated", "+ rod-shear-modulus", "noise"]);
+    let two = add(&["root-flexure"]);
+    assert_eq!(
+        names(&two),
+        [
+            "raw",
+            "calibrated",
+            "+ rod-shear-modulus",
+            "+ root-flexure",
+            "noise"
+        ]
+    );
+    // as stated and calibrated are those of the model without any effect, whatever was added before
+    for of in ["in_sample_sigma", "left_out_sigma", "held_out_sigma"] {
+        let (first, then) = (errors(&one, of), errors(&two, of));
+        assert_eq!(first[..2], then[..2], "{of}");
+        let [with_one, with_both, noise] = [2, 3, 4].map(|rung| then[rung].unwrap());
+        assert!(with_one > 2.0 * with_both, "{of}: {then:?}");
+        assert!(with_both < 1.6, "{of}: {then:?}");
+        assert!((noise - 1.0).abs() < 1e-12, "{of}: {then:?}");
+    }
+    assert_eq!(errors(&two, "left_out_sigma")[0], None);
+    let group = &two["ladder"][3]["groups"][0];
+    assert!(
+        group["left_out"].as_f64().unwrap() >= group["rmse"].as_f64().unwrap(),
+        "{group}"
+    );
+    let csv = fs::read_to_string(folder.path().join("output/bench-ladder/ladder.csv")).unwrap();
+    for line in [
+        "rod,twist,root_mean_square,deg,as stated,fitted,",
+        "rod,twist,root_mean_square,deg,+ root-flexure,each case predicted from the others,0.0",
+        "rod,twist,root_mean_square,deg,+ root-flexure,held out,0.0",
+        "rod,twist,chi_square_per_number,1,+ rod-shear-modulus,held out,",
+    ] {
+        assert!(csv.contains(line), "{line}\n{csv}");
+    }
+    let after = json(&washout(
+        folder.path(),
+        &[
+            "diagnose",
+            "try/study.toml",
+            "--effect",
+            "rod-ends-early",
+            "--json",
+        ],
+    ));
+    assert_eq!(after["verdict"], "nothing", "{}", after["sentence"]);
+
+    let anew = add(&["root-flexure"]);
+    assert_eq!(names(&anew)[3..5], ["+ root-flexure", "root-flexure anew"]);
+    let out = add(&["rod-shear-modulus", "--remove"]);
+    let rung = names(&out).iter().position(|name| name == "− rod-shear-modulus");
+    let (rung, held_out) = (rung.unwrap(), errors(&out, "held_out_sigma"));
+    assert!(
+        held_out[rung].unwrap() > 2.0 * held_out[rung - 1].unwrap(),
+        "{held_out:?}"
+    );
+}
+
+#[test]
+fn an_effect_of_fixed_strength_is_part_of_the_model_until_it_is_added() {
+    let folder = tempfile::tempdir().unwrap();
+    hidden_pair(folder.path());
+    let path = folder.path().join("try/study.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    let fixed = format!("{text}\n[[effect]]\nname = 'rod-shear-modulus'\nstrength = 0.3\n");
+    fs::write(&path, fixed).unwrap();
+    let arguments = ["add", "root-flexure", "--to", "try/study.toml", "--json"];
+    let added = json(&washout(folder.path(), &arguments));
+    assert_eq!(names(&added), ["raw", "calibrated", "+ root-flexure", "noise"]);
+    let arguments = ["add", "rod-shear-modulus", "--to", "try/study.toml", "--json"];
+    let added = json(&washout(folder.path(), &arguments));
+    assert_eq!(
+        names(&added),
+        [
+            "raw",
+            "calibrated",
+            "+ root-flexure",
+            "+ rod-shear-modulus",
+            "noise"
+        ]
+    );
+    let [value, error] = [0, 1].map(|k| added["strength"][k].as_f64().unwrap());
+    assert!(
+        error > 0.0 && (value - 0.3).abs() < 4.0 * error,
+        "{value} {error}"
+    );
+    let text = fs::read_to_string(&path).unwrap();
+    assert_eq!(text.matches("sigma").count(), 2, "{text}");
+}
