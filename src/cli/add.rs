@@ -17,7 +17,7 @@ use crate::export::ladder as ladder_text;
 use crate::export::pictures::ladder::Fall;
 use crate::export::pictures::write::add_falls;
 use crate::export::run::RunFolder;
-use crate::export::text::significant;
+use crate::export::text::{significant, wrapped};
 use crate::input::study::LoadedStudy;
 use crate::study::Campaign;
 
@@ -325,6 +325,12 @@ fn without(text: &str, effects: &[String]) -> Result<String, Failure> {
     Ok(document.to_string())
 }
 
+/// What the tables of errors tell.
+const STEPS: &str = "Root mean square of all channels, in stated sigma; chi2: chi-square per fitted number, with errors of the model that go \
+                     together along the span (slop), which is what a fit makes least. Left out: each case predicted from the others.";
+const GROUPS: &str = "rmse: root mean square error; chi2: chi-square per number, each number for itself.";
+
+/// The page of `washout add`.
 pub fn page(report: &AddReport) -> String {
     let what = match report.strength {
         Some([value, error]) => format!(
@@ -336,11 +342,11 @@ pub fn page(report: &AddReport) -> String {
         None => format!("without {}", report.effect),
     };
     format!(
-        "{}: {what}\n\nError step by step, of all channels, in stated sigma; chi2: per fitted number, with errors of the model that go \
-         together along the span (slop), which is what a fit makes least\n{}\n\
-         Root mean square error (rmse), and chi-square (chi2) per number, each number for itself\n{}",
+        "{}: {what}\n\nError step by step\n{}{}\nError wing by wing\n{}{}",
         report.written.display(),
+        wrapped(STEPS, 2),
         ladder_text::steps(&report.ladder),
+        wrapped(GROUPS, 2),
         ladder_text::groups(&report.ladder)
     )
 }

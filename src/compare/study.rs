@@ -8,7 +8,7 @@ use crate::input::measurement::{Bound, Channel, Row};
 use crate::input::study::CaseNumber;
 use crate::study::calibrate::misfit;
 use crate::study::case::PreparedCase;
-use crate::study::left_out::{Local, by_condition, leave_out};
+use crate::study::left_out::{Local, Others, by_condition};
 use crate::study::{
     AdmittedError, Campaign, Condition, Fit, Forward, Linear, Noise, StudyError, Task, Unknown, UnknownKind,
     calibrate,
@@ -254,7 +254,7 @@ fn predictions_from_others(
         rows.iter().for_each(|&row| predicted[row] = Some(after[row]));
         return predicted;
     };
-    for group in leave_out(&Local::about(fit, campaign, noise), noise, &groups) {
+    for group in Others::new(&Local::about(fit, campaign, noise), noise).leave_out(&groups) {
         for (&position, error) in group.positions.iter().zip(&group.errors) {
             let row = rows[position];
             predicted[row] = Some(observables[row].value - error);

@@ -52,6 +52,8 @@ pub struct Baseline<'a> {
     pub slopes: DMatrix<f64>,
     /// Directions of the missing effects.
     pub directions: Directions,
+    /// Responses of all observables to a moment at each station, those of bounds that are kept left out.
+    pub moment: DMatrix<f64>,
     /// Fields that have no name.
     pub fields: Vec<Field>,
     /// Their columns, whitened.
@@ -146,6 +148,7 @@ impl<'a> Baseline<'a> {
             whitened,
             slopes,
             directions,
+            moment,
             fields,
             seen,
             likelihood,
@@ -196,6 +199,7 @@ impl<'a> Baseline<'a> {
             raw: self.raw.clone(),
             directions: Directions::new(&self.data, &self.slopes, &whitened),
             seen: seen(&self.fields, &whitened),
+            moment: self.moment.clone(),
             fields: self.fields.clone(),
             slopes: self.slopes.clone(),
             likelihood: self.likelihood,

@@ -25,6 +25,13 @@ pub enum Law {
         /// b.
         amplitude_power: f64,
     },
+    /// A moment per length m(x) (v − v₀)₊/(v₁ − v₀) with the frequency or amplitude v.
+    Onset {
+        /// v.
+        of: Driver,
+        /// v₀, Hz or deg.
+        from: f64,
+    },
     /// A moment per length of its own in every condition.
     Free,
     /// A moment per length −b(x) θ.
@@ -33,6 +40,26 @@ pub enum Law {
     Compliance,
     /// An error of the reading, the same in all conditions.
     Sensor,
+}
+
+/// What of the motion a missing load may grow with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Driver {
+    /// The flapping frequency, Hz.
+    Frequency,
+    /// The half amplitude of the stroke, deg.
+    Amplitude,
+}
+
+impl Driver {
+    /// Its value in a condition; none in a bench load.
+    pub fn of(self, condition: &Condition) -> Option<f64> {
+        match self {
+            Driver::Frequency => condition.frequency_hz,
+            Driver::Amplitude => condition.half_amplitude_deg,
+        }
+    }
 }
 
 /// A Gaussian field with columns of unit prior variance.
@@ -111,7 +138,7 @@ fn load_fields(
 }
 
 /// (x/x₁)^p; a bench load without x has no part in a law that needs it.
-fn power(value: Option<f64>, largest: f64, power: i32) -> f64 {
+pub(super) fn power(value: Option<f64>, largest: f64, power: i32) -> f64 {
     match (value, power) {
         (_, 0) => 1.0,
         (Some(value), power) => (value / largest).powi(power),
@@ -171,7 +198,7 @@ fn free_field(
 }
 
 /// Square root of the covariance of a smooth field at evenly spaced stations.
-fn smooth_root(stations: usize) -> DMatrix<f64> {
+pub(super) fn smooth_root(stations: usize) -> DMatrix<f64> {
     let step = 1.0 / (stations.max(2) - 1) as f64;
     let covariance = DMatrix::from_fn(stations, stations, |i, j| {
         let apart = (i as f64 - j as f64) * step / SPAN_LENGTH;
@@ -181,7 +208,7 @@ fn smooth_root(stations: usize) -> DMatrix<f64> {
 }
 
 /// Where the fitted observables lie, and how the predicted twist runs there.
-struct Places {
+pub(super) struct Places {
     /// Prediction and stated standard deviation.
     value: DVector<f64>,
     sigma: DVector<f64>,
@@ -194,7 +221,7 @@ struct Places {
 }
 
 impl Places {
-    fn new(forward: &dyn Forward, data: &Data, value: &DVector<f64>, stations: usize) -> Places {
+    pub(super) fn new(forward: &dyn Forward, data: &Data, value: &DVector<f64>, stations: usize) -> Places {
         let observables = forward.observables();
         let size = data.rows.len();
         let mut places = Places {
@@ -305,7 +332,7 @@ impl Places {
         }
     }
 
-    fn scaled(&self, law: Law, response: &DMatrix<f64>, root: &DMatrix<f64>) -> Option<Field> {
+    pub(super) fn scaled(&self, law: Law, response: &DMatrix<f64>, root: &DMatrix<f64>) -> Option<Field> {
         let all: Vec<usize> = (0..self.value.len()).collect();
         let factor = self.factor(response, &all)?;
         Some(Field {

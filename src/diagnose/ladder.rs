@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::Channel;
 use crate::study::calibrate::misfit;
-use crate::study::left_out::{Local, by_condition, leave_out};
+use crate::study::left_out::{Local, Others, by_condition};
 
 use super::baseline::Baseline;
 use super::refit::Explanation;
@@ -41,19 +41,12 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
         });
         root_mean_square(errors.collect())
     };
-    let in_sigmas = |predicted: &DVector<f64>| {
-        let errors = data.held_out.iter().map(|&row| {
-            let observable = &forward.observables()[row];
-            misfit(observable, predicted[row]) / observable.sigma
-        });
-        root_mean_square(errors.collect())
-    };
     let left_out = |local: &Local| {
         let groups = by_condition(forward, &data.rows);
         if groups.len() < 2 {
             return None;
         }
-        let left = leave_out(local, &baseline.scatter.noise, &groups);
+        let left = Others::new(local, &baseline.scatter.noise).leave_out(&groups);
         let errors = left
             .iter()
             .flat_map(|left| left.positions.iter().zip(&left.errors))
@@ -77,7 +70,7 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
         in_sample: rms(&data.rows, predicted).unwrap_or(0.0),
         left_out: local.and_then(left_out),
         held_out: rms(&data.held_out, predicted),
-        held_out_sigma: in_sigmas(predicted),
+        held_out_sigma: held_out_sigma(baseline, predicted),
     };
     let mut rungs = vec![
         rung("raw", &baseline.raw, None),
@@ -109,6 +102,15 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
         held_out_sigma: (!data.held_out.is_empty()).then_some(baseline.scatter.scale),
     });
     rungs
+}
+
+/// Root mean square error of `predicted` for all held-out observables, each in its stated standard deviation.
+pub fn held_out_sigma(baseline: &Baseline, predicted: &DVector<f64>) -> Option<f64> {
+    let errors = baseline.data.held_out.iter().map(|&row| {
+        let observable = &baseline.forward.observables()[row];
+        misfit(observable, predicted[row]) / observable.sigma
+    });
+    root_mean_square(errors.collect())
 }
 
 fn main_channel(baseline: &Baseline) -> Channel {

@@ -18,6 +18,8 @@ pub mod judge;
 
 pub mod ladder;
 
+pub mod laws;
+
 pub mod library;
 
 pub mod misfit;

@@ -6,8 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::study::Forward;
 
+use super::baseline::Baseline;
 use super::evidence::{Likelihood, Spectrum, ln_sum};
 use super::fields::{Field, Law};
+use super::laws::{self, Scaling, load_laws};
 use super::whitened::Whitened;
 
 /// Amplitudes tried, as the size of the response over that of the prediction.
@@ -44,15 +46,6 @@ pub struct FieldProfile {
     pub total: f64,
     /// Centroid of its size over the length of the wing.
     pub centroid: f64,
-}
-
-/// Powers by which a missing load scales.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Scaling {
-    /// Of the frequency, with standard deviation.
-    pub frequency: [f64; 2],
-    /// Of the amplitude, with standard deviation.
-    pub amplitude: [f64; 2],
 }
 
 /// A missing field without a name.
@@ -117,12 +110,15 @@ pub fn weigh(
     Weighed { ln_gain, each }
 }
 
+/// Prior share of loads that scale with the motion, among the unnamed fields.
+const LOADS: f64 = 0.45;
+
 /// Prior share of a law among the unnamed fields.
 fn share(law: Law, fields: &[Field]) -> f64 {
     let same = |a: Law, b: Law| std::mem::discriminant(&a) == std::mem::discriminant(&b);
     let rivals = fields.iter().filter(|field| same(field.law, law)).count() as f64;
     let group = match law {
-        Law::Load { .. } => 0.45,
+        Law::Load { .. } | Law::Onset { .. } => LOADS,
         Law::Free => 0.15,
         Law::Spring => 0.1,
         Law::Compliance => 0.2,
@@ -131,15 +127,27 @@ fn share(law: Law, fields: &[Field]) -> f64 {
     group / rivals
 }
 
-/// The best of the weighed fields along the span. None if there is no field.
-pub fn reconstruct(
-    forward: &dyn Forward,
-    fields: &[Field],
-    seen: &[DMatrix<f64>],
-    weighed: &Weighed,
-    whitened: &Whitened,
-) -> Option<Reconstruction> {
-    let weight = |k: usize| weighed.each[k].0 + share(fields[k].law, fields).ln();
+/// The best field along the span, of all laws by which a load may grow, and of the others. None if there is no field.
+pub fn reconstruct(baseline: &Baseline) -> Option<Reconstruction> {
+    let (forward, whitened) = (baseline.forward, &baseline.whitened);
+    let loads = load_laws(
+        forward,
+        &baseline.data,
+        &baseline.moment,
+        &baseline.admitted.value,
+    );
+    let is_load = |field: &&Field| matches!(field.law, Law::Load { .. });
+    let others = baseline.fields.iter().filter(|field| !is_load(field));
+    let fields: Vec<Field> = loads.iter().chain(others).cloned().collect();
+    let seen = seen(&fields, whitened);
+    let weighed = weigh(&fields, &seen, whitened, baseline.likelihood);
+    let weight = |k: usize| {
+        let share = match k < loads.len() {
+            true => LOADS * laws::share(fields[k].law, &loads),
+            false => share(fields[k].law, &fields),
+        };
+        weighed.each[k].0 + share.ln()
+    };
     let mut order: Vec<usize> = (0..fields.len()).collect();
     order.sort_by(|&a, &b| weight(b).total_cmp(&weight(a)).then(a.cmp(&b)));
     let best = *order.first()?;
@@ -153,7 +161,10 @@ pub fn reconstruct(
     });
     let field: Vec<FieldProfile> = field.collect();
     let scaling = match fields[best].law {
-        Law::Load { .. } => scaling_of_laws(fields, &weight),
+        Law::Load { .. } | Law::Onset { .. } => {
+            let weights: Vec<(Law, f64)> = (0..loads.len()).map(|k| (fields[k].law, weight(k))).collect();
+            laws::scaling(&weights)
+        }
         Law::Free => scaling_of_conditions(forward, &fields[best], &field),
         _ => None,
     };
@@ -162,7 +173,7 @@ pub fn reconstruct(
         delta_ln_evidence: weight(k) - weight(best),
     });
     let unit = match fields[best].law {
-        Law::Load { .. } | Law::Free => "N m/m",
+        Law::Load { .. } | Law::Onset { .. } | Law::Free => "N m/m",
         Law::Spring => "N m/m/deg",
         Law::Compliance => "1",
         Law::Sensor => "deg",
@@ -217,36 +228,6 @@ fn profile(condition: Option<String>, value: &DVector<f64>, spread: &DMatrix<f64
     }
 }
 
-/// Powers averaged over the laws by their probability; none if the campaign has but one law.
-fn scaling_of_laws(fields: &[Field], weight: &dyn Fn(usize) -> f64) -> Option<Scaling> {
-    let laws: Vec<(f64, f64, f64)> = (0..fields.len())
-        .filter_map(|k| match fields[k].law {
-            Law::Load {
-                frequency_power,
-                amplitude_power,
-            } => Some((weight(k), frequency_power, amplitude_power)),
-            _ => None,
-        })
-        .collect();
-    if laws.len() < 2 {
-        return None;
-    }
-    let total = ln_sum(laws.iter().map(|law| law.0));
-    let average = |of: &dyn Fn(&(f64, f64, f64)) -> f64| -> [f64; 2] {
-        let mean: f64 = laws.iter().map(|law| (law.0 - total).exp() * of(law)).sum();
-        let variance: f64 = laws
-            .iter()
-            .map(|law| (law.0 - total).exp() * (of(law) - mean).powi(2))
-            .sum();
-        // two powers a step of 1 apart: half a step is not told
-        [mean, (variance + 1.0 / 12.0).sqrt()]
-    };
-    Some(Scaling {
-        frequency: average(&|law| law.1),
-        amplitude: average(&|law| law.2),
-    })
-}
-
 /// Powers from the sizes of a free field in every condition, by regression of logarithms weighted by their errors.
 fn scaling_of_conditions(forward: &dyn Forward, field: &Field, profiles: &[FieldProfile]) -> Option<Scaling> {
     let mut rows: Vec<([f64; 3], f64, f64)> = Vec::new();
@@ -283,8 +264,8 @@ fn scaling_of_conditions(forward: &dyn Forward, field: &Field, profiles: &[Field
     }
     let factor = Cholesky::new(normal)?;
     let (best, covariance) = (factor.solve(&right), factor.inverse());
-    Some(Scaling {
-        frequency: [best[1], covariance[(1, 1)].sqrt()],
-        amplitude: [best[2], covariance[(2, 2)].sqrt()],
-    })
+    Some(Scaling::of_powers(
+        [best[1], covariance[(1, 1)].sqrt()],
+        [best[2], covariance[(2, 2)].sqrt()],
+    ))
 }

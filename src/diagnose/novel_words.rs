@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::fields::Law;
+use super::fields::{Driver, Law};
 use super::novel::{FieldProfile, Reconstruction};
 use super::verdict::Draft;
 use super::words::short;
@@ -12,63 +12,61 @@ use crate::study::Condition;
 const POWERS: usize = 4;
 /// A spring's field is per degree of twist, formulas know twist in rad.
 const PER_DEGREE: &str = " * (0 - 57.29578 * twist)";
+/// Most by which the size of a draft may exceed what was found.
+const LARGEST: f64 = 3.0;
+
+/// A number of a draft: name, value, range, unit, and why.
+struct Number {
+    name: &'static str,
+    value: f64,
+    range: [f64; 2],
+    unit: &'static str,
+    why: String,
+}
 
 /// Draft of a reconstruction in these conditions; none if it has no field.
 pub fn draft(reconstruction: &Reconstruction, conditions: &[Condition]) -> Option<Draft> {
-    let profile = reconstruction
-        .field
+    let profile = largest_profile(reconstruction)?;
+    let (shape, size) = polynomial(profile)?;
+    let what = what(reconstruction)?;
+    let (factor, mut numbers) = growth(reconstruction, profile, conditions);
+    let peak = profile
+        .points
         .iter()
-        .max_by(|a, b| a.total.abs().total_cmp(&b.total.abs()))?;
-    // the field is that of one condition, or at the largest of both
-    let there = |condition: &&Condition| {
-        profile
-            .condition
-            .as_ref()
-            .is_none_or(|name| condition.name == *name)
+        .max_by(|a, b| a.value.abs().total_cmp(&b.value.abs()))?;
+    let (name, unit) = match reconstruction.law {
+        Law::Spring => ("k", "N m/m/deg"),
+        Law::Compliance => ("c", "1"),
+        Law::Sensor => ("e", "deg"),
+        _ => ("m", "N m/m"),
     };
-    let largest =
-        |of: fn(&Condition) -> Option<f64>| conditions.iter().filter(there).filter_map(of).reduce(f64::max);
-    let f1 = largest(|condition| condition.frequency_hz);
-    let phi1 = largest(|condition| condition.half_amplitude_deg).map(f64::to_radians);
-    let shape = polynomial(profile)?;
-    let place = format!("centred at {:.2} of the span", profile.centroid);
-    let (factor, what) = match (reconstruction.law, reconstruction.scaling) {
-        (Law::Load { .. } | Law::Free, Some(scaling)) => {
-            let ([a, da], [b, db]) = (scaling.frequency, scaling.amplitude);
-            (
-                format!("{}{}", power("f", f1, a), power("Phi", phi1, b)),
-                format!(
-                    "a moment per length {place}, as frequency to the power {a:.1} ± {da:.1} and amplitude to the \
-                     power {b:.1} ± {db:.1}"
-                ),
-            )
-        }
-        (Law::Load { .. }, None) => (
-            String::new(),
-            format!("a moment per length {place}, the same in all conditions"),
-        ),
-        (Law::Free, None) => (
-            String::new(),
-            format!("a moment per length {place}, different in every condition"),
-        ),
-        (Law::Spring, _) => (PER_DEGREE.into(), format!("a spring against twist {place}")),
-        (Law::Compliance, _) => (String::new(), format!("a softer (or stiffer) stretch {place}")),
-        (Law::Sensor, _) => (
-            String::new(),
-            format!("an error of the reading, the same in all conditions, {place}"),
-        ),
-    };
+    let place = profile
+        .condition
+        .as_ref()
+        .map_or(String::new(), |name| format!(" in {name}"));
+    let why = format!(
+        "{} ± {} {unit} at r/R = {:.2}{place}",
+        short(peak.value.abs()),
+        short(peak.standard_deviation),
+        peak.r_over_length
+    );
+    numbers.insert(
+        0,
+        Number {
+            name,
+            value: size,
+            range: [0.0, LARGEST * size],
+            unit,
+            why,
+        },
+    );
     let (acts_on, expression) = match reconstruction.law {
-        Law::Compliance => (Some("torsion"), format!("1 / max(1 + {shape}, 0.05)")),
-        Law::Sensor => (None, shape),
-        _ => (Some("moment"), format!("({shape}){factor}")),
+        Law::Compliance => (Some("torsion"), format!("1 / max(1 + {name} * ({shape}), 0.05)")),
+        Law::Sensor => (None, format!("{name} * ({shape})")),
+        Law::Spring => (Some("moment"), format!("{name} * ({shape}){PER_DEGREE}")),
+        _ => (Some("moment"), format!("{name} * ({shape}){factor}")),
     };
-    let effect = acts_on.map(|acts_on| {
-        format!(
-            "[effects.missing]\nkind = \"custom\"\nacts_on = \"{acts_on}\"\nexpression = \"{expression}\"\nstrength = 1.0\n\
-             summary = \"{what}\"\n"
-        )
-    });
+    let effect = acts_on.map(|acts_on| table(acts_on, &expression, &what, &numbers));
     Some(Draft {
         expression,
         what,
@@ -76,15 +74,160 @@ pub fn draft(reconstruction: &Reconstruction, conditions: &[Condition]) -> Optio
     })
 }
 
-/// ` * (f / 26.0)^2.0`; nothing where no condition has the number.
-fn power(name: &str, largest: Option<f64>, power: f64) -> String {
-    largest.map_or(String::new(), |largest| {
-        format!(" * ({name} / {largest:.4})^({power:.1})")
+/// What is missing, in words; none if it has no field.
+pub fn what(reconstruction: &Reconstruction) -> Option<String> {
+    let profile = largest_profile(reconstruction)?;
+    let place = format!("centred at {:.2} of the span", profile.centroid);
+    Some(match (reconstruction.law, reconstruction.scaling) {
+        (law @ (Law::Load { .. } | Law::Onset { .. } | Law::Free), Some(scaling)) => {
+            format!("a moment per length {place}, {}", scaling.words(law))
+        }
+        (Law::Load { .. } | Law::Onset { .. }, None) => {
+            format!("a moment per length {place}, the same in all conditions")
+        }
+        (Law::Free, None) => format!("a moment per length {place}, different in every condition"),
+        (Law::Spring, _) => format!("a spring against twist {place}"),
+        (Law::Compliance, _) => format!("a softer (or stiffer) stretch {place}"),
+        (Law::Sensor, _) => format!("an error of the reading, the same in all conditions, {place}"),
     })
 }
 
-/// Polynomial in x = r/R through the field, weighted by its errors.
-fn polynomial(profile: &FieldProfile) -> Option<String> {
+fn largest_profile(reconstruction: &Reconstruction) -> Option<&FieldProfile> {
+    let profiles = reconstruction.field.iter();
+    profiles.max_by(|a, b| a.total.abs().total_cmp(&b.total.abs()))
+}
+
+/// How a moment grows with the motion, as a factor of one in the condition (or at the largest motion) that the field is of.
+fn growth(
+    reconstruction: &Reconstruction,
+    profile: &FieldProfile,
+    conditions: &[Condition],
+) -> (String, Vec<Number>) {
+    let there = |condition: &&Condition| match &profile.condition {
+        Some(name) => condition.name == *name,
+        None => !condition.is_held_out,
+    };
+    let largest = |driver: Driver| {
+        let values = conditions
+            .iter()
+            .filter(there)
+            .filter_map(|condition| driver.of(condition));
+        values.reduce(f64::max)
+    };
+    let in_formula = |driver: Driver, value: f64| match driver {
+        Driver::Frequency => value,
+        Driver::Amplitude => value.to_radians(),
+    };
+    let Some(scaling) = reconstruction.scaling else {
+        return (String::new(), Vec::new());
+    };
+    match reconstruction.law {
+        Law::Load { .. } | Law::Free => {
+            let mut factor = String::new();
+            let mut numbers = Vec::new();
+            let powers = [
+                (
+                    Driver::Frequency,
+                    "f",
+                    "a",
+                    scaling.frequency,
+                    scaling.frequency_is_told,
+                ),
+                (
+                    Driver::Amplitude,
+                    "Phi",
+                    "b",
+                    scaling.amplitude,
+                    scaling.amplitude_is_told,
+                ),
+            ];
+            for (driver, variable, name, [mean, error], is_told) in powers {
+                let Some(largest) = largest(driver) else { continue };
+                factor.push_str(&format!(
+                    " * ({variable} / {:.4})^{name}",
+                    in_formula(driver, largest)
+                ));
+                let told = if is_told {
+                    ""
+                } else {
+                    ", which is not told by the data"
+                };
+                numbers.push(Number {
+                    name,
+                    value: mean,
+                    range: [mean - 2.0 * error, mean + 2.0 * error],
+                    unit: "1",
+                    why: format!("{mean:.1} ± {error:.1}{told}"),
+                });
+            }
+            (factor, numbers)
+        }
+        Law::Onset { of, from } => {
+            let Some(largest) = largest(of) else {
+                return (String::new(), Vec::new());
+            };
+            let found = scaling.onset.and_then(|onset| match of {
+                Driver::Frequency => onset.frequency_hz,
+                Driver::Amplitude => onset.amplitude_deg,
+            });
+            let [_, error] = found.unwrap_or([from, 0.0]);
+            let (variable, name, unit) = match of {
+                Driver::Frequency => ("f", "f_on", "Hz"),
+                Driver::Amplitude => ("Phi", "Phi_on", "rad"),
+            };
+            let [from, error, largest] = [from, error, largest].map(|value| in_formula(of, value));
+            let number = Number {
+                name,
+                value: from,
+                range: [
+                    from - 2.0 * error,
+                    (from + 2.0 * error).min(0.5 * (from + largest)),
+                ],
+                unit,
+                why: scaling.words(reconstruction.law),
+            };
+            let factor = format!(" * max({variable} - {name}, 0) / ({largest:.4} - {name})");
+            (factor, vec![number])
+        }
+        _ => (String::new(), Vec::new()),
+    }
+}
+
+fn table(acts_on: &str, expression: &str, what: &str, numbers: &[Number]) -> String {
+    let mut text = format!(
+        "[effects.missing]\nkind = \"custom\"\nacts_on = \"{acts_on}\"\nexpression = \"{expression}\"\nstrength = 1.0\n\
+         summary = \"{what}\"\n"
+    );
+    for number in numbers {
+        let [low, high] = number.range.map(float);
+        text.push_str(&format!(
+            "{} = {{ assumed = {}, range = [{low}, {high}], why = \"{}\" }}\n",
+            number.name,
+            float(number.value),
+            number.why
+        ));
+    }
+    let units = numbers
+        .iter()
+        .map(|number| format!("{} = \"{}\"", number.name, number.unit));
+    text.push_str(&format!(
+        "units = {{ {} }}\n",
+        units.collect::<Vec<_>>().join(", ")
+    ));
+    text
+}
+
+/// A float as TOML has it.
+fn float(value: f64) -> String {
+    let text = short(value);
+    match text.contains(['.', 'e']) {
+        true => text,
+        false => text + ".0",
+    }
+}
+
+/// Polynomial in x = r/R through the field, weighted by its errors, over the largest size of the field; and that size.
+fn polynomial(profile: &FieldProfile) -> Option<(String, f64)> {
     let size = POWERS + 1;
     let largest = profile
         .points
@@ -99,7 +242,7 @@ fn polynomial(profile: &FieldProfile) -> Option<String> {
         normal += &row * row.transpose() * weight;
         right += row * (weight * point.value / largest);
     }
-    let best = Cholesky::new(normal)?.solve(&right) * largest;
+    let best = Cholesky::new(normal)?.solve(&right);
     let terms: Vec<String> = best
         .iter()
         .enumerate()
@@ -109,14 +252,14 @@ fn polynomial(profile: &FieldProfile) -> Option<String> {
             _ => format!("{} * x^{power}", short(*value)),
         })
         .collect();
-    Some(terms.join(" + ").replace("+ -", "- "))
+    Some((terms.join(" + ").replace("+ -", "- "), largest))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::novel::{FieldPoint, Scaling};
-    use crate::effects::custom::VARIABLES;
+    use crate::diagnose::laws::{Onset, Scaling};
+    use crate::diagnose::novel::FieldPoint;
     use crate::input::Expression;
 
     fn condition(name: &str, frequency_hz: f64) -> Condition {
@@ -150,39 +293,58 @@ mod tests {
                 centroid: 0.5,
             }],
             scaling: Some(Scaling {
-                frequency: [2.0, 0.1],
-                amplitude: [-1.0, 0.1],
+                onset: Some(Onset {
+                    probability: 1.0,
+                    in_frequency: 1.0,
+                    frequency_hz: Some([15.0, 1.0]),
+                    amplitude_deg: None,
+                }),
+                ..Scaling::of_powers([2.0, 0.1], [-1.0, 0.1])
             }),
         };
         let conditions = [condition("slow", 20.0), condition("fast", 40.0)];
         let twist_rad = 0.1;
-        let at = |expression: &str, f: f64| {
-            let mut values = [0.0; VARIABLES.len()];
-            for (name, value) in [
+        let at = |own: &toml::Table, f: f64| {
+            let mut known = vec![
                 ("x", 0.4),
                 ("twist", twist_rad),
                 ("f", f),
                 ("Phi", 30.0_f64.to_radians()),
-            ] {
-                values[VARIABLES.iter().position(|known| *known == name).unwrap()] = value;
+            ];
+            for name in own["units"].as_table().unwrap().keys() {
+                let number = |key: &str| own[name][key].as_float().unwrap();
+                let range = own[name]["range"].as_array().unwrap();
+                let [low, high] = [0, 1].map(|end| range[end].as_float().unwrap());
+                assert!(low <= number("assumed") && number("assumed") <= high, "{own}");
+                known.push((name, number("assumed")));
             }
-            Expression::parse(expression, &VARIABLES).unwrap().value(&values)
+            let names: Vec<&str> = known.iter().map(|number| number.0).collect();
+            let values: Vec<f64> = known.iter().map(|number| number.1).collect();
+            let expression = own["expression"].as_str().unwrap();
+            Expression::parse(expression, &names).unwrap().value(&values)
+        };
+        const ONSET: Law = Law::Onset {
+            of: Driver::Frequency,
+            from: 15.0,
         };
         let per_degree = -twist_rad.to_degrees();
         for (law, f, expected) in [
             (Law::Free, 20.0, field(0.4)),
             (Law::Free, 40.0, 4.0 * field(0.4)),
+            (ONSET, 20.0, field(0.4)),
+            (ONSET, 40.0, 5.0 * field(0.4)),
+            (ONSET, 14.0, 0.0),
             (Law::Spring, 20.0, per_degree * field(0.4)),
             (Law::Compliance, 20.0, 1.0 / (1.0 + field(0.4))),
         ] {
             reconstruction.law = law;
             let effect = draft(&reconstruction, &conditions).unwrap().effect.unwrap();
             let table: toml::Table = effect.parse().unwrap();
-            let expression = table["effects"]["missing"]["expression"].as_str().unwrap();
-            let found = at(expression, f);
+            let own = table["effects"]["missing"].as_table().unwrap();
+            let found = at(own, f);
             assert!(
-                (found / expected - 1.0).abs() < 0.02,
-                "{law:?}: {expression}: {found} {expected}"
+                (found - expected).abs() <= 0.02 * expected.abs(),
+                "{law:?}: {effect}: {found} {expected}"
             );
         }
         reconstruction.law = Law::Sensor;

@@ -202,17 +202,7 @@ fn noise_found(baseline: &Baseline) -> NoiseFound {
 
 fn novel(baseline: &Baseline, judgement: &Judgement) -> Novel {
     let is_null = judgement.significance.p_null > baseline.settings.significance;
-    let reconstruction: Option<Reconstruction> = (!is_null)
-        .then(|| {
-            reconstruct(
-                baseline.forward,
-                &baseline.fields,
-                &baseline.seen,
-                &judgement.weighed,
-                &baseline.whitened,
-            )
-        })
-        .flatten();
+    let reconstruction: Option<Reconstruction> = (!is_null).then(|| reconstruct(baseline)).flatten();
     let residual = baseline.whitened.q().sqrt().max(f64::MIN_POSITIVE);
     let mut nearest: Vec<LookAlike> = (0..baseline.data.missing.len())
         .map(|k| {
@@ -269,6 +259,10 @@ fn predictions(baseline: &Baseline, best: Option<&Explanation>) -> Result<Vec<Pr
             Prediction {
                 condition: forward.conditions()[observable.condition].name.clone(),
                 line: observable.line,
+                channel: observable.channel,
+                unit: observable.channel.unit().to_string(),
+                r_mm: observable.r_mm,
+                r_to_mm: observable.r_to_mm,
                 measured: observable.value,
                 calibrated: baseline.fit.predicted[row],
                 explained: fit.predicted[row],

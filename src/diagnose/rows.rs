@@ -1,11 +1,13 @@
 //! The rows of the report: hypotheses with their strengths, effects with their look-alikes.
 
-use crate::study::left_out::{by_condition, by_wing, ln_density};
+use crate::study::left_out::{Others, by_condition, by_wing};
 use crate::study::{Unknown, UnknownKind};
 
 use super::baseline::Baseline;
 use super::judge::Judgement;
+use super::ladder::held_out_sigma;
 use super::posterior::{Belief, Case};
+use super::refit::Explanation;
 use super::screening::{ENOUGH_POWER, Sight, effect_of, family_wise, is_one_sided, place_of};
 use super::verdict::{EffectRow, Hypothesis, LookAlike, PlaceFound, Strength};
 
@@ -82,7 +84,8 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -
     let gain = |groups: &[Vec<usize>]| {
         let local = found?.1?.local.as_ref()?;
         let noise = &baseline.scatter.noise;
-        Some(ln_density(local, noise, groups)? - ln_density(&baseline.local, noise, groups)?)
+        let about = |local| Others::new(local, noise).ln_density(groups);
+        Some(about(local)? - about(&baseline.local)?)
     };
     let family_names = families
         .iter()
@@ -141,15 +144,17 @@ fn place(baseline: &Baseline, k: usize, found: Option<[f64; 2]>) -> Option<Place
     })
 }
 
+/// Strengths of an effect that are plausible in nature.
+fn plausible_range(unknown: &Unknown) -> [f64; 2] {
+    match unknown.kind {
+        UnknownKind::Effect { plausible, .. } => plausible,
+        _ => unknown.range,
+    }
+}
+
 /// Whether the plausible range of an effect lies within a few standard errors of a strength.
 fn is_plausible(unknown: &Unknown, value: f64, error: f64) -> bool {
-    let UnknownKind::Effect {
-        plausible: [low, high],
-        ..
-    } = unknown.kind
-    else {
-        return true;
-    };
+    let [low, high] = plausible_range(unknown);
     value >= low - NEAR * error && value <= high + NEAR * error
 }
 
@@ -220,17 +225,20 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
                 refitted.unwrap_or(one_step),
                 refitted_error.unwrap_or(one_step_error),
             ),
+            plausible_range: plausible_range(own),
             detectability: scale * length,
             power: directions.power(k, own, significance),
             // what a fit finds is there, whatever the derivative at zero says of it
             sight: match refit {
                 Some(fit) if ln_evidence > 0.0 && fit.strength[0].abs() > NEAR * fit.standard_error[0] => {
-                    Sight::Present
+                    Sight::Possible
                 }
                 _ => directions.sight(k, own, significance),
             },
             ln_evidence,
             probability: family_index.map_or(0.0, |f| probability(judgement, &Case::One(f))),
+            gain_left_out_conditions: None,
+            held_out_gain: held_out_gain(baseline, refit),
             place: place(baseline, k, refit.and_then(|e| e.places[0])),
             look_alikes: look_alikes(baseline, judgement, k),
         };
@@ -241,7 +249,57 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
             None => rows.push(row),
         }
     }
+    let gain = LeftOutGain::new(baseline);
+    for row in &mut rows {
+        row.gain_left_out_conditions = gain.of(&row.unknown, judgement);
+    }
     rows
+}
+
+/// How much better the held-out observables are predicted with an effect.
+fn held_out_gain(baseline: &Baseline, refit: Option<&Explanation>) -> Option<f64> {
+    let with = held_out_sigma(baseline, &refit?.fit.as_ref()?.predicted)?;
+    let without = held_out_sigma(baseline, &baseline.fit.predicted)?;
+    Some(without / with.max(f64::MIN_POSITIVE))
+}
+
+/// How much better each condition is predicted from the others with an effect.
+struct LeftOutGain<'a> {
+    baseline: &'a Baseline<'a>,
+    groups: Vec<Vec<usize>>,
+    others: Others,
+    ln_density: Option<f64>,
+}
+
+impl<'a> LeftOutGain<'a> {
+    fn new(baseline: &'a Baseline) -> LeftOutGain<'a> {
+        let groups = by_condition(baseline.forward, &baseline.data.rows);
+        let others = Others::new(&baseline.local, &baseline.scatter.noise);
+        LeftOutGain {
+            ln_density: others.ln_density(&groups),
+            baseline,
+            groups,
+            others,
+        }
+    }
+
+    /// With the effect whose strength is the unknown of this name: as refitted, else by the derivative.
+    fn of(&self, unknown: &str, judgement: &Judgement) -> Option<f64> {
+        let Baseline { data, forward, .. } = self.baseline;
+        let k = (data.missing.iter()).position(|&i| forward.unknowns()[i].name == unknown)?;
+        let refits = judgement.refits.iter();
+        let refit = refits
+            .filter(|(index, _)| judgement.trial(*index).members == [k])
+            .find_map(|(_, found)| found.local.as_ref());
+        let with = match refit {
+            Some(local) => Others::new(local, &self.baseline.scatter.noise),
+            None => {
+                let column = self.baseline.slopes.column(k);
+                self.others.with(&column.select_rows(data.rows.iter()))
+            }
+        };
+        Some(with.ln_density(&self.groups)? - self.ln_density?)
+    }
 }
 
 /// Members of other families whose direction is nearest, the nearest of each, if they may have the sign that takes.

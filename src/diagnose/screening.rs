@@ -24,8 +24,8 @@ pub fn family_wise(level: f64, count: usize) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Sight {
-    /// Its score is beyond chance, though many were tried.
-    Present,
+    /// Its score is beyond chance, though many were tried: it is there, or one that looks like it.
+    Possible,
     /// It would have been seen if it had its plausible size, and was not.
     Absent,
     /// This campaign cannot tell.
@@ -215,7 +215,7 @@ impl Directions {
         };
         let tail = if one_sided { level } else { 0.5 * level };
         if score > Normal::standard().inverse_cdf(1.0 - tail) {
-            Sight::Present
+            Sight::Possible
         } else if self.power(k, unknown, level) > ENOUGH_POWER {
             Sight::Absent
         } else {

@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::input::measurement::Channel;
+
 use super::added_variable::AddedVariable;
 use super::ladder::Rung;
 use super::misfit::Misfit;
@@ -208,6 +210,8 @@ pub struct EffectRow {
     pub place: Option<PlaceFound>,
     /// Whether its plausible range lies within two standard errors of that strength (by one step, if not refitted).
     pub plausible: bool,
+    /// Strengths that are plausible in nature, in its unit.
+    pub plausible_range: [f64; 2],
     /// Distance from none, in standard deviations, that its plausible size would have; `length` times the scale.
     pub detectability: f64,
     /// Probability to see it at its plausible size.
@@ -218,6 +222,12 @@ pub struct EffectRow {
     pub ln_evidence: f64,
     /// Probability of its family alone being what is missing.
     pub probability: f64,
+    /// Logarithm of the density that all other cases give to each, with it fitted over without, summed; by the linear model where it
+    /// was not refitted; none where only one case is fitted.
+    pub gain_left_out_conditions: Option<f64>,
+    /// Root mean square error of what is held out (in stated standard deviations), calibrated without it over refitted with it: above
+    /// one if it predicts better; none where nothing is held out or it was not refitted.
+    pub held_out_gain: Option<f64>,
     /// Other families that look like it, nearest first.
     pub look_alikes: Vec<LookAlike>,
 }
@@ -240,6 +250,14 @@ pub struct Prediction {
     pub condition: String,
     /// Line of the measurement file.
     pub line: usize,
+    /// Channel.
+    pub channel: Channel,
+    /// Unit of all values.
+    pub unit: String,
+    /// Station, or inner end of the interval, mm.
+    pub r_mm: Option<f64>,
+    /// Outer end of the interval, mm.
+    pub r_to_mm: Option<f64>,
     /// Measured value.
     pub measured: f64,
     /// By the model as it is, calibrated.

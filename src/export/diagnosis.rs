@@ -24,6 +24,15 @@ pub struct DiagnosisReport {
     pub files: Vec<String>,
 }
 
+/// What the columns of the effects mean.
+const STRENGTHS: &str = "score: distance from none in sigma, what the model can absorb left out; one_step: strength by one linear step; within: \
+                         whether its error reaches the plausible range; detectable: sigma that the largest plausible size would have; \
+                         alone: whether it could be what is missing, by its score alone.";
+const LIKELY: &str = "ln_evidence: against nothing missing; probability: of its family alone; gain_left_out: of the logarithm of the \
+                      density that all other cases give to each; held_out_gain: held-out error without over with it; look-alikes with \
+                      the cosine between both signatures, and how many sigma apart they are at the strength found.";
+/// Look-alikes of which the table tells.
+const TOLD: usize = 2;
 /// Effects whose rows are shown when there are more.
 const SHOWN: usize = 24;
 
@@ -32,8 +41,14 @@ pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
     let mut sections = vec![format!("{study}\n\n{}", wrapped(&diagnosis.sentence, 0))];
     sections.push(format!("Hypotheses\n{}", hypotheses(&diagnosis.hypotheses)));
     sections.push(format!(
-        "Effects (score: distance from none in sigma; detectable: sigma that the plausible size would have)\n{}",
-        effects(&diagnosis.effects)
+        "Effects, each alone\n{}{}",
+        wrapped(STRENGTHS, 2),
+        strengths(&diagnosis.effects)
+    ));
+    sections.push(format!(
+        "How likely each is, and what looks like it\n{}{}",
+        wrapped(LIKELY, 2),
+        likely(&diagnosis.effects)
     ));
     if !diagnosis.unseen.is_empty() {
         let names = diagnosis.unseen.join(", ");
@@ -66,7 +81,10 @@ pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
         }
     }
     if !diagnosis.predictions.is_empty() {
-        sections.push(format!("Held-out cases\n{}", predictions(diagnosis)));
+        sections.push(format!(
+            "Held-out cases (explained: by the best of the known effects)\n{}",
+            predictions(diagnosis)
+        ));
     }
     if let Some(next) = &diagnosis.next_experiment {
         let mut table = Table::new(["experiment", "separation_in_sigma"]);
@@ -150,9 +168,19 @@ fn yes(is: bool) -> String {
     if is { "yes" } else { "no" }.to_string()
 }
 
-fn effects(effects: &[EffectRow]) -> String {
+/// Effects in the order of the tables, and what to say of those that are left out.
+fn shown(effects: &[EffectRow]) -> (Vec<&EffectRow>, String) {
     let mut order: Vec<&EffectRow> = effects.iter().collect();
     order.sort_by(|a, b| b.score.abs().total_cmp(&a.score.abs()));
+    order.truncate(SHOWN);
+    let rest = match effects.len().saturating_sub(SHOWN) {
+        0 => String::new(),
+        more => format!("  … and {more} more with smaller scores (--json)\n"),
+    };
+    (order, rest)
+}
+
+fn strengths(effects: &[EffectRow]) -> String {
     let mut table = Table::new([
         "effect",
         "score",
@@ -160,15 +188,15 @@ fn effects(effects: &[EffectRow]) -> String {
         "error",
         "refitted",
         "error",
-        "plausible",
+        "plausible_from",
+        "to",
+        "within",
+        "unit",
         "detectable",
-        "seen",
-        "ln_evidence",
-        "nearest look-alike",
-        "apart_sigma",
+        "alone",
     ]);
-    for row in order.iter().take(SHOWN) {
-        let near = row.look_alikes.first();
+    let (order, rest) = shown(effects);
+    for row in order {
         let error = |error: f64| {
             if error < 1e300 {
                 significant(error, 2)
@@ -176,47 +204,76 @@ fn effects(effects: &[EffectRow]) -> String {
                 String::new()
             }
         };
-        let place = row.place.as_ref().map_or(String::new(), |place| {
-            let numbers = place.numbers.values().map(|value| format!(" {value}"));
-            let wing = place
-                .wing
-                .as_ref()
-                .map_or(String::new(), |wing| format!(" on {wing}"));
-            format!(
-                "{} @ {}{wing}",
-                numbers.collect::<String>(),
-                significant(place.value, 2)
-            )
-        });
+        let [from, to] = row.plausible_range;
         table.row([
-            row.effect.clone() + &place,
+            row.effect.clone() + &place(row),
             number(row.score, 1),
             significant(row.one_step, 3),
             error(row.one_step_error),
             row.refitted.map_or(String::new(), |value| significant(value, 3)),
             row.refitted_error.map_or(String::new(), error),
+            significant(from, 3),
+            significant(to, 3),
             yes(row.plausible),
+            row.unit.clone(),
             number(row.detectability, 1),
             match row.sight {
-                Sight::Present => "present",
+                Sight::Possible => "possible",
                 Sight::Absent => "absent",
                 Sight::Undecidable => "undecidable",
             }
             .to_string(),
-            number(row.ln_evidence, 1),
-            near.map_or(String::new(), |near| {
-                format!("{} ({})", near.effect, number(near.cosine, 2))
-            }),
-            near.map_or(String::new(), |near| number(near.separation_sigma, 1)),
         ]);
     }
-    let more = effects.len().saturating_sub(SHOWN);
-    let rest = if more > 0 {
-        format!("  … and {more} more with smaller scores (--json)\n")
-    } else {
-        String::new()
-    };
-    format!("{}{rest}", table.render())
+    table.render() + &rest
+}
+
+fn place(row: &EffectRow) -> String {
+    row.place.as_ref().map_or(String::new(), |place| {
+        let numbers = place.numbers.values().map(|value| format!(" {value}"));
+        let wing = place
+            .wing
+            .as_ref()
+            .map_or(String::new(), |wing| format!(" on {wing}"));
+        format!(
+            "{} @ {}{wing}",
+            numbers.collect::<String>(),
+            significant(place.value, 2)
+        )
+    })
+}
+
+fn likely(effects: &[EffectRow]) -> String {
+    let mut table = Table::new([
+        "effect",
+        "ln_evidence",
+        "probability",
+        "gain_left_out",
+        "held_out_gain",
+        "look-alikes: cosine, sigma apart",
+    ]);
+    let (order, rest) = shown(effects);
+    for row in order {
+        let optional =
+            |value: Option<f64>, digits| value.map_or(String::new(), |value| number(value, digits));
+        let alike = row.look_alikes.iter().take(TOLD).map(|near| {
+            format!(
+                "{} {}, {}",
+                near.effect,
+                number(near.cosine, 2),
+                number(near.separation_sigma, 1)
+            )
+        });
+        table.row([
+            row.effect.clone(),
+            number(row.ln_evidence, 1),
+            number(row.probability, 3),
+            optional(row.gain_left_out_conditions, 1),
+            optional(row.held_out_gain, 2),
+            alike.collect::<Vec<_>>().join("; "),
+        ]);
+    }
+    table.render() + &rest
 }
 
 fn misfit(diagnosis: &Diagnosis) -> String {
@@ -306,15 +363,30 @@ fn reconstruction(found: &Reconstruction) -> String {
 }
 
 fn predictions(diagnosis: &Diagnosis) -> String {
-    let mut table = Table::new(["case", "line", "measured", "calibrated", "explained", "sigma"]);
+    let mut table = Table::new([
+        "case",
+        "channel",
+        "r_mm",
+        "measured",
+        "calibrated",
+        "explained",
+        "sigma",
+        "unit",
+    ]);
     for prediction in &diagnosis.predictions {
+        let place = |r_mm: Option<f64>| r_mm.map(|r_mm| significant(r_mm, 4));
+        let station = [prediction.r_mm, prediction.r_to_mm]
+            .into_iter()
+            .filter_map(place);
         table.row([
             prediction.condition.clone(),
-            prediction.line.to_string(),
+            prediction.channel.name().to_string(),
+            station.collect::<Vec<_>>().join(" to "),
             significant(prediction.measured, 4),
             significant(prediction.calibrated, 4),
             significant(prediction.explained, 4),
             significant(prediction.standard_deviation, 2),
+            prediction.unit.clone(),
         ]);
     }
     table.render()

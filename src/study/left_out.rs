@@ -56,18 +56,61 @@ pub struct LeftOut {
     pub ln_density: f64,
 }
 
-/// Leaves out each of `groups` in turn; linear about the fit.
-pub fn leave_out(local: &Local, noise: &Noise, groups: &[Vec<usize>]) -> Vec<LeftOut> {
-    let size = local.at_means.len();
-    let slopes = noise.whiten_columns(&local.slopes);
-    let covariance = DMatrix::identity(size, size) + &slopes * slopes.transpose();
-    let Some(factor) = Cholesky::new(covariance) else {
-        return Vec::new();
-    };
-    let whitener = noise.whiten_columns(&DMatrix::identity(size, size));
-    let precision = whitener.transpose() * factor.solve(&whitener);
-    let weighted = &precision * &local.at_means;
-    let predict = |positions: &Vec<usize>| {
+/// What the others tell of each group, about one fit; linear.
+#[derive(Debug, Clone)]
+pub struct Others {
+    local: Local,
+    /// P; none where the slopes are not finite.
+    precision: Option<DMatrix<f64>>,
+}
+
+impl Others {
+    /// About a fit, with scatter `noise`.
+    pub fn new(local: &Local, noise: &Noise) -> Others {
+        let size = local.at_means.len();
+        let slopes = noise.whiten_columns(&local.slopes);
+        let covariance = DMatrix::identity(size, size) + &slopes * slopes.transpose();
+        let precision = Cholesky::new(covariance).map(|factor| {
+            let whitener = noise.whiten_columns(&DMatrix::identity(size, size));
+            whitener.transpose() * factor.solve(&whitener)
+        });
+        Others {
+            local: local.clone(),
+            precision,
+        }
+    }
+
+    /// The same with one unknown more, by its derivatives per prior standard deviation (Sherman & Morrison 1950).
+    pub fn with(&self, column: &DVector<f64>) -> Others {
+        let count = self.local.slopes.ncols();
+        let mut slopes = self.local.slopes.clone().insert_column(count, 0.0);
+        slopes.set_column(count, column);
+        let precision = self.precision.as_ref().map(|precision| {
+            let along = precision * column;
+            precision - &along * along.transpose() / (1.0 + column.dot(&along))
+        });
+        Others {
+            local: Local {
+                slopes,
+                ..self.local.clone()
+            },
+            precision,
+        }
+    }
+
+    /// Leaves out each of `groups` in turn.
+    pub fn leave_out(&self, groups: &[Vec<usize>]) -> Vec<LeftOut> {
+        let Some(precision) = &self.precision else {
+            return Vec::new();
+        };
+        let weighted = precision * &self.local.at_means;
+        let all = groups.iter();
+        all.filter_map(|positions| self.one(precision, &weighted, positions))
+            .collect()
+    }
+
+    fn one(&self, precision: &DMatrix<f64>, weighted: &DVector<f64>, positions: &[usize]) -> Option<LeftOut> {
+        let Local { at_means, slopes, .. } = &self.local;
         let own = precision
             .select_rows(positions.iter())
             .select_columns(positions.iter());
@@ -78,31 +121,23 @@ pub fn leave_out(local: &Local, noise: &Noise, groups: &[Vec<usize>]) -> Vec<Lef
         let ln_density = half_ln_determinant
             - 0.5 * surprise.dot(&part)
             - 0.5 * positions.len() as f64 * (2.0 * std::f64::consts::PI).ln();
-        let mut told = local.at_means.clone();
+        let mut told = at_means.clone();
         for (&position, surprise) in positions.iter().zip(surprise.iter()) {
             told[position] -= surprise;
         }
-        let unknowns = local.slopes.tr_mul(&(&precision * told));
-        let error = |&position: &usize| {
-            local.at_means[position] - local.slopes.row(position).transpose().dot(&unknowns)
-        };
+        let unknowns = slopes.tr_mul(&(precision * told));
+        let error = |&position: &usize| at_means[position] - slopes.row(position).transpose().dot(&unknowns);
         Some(LeftOut {
-            positions: positions.clone(),
+            positions: positions.to_vec(),
             errors: positions.iter().map(error).collect(),
             ln_density,
         })
-    };
-    groups.iter().filter_map(predict).collect()
-}
+    }
 
-/// Sum of the logarithms of the densities; none if there are fewer than two groups.
-pub fn ln_density(local: &Local, noise: &Noise, groups: &[Vec<usize>]) -> Option<f64> {
-    (groups.len() > 1).then(|| {
-        leave_out(local, noise, groups)
-            .iter()
-            .map(|left| left.ln_density)
-            .sum()
-    })
+    /// Sum of the logarithms of the densities; none if there are fewer than two groups.
+    pub fn ln_density(&self, groups: &[Vec<usize>]) -> Option<f64> {
+        (groups.len() > 1).then(|| self.leave_out(groups).iter().map(|left| left.ln_density).sum())
+    }
 }
 
 /// Conditions of the observables `rows`, each with the positions of its observables among them, in their order.
@@ -187,7 +222,8 @@ mod tests {
             slopes: slopes.clone(),
             rows: (0..5).collect(),
         };
-        let left = leave_out(&local, &noise(5, 0.5, 0.0), &[vec![0, 1, 2], vec![3, 4]]);
+        let groups = [vec![0, 1, 2], vec![3, 4]];
+        let left = Others::new(&local, &noise(5, 0.5, 0.0)).leave_out(&groups);
         let near = slopes.rows(0, 3) / 0.5;
         let curvature = DMatrix::identity(2, 2) + near.transpose() * &near;
         let fit = curvature
@@ -208,9 +244,35 @@ mod tests {
             slopes: DMatrix::from_element(4, 1, 1e-6),
             rows: (0..4).collect(),
         };
-        let left = leave_out(&local, &noise(4, 0.1, 2.0), &[vec![0, 1], vec![2, 3]]);
+        let left = Others::new(&local, &noise(4, 0.1, 2.0)).leave_out(&[vec![0, 1], vec![2, 3]]);
         for error in left.iter().flat_map(|left| &left.errors) {
             assert!((error - 2.0).abs() < 1e-3, "{error}");
+        }
+    }
+
+    #[test]
+    fn one_unknown_more_is_a_fit_with_one_unknown_more() {
+        let slopes = DMatrix::from_fn(5, 2, |i, j| 3.0 * (i as f64).powi(j as i32));
+        let whole = Local {
+            at_means: DVector::from_vec(vec![1.0, 1.5, 2.5, 2.0, 5.0]),
+            slopes: slopes.clone(),
+            rows: (0..5).collect(),
+        };
+        let less = Local {
+            slopes: slopes.columns(0, 1).into_owned(),
+            ..whole.clone()
+        };
+        let (noise, groups) = (noise(5, 0.5, 0.3), [vec![0, 1], vec![2], vec![3, 4]]);
+        let more = Others::new(&less, &noise).with(&slopes.column(1).into_owned());
+        for (a, b) in more
+            .leave_out(&groups)
+            .iter()
+            .zip(Others::new(&whole, &noise).leave_out(&groups))
+        {
+            assert!((a.ln_density - b.ln_density).abs() < 1e-9);
+            for (a, b) in a.errors.iter().zip(&b.errors) {
+                assert!((a - b).abs() < 1e-9, "{a} {b}");
+            }
         }
     }
 }

@@ -141,15 +141,21 @@ fn effects(document: &Document, found: &Diagnosis) -> String {
         "±",
         "refitted",
         "±",
-        "plausible",
+        "plausible from",
+        "to",
+        "within",
         "detectable (σ)",
-        "seen",
+        "alone",
         "ln evidence",
+        "probability",
+        "gain on cases left out (ln)",
+        "held-out gain",
         "looks like",
         "apart (σ)",
     ];
     let mut table = HtmlTable::new(&heads).caption(
-        "Score: distance from none, what the model can absorb left out; detectable: the score that the plausible size would have",
+        "Score: distance from none, what the model can absorb left out; detectable: the score that the largest plausible size would \
+         have; alone: whether it could be what is missing, by its score alone; held-out gain: held-out error without over with it",
     );
     let mut order: Vec<usize> = (0..found.effects.len()).collect();
     let score = |index: &usize| found.effects[*index].score.abs();
@@ -171,10 +177,15 @@ fn effects(document: &Document, found: &Diagnosis) -> String {
             error("one_step_error", Some(row.one_step_error)),
             at("refitted", Digits::Significant(3)),
             error("refitted_error", row.refitted_error),
+            at("plausible_range/0", Digits::Significant(3)),
+            at("plausible_range/1", Digits::Significant(3)),
             yes(row.plausible),
             at("detectability", Digits::After(1)),
             document.words(&format!("/effects/{index}/sight")),
             at("ln_evidence", Digits::After(1)),
+            at("probability", Digits::After(3)),
+            at("gain_left_out_conditions", Digits::After(1)),
+            at("held_out_gain", Digits::After(2)),
             near.map_or(Shown::default(), |near| Shown::text(&near.effect)),
             at("look_alikes/0/separation_sigma", Digits::After(1)),
         ]);
@@ -314,11 +325,13 @@ fn missing(study: &str, found: &Diagnosis) -> Result<String, ExportError> {
 fn predictions(document: &Document, found: &Diagnosis) -> String {
     let heads = [
         "case",
-        "line",
+        "channel",
+        "r (mm)",
         "measured",
         "calibrated",
         "explained",
         "σ of explained",
+        "unit",
     ];
     let mut table = HtmlTable::new(&heads);
     for (index, prediction) in found.predictions.iter().enumerate() {
@@ -330,11 +343,13 @@ fn predictions(document: &Document, found: &Diagnosis) -> String {
         };
         table.row(vec![
             Shown::text(&prediction.condition),
-            document.exact(&format!("/predictions/{index}/line")),
+            Shown::text(prediction.channel.name()),
+            document.exact(&format!("/predictions/{index}/r_mm")),
             at("measured", 4),
             at("calibrated", 4),
             at("explained", 4),
             at("standard_deviation", 2),
+            Shown::text(&prediction.unit),
         ]);
     }
     table.folded(20, "Predictions")

@@ -3,6 +3,7 @@
 use crate::diagnose::added_variable::AddedVariable;
 use crate::diagnose::misfit::MisfitStation;
 use crate::diagnose::novel::{FieldProfile, Reconstruction};
+use crate::diagnose::novel_words;
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::plot::{Chart, Figure, Ink, Key, Limit, Mark, Panel, Point, Sample, Shape, Weight};
 
@@ -137,7 +138,10 @@ pub fn field(study: &str, found: &Reconstruction) -> Figure {
             .map(|profile| profile_panel(profile, unit))
             .collect(),
         columns: None,
-        caption: format!("Under the law that the data favour: {}.", law_words(found)),
+        caption: format!(
+            "Under the law that the data favour: {}.",
+            novel_words::what(found).unwrap_or_default()
+        ),
     }
 }
 
@@ -165,28 +169,6 @@ fn profile_panel(profile: &FieldProfile, unit: &str) -> Panel {
         ],
         has_zero_line: true,
     })
-}
-
-fn law_words(found: &Reconstruction) -> String {
-    use crate::diagnose::fields::Law;
-    match found.law {
-        Law::Load {
-            frequency_power: 0.0,
-            amplitude_power: 0.0,
-        } => "a moment per length, the same in all cases".to_string(),
-        Law::Load {
-            frequency_power,
-            amplitude_power,
-        } => format!(
-            "a moment per length that grows as frequency to the power {} and amplitude to the power {}",
-            plain(frequency_power),
-            plain(amplitude_power)
-        ),
-        Law::Free => "a moment per length of its own in every case".to_string(),
-        Law::Spring => "a moment per length against the twist".to_string(),
-        Law::Compliance => "a structure that is softer than modelled".to_string(),
-        Law::Sensor => "an error of the reading, the same in all cases".to_string(),
-    }
 }
 
 fn value(x: f64, y: f64) -> Point {
