@@ -11,6 +11,7 @@ use crate::export::html::{self, REPORT};
 use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
+use crate::input::measurement::InCommon;
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::{Campaign, Forward};
@@ -119,17 +120,40 @@ impl Diagnose {
 
 /// Data that were made with what the diagnosis itself would use prove nothing.
 fn refuse_own_word(path: &Path, study: &LoadedStudy, seed: u64) -> Result<(), Failure> {
-    let own = study
-        .cases
-        .iter()
-        .find_map(|case| Some((case, case.made?.is_own_word(seed)?)));
-    match own {
-        Some((case, what)) => Err(Failure::OwnWord {
-            study: path.to_path_buf(),
-            case: case.name.clone(),
-            what,
-        }),
-        None => Ok(()),
+    let mut files: Vec<(&str, Vec<InCommon>)> = Vec::new();
+    for case in &study.cases {
+        let shared = case.made.map_or(Vec::new(), |made| made.in_common(seed));
+        let file = case.measurement.as_str();
+        if !shared.is_empty() && !files.iter().any(|(known, _)| *known == file) {
+            files.push((file, shared));
+        }
+    }
+    if files.is_empty() {
+        return Ok(());
+    }
+    let made = files.iter().map(|(file, shared)| {
+        let what: Vec<&str> = shared.iter().map(|shared| shared.what.as_str()).collect();
+        format!("{file} was made by washout synthesize with {}", and(&what))
+    });
+    let made = made.collect::<Vec<_>>().join(", and ");
+    let mut without: Vec<&str> = Vec::new();
+    for shared in files.iter().flat_map(|(_, shared)| shared) {
+        if !without.contains(&shared.without.as_str()) {
+            without.push(&shared.without);
+        }
+    }
+    Err(Failure::OwnWord {
+        study: path.to_path_buf(),
+        made,
+        without: and(&without),
+    })
+}
+
+/// Words in one sentence.
+fn and(words: &[&str]) -> String {
+    match words {
+        [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => words.concat(),
     }
 }
 

@@ -124,17 +124,18 @@ pub enum Failure {
     },
     /// Measurements that a diagnosis would only read back.
     #[error(
-        "{}: case {case} was made by washout synthesize with {what} as this diagnosis has: finding the answer there would \
-         prove nothing. Make it anew without that, or say --own-data",
+        "{}: {made} as this diagnosis has: finding the answer there would prove nothing. Make the measurements anew with {without} \
+         (washout synthesize), or diagnose them all the same: washout diagnose {} --own-data",
+        study.display(),
         study.display()
     )]
     OwnWord {
         /// The study file.
         study: PathBuf,
-        /// Name of the case.
-        case: String,
-        /// What they share.
-        what: &'static str,
+        /// Which measurements, and what they share.
+        made: String,
+        /// How to make them without that.
+        without: String,
     },
     /// A search that cannot be made.
     #[error("{}: {source}", design.display())]

@@ -18,7 +18,7 @@ mod made;
 mod row;
 
 pub use columns::COLUMN_WORDS;
-pub use made::{Formulas, Made};
+pub use made::{Formulas, InCommon, Made};
 
 use row::{identity, read_row};
 
@@ -29,6 +29,8 @@ pub struct Measurement {
     pub file: String,
     /// Comment lines at the head of the file (source, licence, meaning of columns), without `#`.
     pub comments: Vec<String>,
+    /// How a program made them, if the file says so.
+    pub made: Option<Made>,
     /// The rows, in the order of the file.
     pub rows: Vec<Row>,
 }
@@ -237,11 +239,6 @@ pub(super) fn refuse_planned(file: &str, rows: &[Row]) -> Result<(), InputError>
 }
 
 impl Measurement {
-    /// What the file says of itself if a program made it.
-    pub fn made(&self) -> Option<Made> {
-        self.comments.iter().find_map(|comment| Made::parse(comment))
-    }
-
     /// Reads a measurement file with all its cases.
     pub fn load(path: &Path) -> Result<Measurement, InputError> {
         let text = file::read_text(path, "measurement file")?;
@@ -299,6 +296,7 @@ impl Measurement {
         Ok(Measurement {
             file: file_name.to_string(),
             comments: table.comments,
+            made: Made::of_file(text, file_name)?,
             rows,
         })
     }
@@ -319,6 +317,7 @@ impl Measurement {
         Measurement {
             file: self.file.clone(),
             comments: self.comments.clone(),
+            made: self.made,
             rows: self.rows.iter().filter(|row| row.case == case).cloned().collect(),
         }
     }

@@ -238,7 +238,7 @@ fn family(
             numbers: case_numbers(&case.set, &numbers),
             loaded,
             measurement: measurement.file.clone(),
-            made: measurement.made(),
+            made: measurement.made,
             rows: measurement.rows.into_iter().filter(counts).collect(),
             is_held_out: case.purpose == Purpose::HeldOut || case.held_out.iter().any(|held| held == name),
         });
