@@ -22,7 +22,7 @@ use crate::sweep::Base;
 use crate::synthesize::SynthesizeError;
 use crate::task::{key, stretches};
 
-use super::diagnose::candidates;
+use super::candidates::{candidates, known};
 use super::tasks::{Job, TaskArguments, Work, gone};
 use super::{Console, Failure};
 
@@ -102,8 +102,9 @@ struct Ready<'a> {
 impl TryBlind {
     /// Runs what is missing of the cases and prints the scoreboard.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        known(&self.effect)?;
         let study = LoadedStudy::load_planned(&self.study, &self.set)?;
-        let names = candidates(&study, &self.effect);
+        let names = candidates(&study, &self.effect)?;
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let folder = self.output.join("cases");
         std::fs::create_dir_all(&folder).map_err(ExportError::file("create", &folder))?;

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::diagnose::{DiagnoseError, Settings, diagnose_with, plan};
-use crate::effects::all;
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::html::{self, REPORT};
 use crate::export::pictures::write::add_diagnosis;
@@ -16,6 +15,7 @@ use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::{Campaign, Forward};
 
+use super::candidates::{candidates, known};
 use super::study::{listed, target};
 use super::{Console, Failure};
 
@@ -67,6 +67,7 @@ pub struct Diagnose {
 impl Diagnose {
     /// Diagnoses.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        known(&self.effect)?;
         let study = match self.plan {
             true => LoadedStudy::load_planned(&self.study, &self.set)?,
             false => LoadedStudy::load(&self.study, &self.set)?,
@@ -79,7 +80,7 @@ impl Diagnose {
         let folder = (!self.plan)
             .then(|| RunFolder::listed_by(&target, DIAGNOSIS))
             .transpose()?;
-        let names = candidates(&study, &self.effect);
+        let names = candidates(&study, &self.effect)?;
         let settings = Settings {
             significance: self.significance,
             seed: self.seed,
@@ -165,7 +166,7 @@ pub fn diagnosed(
 ) -> Result<(Campaign, DiagnosisReport), Failure> {
     let settings = Settings::default();
     refuse_own_word(path, study, settings.seed)?;
-    answered(path, study, &candidates(study, &[]), settings, console)
+    answered(path, study, &candidates(study, &[])?, settings, console)
 }
 
 /// What the measurements of a study say, and which of its experiments comes next.
@@ -227,14 +228,5 @@ fn fault(study: &Path, source: DiagnoseError) -> Failure {
     Failure::Diagnosis {
         study: study.to_path_buf(),
         source,
-    }
-}
-
-/// Effects to be tried: those asked for, those that the study names, or all.
-pub fn candidates(study: &LoadedStudy, asked: &[String]) -> Vec<String> {
-    match (asked, &study.study.candidates) {
-        ([], None) => all().map(|effect| effect.card().name.to_string()).collect(),
-        ([], Some(named)) => named.clone(),
-        (asked, _) => asked.to_vec(),
     }
 }

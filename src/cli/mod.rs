@@ -59,6 +59,8 @@ pub mod effects;
 
 pub mod diagnose;
 
+pub mod candidates;
+
 pub mod add;
 
 pub mod report;

@@ -14,7 +14,10 @@ pub enum DiagnoseError {
     )]
     NoData,
     /// No effect to try.
-    #[error("the study offers no effect that the model lacks: name some under [effects], or allow them all")]
+    #[error(
+        "no effect that may be tried can join the model: name others in candidates of the study, or leave candidates out, to try \
+         all that can act"
+    )]
     NoEffects,
     /// A setting out of range.
     #[error("{name} = {value} is out of range: {cure}")]

@@ -125,14 +125,19 @@ pub fn is_applicable(card: &Card, design: &Design) -> bool {
     lacks(card, design).is_none()
 }
 
-fn unknown(name: &str) -> EffectError {
+/// What to say where no effect has this name: the nearest, or all that there are.
+pub fn instead_of(name: &str) -> String {
     let names: Vec<&str> = all().map(|effect| effect.card().name).collect();
-    let cure = match nearest(name, names.iter().copied()) {
+    match nearest(name, names.iter().copied()) {
         Some(near) => format!("did you mean {near}? (washout effects)"),
-        None => format!(
-            "write kind = \"custom\" for one of your own; there are {} (washout effects)",
-            names.join(", ")
-        ),
+        None => format!("there are {} (washout effects)", names.join(", ")),
+    }
+}
+
+fn unknown(name: &str) -> EffectError {
+    let cure = match instead_of(name) {
+        near if near.starts_with("did") => near,
+        all => format!("write kind = \"custom\" for one of your own; {all}"),
     };
     EffectError::Unknown {
         name: name.to_string(),
@@ -197,7 +202,8 @@ pub(super) fn number(value: &toml::Value) -> Option<f64> {
     plain(value).or_else(|| plain(value.get("assumed")?))
 }
 
-fn lacks(card: &Card, design: &Design) -> Option<String> {
+/// What a design lacks for an effect to act in it; none if it can.
+pub fn lacks(card: &Card, design: &Design) -> Option<String> {
     let film_kept = (design.film.as_ref()).map(|film| match film.compression {
         FilmCompression::TensionField => film.residual_compression.value(),
         FilmCompression::Carries => 1.0,

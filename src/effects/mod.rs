@@ -105,7 +105,7 @@ pub mod tip_loss_exponential;
 
 pub mod air_density;
 
-pub use bind::{Acting, Bound, Values, acting, bind, is_applicable};
+pub use bind::{Acting, Bound, Values, acting, bind, instead_of, is_applicable, lacks};
 pub use card::{Card, Need, Parameter, Places, Seam};
 pub use error::EffectError;
 pub use library::{ALL, all, named, register};

@@ -10,9 +10,12 @@ mod reading;
 
 mod section;
 
+use std::path::Path;
+
 use super::design::Design;
 use super::document::Node;
 use super::error::{InputError, Problem};
+use super::file::{read_text, shown};
 use super::nearest::nearest;
 use super::path::KeyPath;
 
@@ -134,6 +137,15 @@ pub(crate) fn refuse<T>(
         with: with.iter().map(|key| key.to_string()).collect(),
     };
     Err(InputError::new(place, key, &shown, problem, cure))
+}
+
+/// The refusal of the value at `key` of a TOML file on disk, with its place; that of the file, if it cannot be read any more.
+pub(crate) fn refused_in(path: &Path, what: &str, key: &str, message: &str, cure: &str) -> InputError {
+    let root = read_text(path, what).and_then(|text| Node::parse_file(&shown(path), &text));
+    match root.and_then(|root| refuse::<()>(&root, key, message, &[], cure)) {
+        Err(refusal) => refusal,
+        Ok(()) => InputError::about_file(&shown(path), message, cure),
+    }
 }
 
 /// Without the last digits that arithmetic leaves behind, for messages.
