@@ -10,7 +10,7 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item, value};
 
 use crate::compare::ladder::{StudyRung, ladder};
 use crate::compare::study::{StudyComparison, compare_study};
-use crate::effects::named;
+use crate::effects::{Card, named};
 use crate::export::file::write_whole;
 use crate::export::html::{self, Document};
 use crate::export::ladder as ladder_text;
@@ -22,7 +22,7 @@ use crate::input::study::LoadedStudy;
 use crate::study::Campaign;
 
 use super::study::{listed, target as target_of};
-use super::{Console, Failure};
+use super::{Console, Failure, joining};
 
 /// The document that lists the files of a ladder.
 pub const LADDER: &str = "ladder.json";
@@ -146,54 +146,47 @@ impl Add {
 
     /// Plausible size of the effect, and its table if it is the user's own.
     fn effect(&self) -> Result<(f64, toml::Table), Failure> {
-        let unknown = |reason: String| Failure::Option {
-            option: "washout add EFFECT",
-            reason,
-        };
+        let study = LoadedStudy::load(&self.to, &[])?;
+        joining::wings(&study, &self.on)?;
+        if self.remove {
+            joining::present(&study, &self.effect)?;
+        }
         if let Some(file) = &self.own {
             let mut tables = own_effects(file)?;
-            let names: Vec<String> = tables.keys().cloned().collect();
             let Some(mut table) = tables.remove(&self.effect) else {
-                let reason = format!(
-                    "{} has no table [effects.{}], only {}",
-                    file.display(),
-                    self.effect,
-                    names.join(", ")
-                );
-                return Err(unknown(reason));
+                let names: Vec<&str> = tables.keys().map(String::as_str).collect();
+                return Err(joining::no_such_table(file, &self.effect, &names));
             };
+            joining::own_strength(file, &self.effect, &table)?;
+            let designs = study.cases.iter().map(|case| &case.loaded.design);
+            let meant = designs.filter(|design| self.on.is_empty() || self.on.contains(&design.name));
+            joining::own_table(file, &self.effect, &table, meant, 0.0)?;
             table.remove("strength");
             return Ok((1.0, table));
         }
         match named(&self.effect) {
-            Some(effect) => Ok((effect.card().parameters[0].scale(), self.numbers()?)),
+            Some(effect) => {
+                let card = effect.card();
+                Ok((card.parameters[0].scale(), self.numbers(&card)?))
+            }
             None if self.remove => Ok((1.0, toml::Table::new())),
-            None => Err(unknown(format!(
-                "there is no effect {} (washout effects); one of your own comes with --own FILE",
-                self.effect
-            ))),
+            None => Err(joining::no_such_effect(&self.effect)),
         }
     }
 
     /// The effect's numbers besides its strength.
-    fn numbers(&self) -> Result<toml::Table, Failure> {
-        let number = |text: &String| {
-            let (name, value) = text.split_once('=')?;
-            Some((
-                name.trim().to_string(),
-                toml::Value::Float(value.trim().parse().ok()?),
-            ))
-        };
-        let all = self.number.iter().map(|text| {
-            number(text).ok_or_else(|| Failure::Option {
-                option: "--number",
-                reason: format!(
-                    "{text} is not NAME=VALUE, such as from=0.53 (washout effects {})",
-                    self.effect
-                ),
-            })
-        });
-        all.collect()
+    fn numbers(&self, card: &Card) -> Result<toml::Table, Failure> {
+        let mut numbers = toml::Table::new();
+        for text in &self.number {
+            let (name, number) = joining::number(text, card)?;
+            if numbers.insert(name.clone(), toml::Value::Float(number)).is_some() {
+                return Err(Failure::Option {
+                    option: "--number",
+                    reason: format!("{text}: {name} is given twice; give it once"),
+                });
+            }
+        }
+        Ok(numbers)
     }
 
     fn compared(&self, study: &LoadedStudy, console: &Console) -> Result<StudyComparison, Failure> {

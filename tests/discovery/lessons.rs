@@ -114,6 +114,25 @@ fn what_the_library_does_not_know_is_called_novel_and_drawn_along_the_span() {
 }
 
 #[test]
+fn a_load_that_sets_in_at_a_frequency_is_said_to_set_in_there() {
+    // none at 18 Hz, all of it at 25 Hz, whatever the amplitude: steeper than any power that is tried
+    let said = said(&study(vec![Hidden::Onset(0.4, 5e-3, 20.0)], 3));
+    assert_eq!(said.verdict, Verdict::Novel, "{}", said.sentence);
+    let found = said.novel.reconstruction.expect("a reconstruction");
+    let onset = found
+        .scaling
+        .and_then(|scaling| scaling.onset)
+        .expect("an onset");
+    assert!(
+        onset.probability > 0.9 && onset.in_frequency > 0.9,
+        "{onset:?}: {:?}",
+        found.laws
+    );
+    assert!(matches!(found.law, Law::Onset { .. }), "{:?}", found.law);
+    assert!(said.sentence.contains("setting in at"), "{}", said.sentence);
+}
+
+#[test]
 fn damage_between_two_places_is_found_as_damage() {
     // 0.365 lies half way between the places that the library knows
     let said = said(&study(vec![Hidden::Damage(0.365, 200.0)], 4));
