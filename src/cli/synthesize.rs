@@ -13,9 +13,9 @@ use crate::export::file::write_whole;
 use crate::export::measurement::measurement_csv;
 use crate::input::measurement::{Formulas, Made, Row};
 use crate::input::study::LoadedStudy;
-use crate::synthesize::{Hidden, Recipe, Synthetic, synthesize};
+use crate::synthesize::{Hidden, Recipe, SynthesizeError, Synthetic, synthesize};
 
-use super::{Console, Failure};
+use super::{Console, Failure, joining};
 
 /// Arguments of `washout synthesize`.
 #[derive(Debug, Args)]
@@ -79,11 +79,8 @@ impl Synthesize {
     /// Makes and writes them.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let study = LoadedStudy::load_planned(&self.study, &[])?;
-        let recipe = self.recipe()?;
-        let made = synthesize(&study, &recipe, console.progress()).map_err(|source| Failure::Synthesis {
-            study: self.study.clone(),
-            source,
-        })?;
+        let recipe = self.recipe(&study)?;
+        let made = synthesize(&study, &recipe, console.progress()).map_err(|source| self.refused(source))?;
         let folder = match &self.output {
             Some(folder) => folder.clone(),
             None => PathBuf::from("output").join(format!("{}-synthetic", study.study.name)),
@@ -92,7 +89,28 @@ impl Synthesize {
         console.result(&page(&report), &report)
     }
 
-    fn recipe(&self) -> Result<Recipe, Failure> {
+    /// A fault of an effect is one of the option that names it.
+    fn refused(&self, source: SynthesizeError) -> Failure {
+        match source {
+            SynthesizeError::Hidden { effect, reason } => {
+                let is_it = |text: &String| {
+                    let name = text.split(['=', '@']).next();
+                    name.is_some_and(|name| name.trim() == effect)
+                };
+                let (option, reason) = match (&self.own, self.effect.iter().any(is_it)) {
+                    (Some(file), false) => ("--own", format!("{}: {effect}: {reason}", file.display())),
+                    _ => ("--effect", format!("{effect}: {reason}")),
+                };
+                Failure::Option { option, reason }
+            }
+            source => Failure::Synthesis {
+                study: self.study.clone(),
+                source,
+            },
+        }
+    }
+
+    fn recipe(&self, study: &LoadedStudy) -> Result<Recipe, Failure> {
         let option = |option: &'static str, reason: String| Failure::Option { option, reason };
         for (name, value, low, high) in [
             ("--noise", self.noise, 0.0, 100.0),
@@ -121,18 +139,17 @@ impl Synthesize {
             hidden.push(Hidden { wing, ..known });
         }
         if let Some(file) = &self.own {
-            hidden.extend(super::add::own_effects(file)?.into_iter().map(|(name, table)| {
-                let strength = table
-                    .get("strength")
-                    .and_then(toml::Value::as_float)
-                    .unwrap_or(1.0);
-                Hidden {
+            for (name, table) in super::add::own_effects(file)? {
+                let strength = joining::own_strength(file, &name, &table)?;
+                let designs = study.cases.iter().map(|case| &case.loaded.design);
+                joining::own_table(file, &name, &table, designs, strength)?;
+                hidden.push(Hidden {
                     name,
                     strength,
                     table,
                     wing: None,
-                }
-            }));
+                });
+            }
         }
         Ok(Recipe {
             hidden,

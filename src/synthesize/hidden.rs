@@ -7,7 +7,7 @@ use super::Acted;
 use super::error::SynthesizeError;
 use super::rival::{Rival, rival};
 use crate::effects::custom::Custom;
-use crate::effects::{Card, Effect, is_applicable, named};
+use crate::effects::{Card, Effect, instead_of, is_applicable, named};
 use crate::input::Design;
 use crate::input::measurement::Formulas;
 use crate::input::study::LoadedStudy;
@@ -108,7 +108,7 @@ pub fn hide(
             match named(&effect.name) {
                 Some(known) => hide_known(study, effect, &known.card(), formulas),
                 None if effect.table.contains_key("kind") => hide_own(study, effect),
-                None => Err(effect.fault("there is no such effect (washout effects)")),
+                None => Err(effect.fault(format!("there is no such effect; {}", instead_of(&effect.name)))),
             }
         })
         .collect()
@@ -120,15 +120,17 @@ fn hide_known(
     card: &Card,
     formulas: Formulas,
 ) -> Result<Acted, SynthesizeError> {
-    let [low, high] = card.parameters[0].range;
+    let strength = &card.parameters[0];
+    let [low, high] = strength.range;
     if !(low <= effect.strength && effect.strength <= high) {
-        let unit = match card.parameters[0].unit {
+        let unit = match strength.unit {
             "1" => String::new(),
             unit => format!(" {unit}"),
         };
+        let [from, to] = strength.plausible;
         return Err(effect.fault(format!(
-            "strength {} is outside {low} to {high}{unit}",
-            effect.strength
+            "strength {} is outside {low} to {high}{unit}; plausible is {from} to {to}{unit} ({}; washout effects {})",
+            effect.strength, strength.meaning, effect.name
         )));
     }
     let other = match formulas {
