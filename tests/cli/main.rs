@@ -33,6 +33,8 @@ mod real_data;
 
 mod plot;
 
+mod refused_effects;
+
 mod report;
 
 mod schema;
