@@ -16,6 +16,8 @@ pub mod stages;
 
 pub mod study;
 
+mod study_words;
+
 pub mod verdict;
 
 pub use comparison::{Comparison, compare};

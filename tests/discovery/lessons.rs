@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use nalgebra::{DMatrix, DVector};
+use washout::diagnose::fields::Law;
 use washout::diagnose::{Diagnosis, Plan, Settings, Verdict, diagnose, diagnose_with, plan};
 use washout::progress::Progress;
 use washout::study::draws::Draws;
@@ -119,10 +120,7 @@ fn a_load_that_sets_in_at_a_frequency_is_said_to_set_in_there() {
     let said = said(&study(vec![Hidden::Onset(0.4, 5e-3, 20.0)], 3));
     assert_eq!(said.verdict, Verdict::Novel, "{}", said.sentence);
     let found = said.novel.reconstruction.expect("a reconstruction");
-    let onset = found
-        .scaling
-        .and_then(|scaling| scaling.onset)
-        .expect("an onset");
+    let onset = found.scaling.and_then(|scaling| scaling.onset).expect("an onset");
     assert!(
         onset.probability > 0.9 && onset.in_frequency > 0.9,
         "{onset:?}: {:?}",

@@ -1,0 +1,53 @@
+//! A study as compared, in words: how far the model is from what was measured, and what calibration had to move.
+
+use super::study::{CalibratedUnknown, StudyComparison};
+
+/// A sentence for each wing and channel, for each input that was moved far, and for what the data say little of.
+pub(super) fn words(comparison: &StudyComparison) -> Vec<String> {
+    let mut words = Vec::new();
+    for group in &comparison.groups {
+        let held = if group.is_held_out { " (held out)" } else { "" };
+        let total = group.sigma_of_measurement.hypot(group.sigma_of_inputs);
+        let verdict = if group.explained >= 1.0 {
+            "which the known uncertainty of ruler and inputs explains".to_string()
+        } else {
+            format!(
+                "of which the known uncertainty ({total:.3} {}) explains {:.0} % (of the mean square)",
+                group.unit,
+                100.0 * group.explained
+            )
+        };
+        words.push(format!(
+            "{}, {}{held}: the model as stated misses by {:.3} {} (root mean square of {}), {verdict}; calibrated, by {:.3}.",
+            group.wing,
+            group.channel.name(),
+            group.rmse[0],
+            group.unit,
+            group.count,
+            group.rmse[1],
+        ));
+    }
+    let moved: Vec<&CalibratedUnknown> = comparison
+        .unknowns
+        .iter()
+        .filter(|u| u.pull.abs() > 2.0)
+        .collect();
+    for unknown in moved {
+        words.push(format!(
+            "{} had to move by {:.1} of its prior's standard deviations: the prior is too narrow, or it stands in for something \
+             that the model lacks.",
+            unknown.unknown.name, unknown.pull
+        ));
+    }
+    let unseen: Vec<&str> = (comparison.unknowns.iter())
+        .filter(|unknown| !unknown.is_identified)
+        .map(|unknown| unknown.unknown.name.as_str())
+        .collect();
+    if !unseen.is_empty() {
+        words.push(format!(
+            "These data say little of {}: they stay at their priors.",
+            unseen.join(", ")
+        ));
+    }
+    words
+}
