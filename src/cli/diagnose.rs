@@ -103,7 +103,14 @@ impl Diagnose {
         console: &Console,
     ) -> Result<(), Failure> {
         let study = campaign.name.as_str();
-        let text = format!("{}\n{}\n", page(study, &report.diagnosis), report.work);
+        let screening = report.diagnosis.screening;
+        let text = format!(
+            "{}\nScreening of every effect: {} derivatives with {} factorizations; in all {}\n",
+            page(study, &report.diagnosis),
+            screening.derivatives,
+            screening.factorizations,
+            report.work
+        );
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
         report.files = folder.listed_with(self.report);
         if self.report {

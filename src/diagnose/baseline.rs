@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::progress::Progress;
 use crate::study::calibrate::misfit;
 use crate::study::left_out::Local;
-use crate::study::{AdmittedError, Fit, Footing, Forward};
+use crate::study::{AdmittedError, Fit, Footing, Forward, Work};
 
 use super::data::{Data, Scatter, start};
 use super::error::DiagnoseError;
@@ -60,6 +60,8 @@ pub struct Baseline<'a> {
     pub seen: Vec<DMatrix<f64>>,
     /// How the noise enters.
     pub likelihood: Likelihood,
+    /// What the derivatives with every effect took; nothing if another diagnosis found them.
+    pub screening: Work,
     /// What the model left at the first fit, with all derivatives.
     pub footing: Option<Footing>,
 }
@@ -91,6 +93,7 @@ impl<'a> Baseline<'a> {
         let footing = shared.and_then(|shared| shared.slopes.footing.as_ref());
         let first = stated.fit(forward, &data, &data.model, &start, footing)?;
         progress.check()?;
+        let before = forward.work();
         let Shared {
             slopes:
                 Slopes {
@@ -110,6 +113,7 @@ impl<'a> Baseline<'a> {
                 progress,
             )?,
         };
+        let screening = forward.work() - before;
         admitted.value = first.predicted.clone();
         let kept = data.kept_bounds(forward, &first.predicted);
         for &row in &kept {
@@ -152,6 +156,7 @@ impl<'a> Baseline<'a> {
             fields,
             seen,
             likelihood,
+            screening,
             footing,
         })
     }
@@ -203,6 +208,7 @@ impl<'a> Baseline<'a> {
             fields: self.fields.clone(),
             slopes: self.slopes.clone(),
             likelihood: self.likelihood,
+            screening: self.screening,
             footing: self.footing.clone(),
             admitted,
             scatter,

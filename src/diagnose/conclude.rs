@@ -5,7 +5,7 @@ use super::error::DiagnoseError;
 use super::evidence::ln_sum;
 use super::judge::Judgement;
 use super::library::Trial;
-use super::posterior::{Case, Weight, beliefs, class_around, fold, level_class};
+use super::posterior::{Case, Weight, beliefs, class_around, fold, level_class, refuted};
 use super::screening::Directions;
 use super::whitened::Whitened;
 
@@ -120,6 +120,8 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64)
         });
     }
     judgement.beliefs = beliefs(&weights, baseline.settings.tempering);
+    let novel = judgement.beliefs.iter().find(|belief| belief.case == Case::Novel);
+    judgement.novel_as_weighed = novel.map_or(0.0, |belief| belief.probability);
 }
 
 /// Is the best known explanation one at all? May the best pair be named?
@@ -149,17 +151,21 @@ pub fn gate(judgement: &mut Judgement, baseline: &Baseline) -> Result<(), Diagno
     let local = judgement
         .best_of(&members)
         .and_then(|(_, explanation)| explanation?.local.clone());
-    let mut inadequate = false;
+    let mut refuted_at = None;
     if let Some(local) = local {
         let whitened = Whitened::new(&local, &baseline.scatter.noise)?;
         let none = Directions::none(&whitened);
         let left = baseline.significance(&whitened, &none);
-        inadequate = 2.0 * left.p_misfit.min(left.p_field) < INADEQUATE;
+        let p = 2.0 * left.p_misfit.min(left.p_field);
+        refuted_at = (p < INADEQUATE).then_some(p);
         judgement.after_known = Some(left);
     }
     let odds = of(&Case::Novel) / known.probability.max(f64::MIN_POSITIVE);
     let first_is_novel = judgement.beliefs.first().is_some_and(|b| b.case == Case::Novel);
-    judgement.is_novel = inadequate || (odds >= NOVEL_ODDS && first_is_novel);
+    judgement.is_novel = refuted_at.is_some() || (odds >= NOVEL_ODDS && first_is_novel);
     judgement.pair_is_accepted = matches!(known.case, Case::Two(..)) && !judgement.is_novel;
+    if let Some(p) = refuted_at {
+        refuted(&mut judgement.beliefs, baseline.settings.prior.novel, p);
+    }
     Ok(())
 }

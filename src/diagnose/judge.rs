@@ -48,6 +48,8 @@ pub struct Judgement {
     pub pair_is_accepted: bool,
     /// Whether the unnamed fields win.
     pub is_novel: bool,
+    /// Probability of none that is known among the explanations that were weighed, before the best known one was checked.
+    pub novel_as_weighed: f64,
 }
 
 impl Judgement {
@@ -213,6 +215,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         after_known: None,
         pair_is_accepted: false,
         is_novel: false,
+        novel_as_weighed: 0.0,
     };
     let footing = baseline.footing.as_ref().map(Footing::for_trials);
     let refits = baseline.refits(footing.as_ref());

@@ -250,25 +250,38 @@ impl Scaling {
 }
 
 impl Onset {
-    fn words(&self, of: Driver, from: f64) -> String {
-        let place = |driver: Driver| match driver {
-            Driver::Frequency => self
-                .frequency_hz
-                .map(|[mean, error]| format!("at {mean:.1} ± {error:.1} Hz")),
-            Driver::Amplitude => self
-                .amplitude_deg
-                .map(|[mean, error]| format!("at an amplitude of {mean:.1} ± {error:.1}°")),
-        };
-        let other = match of {
+    /// Where it sets in, with standard deviation, Hz or deg.
+    pub fn at(&self, of: Driver) -> Option<[f64; 2]> {
+        match of {
+            Driver::Frequency => self.frequency_hz,
+            Driver::Amplitude => self.amplitude_deg,
+        }
+    }
+
+    /// The other of both, and where it would set in there, if that explains the data nearly as well as an onset in `of`.
+    pub fn rival(&self, of: Driver) -> Option<(Driver, [f64; 2])> {
+        let (share, other) = match of {
             Driver::Frequency => (1.0 - self.in_frequency, Driver::Amplitude),
             Driver::Amplitude => (self.in_frequency, Driver::Frequency),
         };
-        let first = place(of).unwrap_or_else(|| format!("at {from:.1}"));
-        let rest = match place(other.1).filter(|_| other.0 > WORTH_A_WORD) {
-            Some(second) => format!(" or {second}: which of both cannot be told"),
-            None => String::new(),
+        self.at(other)
+            .filter(|_| share > WORTH_A_WORD)
+            .map(|at| (other, at))
+    }
+
+    fn words(&self, of: Driver, from: f64) -> String {
+        let place = |driver: Driver, [mean, error]: [f64; 2]| match driver {
+            Driver::Frequency => format!("at {mean:.1} ± {error:.1} Hz"),
+            Driver::Amplitude => format!("at an amplitude of {mean:.1} ± {error:.1}°"),
         };
-        format!("setting in {first} and growing in proportion beyond{rest}")
+        let first = place(of, self.at(of).unwrap_or([from, 0.0]));
+        match self.rival(of) {
+            Some((other, at)) => format!(
+                "which sets in {first} and grows in proportion beyond (or {}: which of both, these data cannot tell)",
+                place(other, at)
+            ),
+            None => format!("which sets in {first} and grows in proportion beyond"),
+        }
     }
 }
 
@@ -321,10 +334,10 @@ mod tests {
         assert!(found_onset.probability > 0.9 && (found_onset.in_frequency - 0.5).abs() < 0.1);
         let words = found.words(onset(Driver::Frequency, 20.5));
         assert!(
-            words.starts_with("setting in at 20.4 ± 0.9 Hz") && words.contains("or at an amplitude of 32.2"),
+            words.starts_with("which sets in at 20.4 ± 0.9 Hz")
+                && words.contains("(or at an amplitude of 32.2"),
             "{words}"
         );
-        assert!(words.ends_with("which of both cannot be told"), "{words}");
     }
 
     #[test]

@@ -66,7 +66,18 @@ pub fn draft(reconstruction: &Reconstruction, conditions: &[Condition]) -> Optio
         Law::Spring => (Some("moment"), format!("{name} * ({shape}){PER_DEGREE}")),
         _ => (Some("moment"), format!("{name} * ({shape}){factor}")),
     };
-    let effect = acts_on.map(|acts_on| table(acts_on, &expression, &what, &numbers));
+    let rival = rival(reconstruction).map(|rival| {
+        let (factor, numbers) = growth(&rival, profile, conditions);
+        let numbers = numbers
+            .iter()
+            .map(|number| format!("# {}# {} in {}\n", line(number), number.name, number.unit));
+        format!(
+            "# These data cannot tell it from\n# expression = \"{name} * ({shape}){factor}\"\n{}",
+            numbers.collect::<String>()
+        )
+    });
+    let effect = acts_on
+        .map(|acts_on| table(acts_on, &expression, &what, &numbers) + rival.as_deref().unwrap_or_default());
     Some(Draft {
         expression,
         what,
@@ -89,6 +100,18 @@ pub fn what(reconstruction: &Reconstruction) -> Option<String> {
         (Law::Spring, _) => format!("a spring against twist {place}"),
         (Law::Compliance, _) => format!("a softer (or stiffer) stretch {place}"),
         (Law::Sensor, _) => format!("an error of the reading, the same in all conditions, {place}"),
+    })
+}
+
+/// The same load with the onset in what rises together with what it is said to set in at, if that explains the data as well.
+fn rival(reconstruction: &Reconstruction) -> Option<Reconstruction> {
+    let Law::Onset { of, .. } = reconstruction.law else {
+        return None;
+    };
+    let (of, [from, _]) = reconstruction.scaling?.onset?.rival(of)?;
+    Some(Reconstruction {
+        law: Law::Onset { of, from },
+        ..reconstruction.clone()
     })
 }
 
@@ -166,10 +189,7 @@ fn growth(
             let Some(largest) = largest(of) else {
                 return (String::new(), Vec::new());
             };
-            let found = scaling.onset.and_then(|onset| match of {
-                Driver::Frequency => onset.frequency_hz,
-                Driver::Amplitude => onset.amplitude_deg,
-            });
+            let found = scaling.onset.and_then(|onset| onset.at(of));
             let [_, error] = found.unwrap_or([from, 0.0]);
             let (variable, name, unit) = match of {
                 Driver::Frequency => ("f", "f_on", "Hz"),
@@ -199,13 +219,7 @@ fn table(acts_on: &str, expression: &str, what: &str, numbers: &[Number]) -> Str
          summary = \"{what}\"\n"
     );
     for number in numbers {
-        let [low, high] = number.range.map(float);
-        text.push_str(&format!(
-            "{} = {{ assumed = {}, range = [{low}, {high}], why = \"{}\" }}\n",
-            number.name,
-            float(number.value),
-            number.why
-        ));
+        text.push_str(&line(number));
     }
     let units = numbers
         .iter()
@@ -215,6 +229,17 @@ fn table(acts_on: &str, expression: &str, what: &str, numbers: &[Number]) -> Str
         units.collect::<Vec<_>>().join(", ")
     ));
     text
+}
+
+/// A number with its range, as a table of an effect has it.
+fn line(number: &Number) -> String {
+    let [low, high] = number.range.map(float);
+    format!(
+        "{} = {{ assumed = {}, range = [{low}, {high}], why = \"{}\" }}\n",
+        number.name,
+        float(number.value),
+        number.why
+    )
 }
 
 /// A float as TOML has it.
@@ -295,9 +320,9 @@ mod tests {
             scaling: Some(Scaling {
                 onset: Some(Onset {
                     probability: 1.0,
-                    in_frequency: 1.0,
+                    in_frequency: 0.6,
                     frequency_hz: Some([15.0, 1.0]),
-                    amplitude_deg: None,
+                    amplitude_deg: Some([20.0, 1.0]),
                 }),
                 ..Scaling::of_powers([2.0, 0.1], [-1.0, 0.1])
             }),
@@ -347,6 +372,17 @@ mod tests {
                 "{law:?}: {effect}: {found} {expected}"
             );
         }
+        reconstruction.law = ONSET;
+        let effect = draft(&reconstruction, &conditions).unwrap().effect.unwrap();
+        assert!(effect.contains("# Phi_on = { assumed = 0.349, range"), "{effect}");
+        let rival = effect
+            .replace("\nexpression", "\n# first")
+            .replace("# expression", "expression")
+            .replace("# Phi_on", "Phi_on")
+            .replace("units = { ", "units = { Phi_on = \"rad\", ");
+        let table: toml::Table = rival.parse().unwrap();
+        let found = at(table["effects"]["missing"].as_table().unwrap(), 99.0);
+        assert!((found / field(0.4) - 1.0).abs() < 0.02, "{rival}: {found}");
         reconstruction.law = Law::Sensor;
         assert_eq!(draft(&reconstruction, &conditions).unwrap().effect, None);
     }

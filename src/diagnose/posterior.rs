@@ -91,6 +91,31 @@ pub fn unfolded(beliefs: &[Belief]) -> Vec<Belief> {
     all
 }
 
+/// Gives "none that is known" at least what is left to it where all other explanations are refuted: what the best of them leaves
+/// arises by chance with probability `p`. Whatever the truth is then, it is at most −1/(e p ln p) times as probable as they are (T. Sellke,
+/// M. J. Bayarri, J. O. Berger, Calibration of p values for testing precise null hypotheses, The American Statistician 55 (2001) 62);
+/// `prior`: of none that is known.
+pub fn refuted(beliefs: &mut [Belief], prior: f64, p: f64) {
+    let p = p.clamp(f64::MIN_POSITIVE, (-1.0_f64).exp());
+    let factor = -std::f64::consts::E * p * p.ln();
+    let least = prior / (prior + (1.0 - prior) * factor);
+    let Some(own) = beliefs.iter().find(|belief| belief.case == Case::Novel) else {
+        return;
+    };
+    let before = own.probability;
+    if before >= least {
+        return;
+    }
+    for belief in beliefs.iter_mut() {
+        if belief.case == Case::Novel {
+            belief.probability = least;
+        } else {
+            belief.probability *= (1.0 - least) / (1.0 - before);
+        }
+    }
+    choose(beliefs);
+}
+
 /// Sorts hypotheses, most probable first, and marks the smallest set that holds the truth with 95 %.
 fn choose(beliefs: &mut [Belief]) {
     beliefs.sort_by(|a, b| b.probability.total_cmp(&a.probability));
@@ -180,6 +205,34 @@ mod tests {
         let set: Vec<&Case> = beliefs.iter().filter(|b| b.in_set).map(|b| &b.case).collect();
         assert_eq!(set, [&Case::One(0), &Case::One(1)]);
         assert!((beliefs.iter().map(|b| b.probability).sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn where_the_best_explanation_is_refuted_none_that_is_known_takes_its_place() {
+        let weights = [
+            weight(Case::Nothing, 0.001f64.ln()),
+            weight(Case::Two(0, 1), 0.996f64.ln()),
+            weight(Case::One(0), 0.0028f64.ln()),
+            weight(Case::Novel, 0.0002f64.ln()),
+        ];
+        let all = beliefs(&weights, 1.0);
+        let of = |all: &[Belief], case: &Case| all.iter().find(|b| b.case == *case).unwrap().clone();
+        // p = 5e-4: at most 1/(−e p ln p) = 96.8 times as probable, at prior odds of 1 to 9
+        let mut doubted = all.clone();
+        refuted(&mut doubted, 0.1, 5e-4);
+        let novel = of(&doubted, &Case::Novel).probability;
+        assert!((novel - 96.8 / (96.8 + 9.0)).abs() < 1e-3, "{novel}");
+        assert_eq!(doubted[0].case, Case::Novel);
+        assert!(doubted[1].in_set && !doubted[2].in_set, "{doubted:?}");
+        assert!((doubted.iter().map(|b| b.probability).sum::<f64>() - 1.0).abs() < 1e-12);
+        let share =
+            |all: &[Belief]| of(all, &Case::One(0)).probability / of(all, &Case::Two(0, 1)).probability;
+        assert!((share(&doubted) / share(&all) - 1.0).abs() < 1e-12);
+        // what is more probable already stays
+        let sure = beliefs(&[weight(Case::Novel, 0.0), weight(Case::One(0), -9.0)], 1.0);
+        let mut same = sure.clone();
+        refuted(&mut same, 0.1, 9e-4);
+        assert_eq!(same, sure);
     }
 
     #[test]

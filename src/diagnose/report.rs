@@ -80,6 +80,7 @@ pub fn report(
         predictions: predictions(baseline, best)?,
         next_experiment: next(baseline, judgement, candidates, progress)?,
         notes: notes(baseline, judgement)?,
+        screening: baseline.screening,
         hypotheses,
         effects,
     };
@@ -224,6 +225,7 @@ fn novel(baseline: &Baseline, judgement: &Judgement) -> Novel {
     nearest.truncate(LOOK_ALIKES);
     Novel {
         probability: probability(judgement, &Case::Novel),
+        as_weighed: judgement.novel_as_weighed,
         draft: reconstruction
             .as_ref()
             .and_then(|found| draft(found, baseline.forward.conditions())),

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::Channel;
+use crate::study::Work;
 
 use super::added_variable::AddedVariable;
 use super::ladder::Rung;
@@ -68,6 +69,8 @@ pub struct Diagnosis {
     pub next_experiment: Option<NextExperiment>,
     /// What a reader must know besides.
     pub notes: Vec<String>,
+    /// What the derivatives with every effect took, one factorization for each condition.
+    pub screening: Work,
 }
 
 /// Scatter that the data show.
@@ -160,6 +163,9 @@ pub struct PlaceFound {
 pub struct Novel {
     /// Probability.
     pub probability: f64,
+    /// Probability among the explanations that were weighed, before the best known one was checked: where that leaves what chance
+    /// does not, none that is known gains, though no smooth field does better.
+    pub as_weighed: f64,
     /// The missing load, compliance or error of reading (`law`, `field`, … beside the probability); none if nothing is
     /// missing.
     #[serde(flatten)]

@@ -160,7 +160,7 @@ fn novel(diagnosis: &Diagnosis) -> String {
             near.effect, near.cosine
         )
     });
-    if diagnosis.novel.probability < 0.5 {
+    if diagnosis.novel.as_weighed < 0.5 {
         let known = diagnosis.hypotheses.iter().find(|h| !h.families.is_empty());
         let left = diagnosis
             .significance_after

@@ -190,11 +190,6 @@ impl Campaign {
         self.targets.start.clone()
     }
 
-    /// What was done so far.
-    pub fn work(&self) -> Work {
-        self.tally.so_far()
-    }
-
     /// The cases; their measured rows one after the other are the observables.
     pub fn cases(&self) -> &[PreparedCase] {
         &self.cases
@@ -355,6 +350,10 @@ impl Campaign {
 }
 
 impl Forward for Campaign {
+    fn work(&self) -> Work {
+        self.tally.so_far()
+    }
+
     fn unknowns(&self) -> &[Unknown] {
         &self.targets.unknowns
     }

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::input::measurement::{Bound, Channel};
 
 use super::error::StudyError;
+use super::work::Work;
 
 /// Step from zero by which an effect with a switch is seen, over its scale.
 const SWITCH_STEP: f64 = 0.05;
@@ -252,4 +253,9 @@ pub trait Forward: Sync {
     /// # Errors
     /// As [`Forward::predict`].
     fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError>;
+
+    /// What was done so far, if that is counted.
+    fn work(&self) -> Work {
+        Work::default()
+    }
 }

@@ -1,7 +1,7 @@
 //! What a campaign took: solves, factorizations and derivatives, counted.
 
 use std::fmt;
-use std::ops::AddAssign;
+use std::ops::{AddAssign, Sub};
 use std::sync::Mutex;
 
 use schemars::JsonSchema;
@@ -26,6 +26,19 @@ impl AddAssign for Work {
         self.newton_steps += more.newton_steps;
         self.factorizations += more.factorizations;
         self.derivatives += more.derivatives;
+    }
+}
+
+impl Sub for Work {
+    type Output = Work;
+
+    fn sub(self, less: Work) -> Work {
+        Work {
+            solves: self.solves - less.solves,
+            newton_steps: self.newton_steps - less.newton_steps,
+            factorizations: self.factorizations - less.factorizations,
+            derivatives: self.derivatives - less.derivatives,
+        }
     }
 }
 

@@ -127,7 +127,7 @@ fn a_load_that_sets_in_at_a_frequency_is_said_to_set_in_there() {
         found.laws
     );
     assert!(matches!(found.law, Law::Onset { .. }), "{:?}", found.law);
-    assert!(said.sentence.contains("setting in at"), "{}", said.sentence);
+    assert!(said.sentence.contains("which sets in at"), "{}", said.sentence);
 }
 
 #[test]
