@@ -57,7 +57,12 @@ fn set_for(effect: &str) -> &'static [&'static str] {
     match effect {
         "film-wrinkling" => &["film.compression=\"carries\""],
         "tip-mass" | "distributed-mass" => &["effects.centrifugal-load.strength=1"],
-        "large-rotation" => &["structure.kinematics=\"linear\""],
+        // in linear kinematics a film without tension sags by many chords
+        "large-rotation" => &[
+            "structure.kinematics=\"linear\"",
+            "film.compression=\"carries\"",
+            "film.pretension_n_per_m=74",
+        ],
         "inertia-off-mid-stroke" => &["flapping.phase_deg=20"],
         _ => &[],
     }
