@@ -260,7 +260,7 @@ fn a_ladder_shows_the_groups_that_it_has() {
     let fall = Fall {
         measure: Measure::RootMeanSquare,
         wing: String::new(),
-        channel: Channel::Deflection,
+        channel: Some(Channel::Deflection),
         groups: vec!["fitted".to_string(), "held out".to_string()],
         steps: vec![
             ("as stated".to_string(), vec![Some(22.0), Some(23.0)]),

@@ -15,6 +15,8 @@ pub enum Measure {
     RootMeanSquare,
     /// χ² per number: each counts by its variance.
     ChiSquare,
+    /// Root mean square, each number in its stated standard deviation.
+    InSigma,
 }
 
 /// Errors of one channel, step by step.
@@ -24,8 +26,8 @@ pub struct Fall {
     pub measure: Measure,
     /// Name of the wing; empty if it is of all.
     pub wing: String,
-    /// What was measured.
-    pub channel: Channel,
+    /// What was measured; none if it is of all channels.
+    pub channel: Option<Channel>,
     /// Groups of data: fitted, left out, held out.
     pub groups: Vec<String>,
     /// Each step with the error of each group; none where a group has none.
@@ -53,7 +55,7 @@ impl Fall {
         vec![Fall {
             measure: Measure::RootMeanSquare,
             wing: String::new(),
-            channel: first.channel,
+            channel: Some(first.channel),
             groups: kept.iter().map(|(name, _)| name.to_string()).collect(),
             steps: rungs
                 .iter()
@@ -67,7 +69,7 @@ impl Fall {
         }]
     }
 
-    /// Of the ladder of a study, wing by wing and channel by channel; groups that no rung has are left out.
+    /// Of the ladder of a study, of all channels, then wing by wing and channel by channel; groups that no rung has are left out.
     pub fn of_study(rungs: &[StudyRung]) -> Vec<Fall> {
         let Some(first) = rungs.first() else {
             return Vec::new();
@@ -92,18 +94,28 @@ impl Fall {
             Fall {
                 measure,
                 wing: wing.to_string(),
-                channel,
+                channel: Some(channel),
                 groups: kept.iter().map(|of| of.name.to_string()).collect(),
                 steps: rungs.iter().map(step).collect(),
             }
         };
+        let all = |rung: &StudyRung| {
+            let levels = kept.iter().map(|of| (of.in_sigma)(rung)).collect();
+            (step_words(&rung.name), levels)
+        };
+        let mut falls = vec![Fall {
+            measure: Measure::InSigma,
+            wing: String::new(),
+            channel: None,
+            groups: kept.iter().map(|of| of.name.to_string()).collect(),
+            steps: rungs.iter().map(all).collect(),
+        }];
         let key = |group: &compare::RungGroup| (group.wing.clone(), group.channel);
-        distinct(first.groups.iter().map(key))
-            .iter()
-            .flat_map(|(wing, channel)| {
-                [Measure::RootMeanSquare, Measure::ChiSquare].map(|measure| fall(wing, *channel, measure))
-            })
-            .collect()
+        for (wing, channel) in distinct(first.groups.iter().map(key)) {
+            let measures = [Measure::RootMeanSquare, Measure::ChiSquare];
+            falls.extend(measures.map(|measure| fall(&wing, channel, measure)));
+        }
+        falls
     }
 }
 
@@ -118,6 +130,7 @@ struct StudyGroup {
     is_held_out: bool,
     root_mean_square: fn(&compare::RungGroup) -> Option<f64>,
     chi_square: fn(&compare::RungGroup) -> Option<f64>,
+    in_sigma: fn(&StudyRung) -> Option<f64>,
 }
 
 const STUDY_GROUPS: [StudyGroup; 3] = [
@@ -126,18 +139,21 @@ const STUDY_GROUPS: [StudyGroup; 3] = [
         is_held_out: false,
         root_mean_square: |group| Some(group.rmse),
         chi_square: |group| Some(group.chi_square_per_number),
+        in_sigma: |rung| rung.in_sample_sigma,
     },
     StudyGroup {
         name: LEFT_OUT,
         is_held_out: false,
         root_mean_square: |group| group.left_out,
         chi_square: |_| None,
+        in_sigma: |rung| rung.left_out_sigma,
     },
     StudyGroup {
         name: HELD_OUT,
         is_held_out: true,
         root_mean_square: |group| Some(group.rmse),
         chi_square: |group| Some(group.chi_square_per_number),
+        in_sigma: |rung| rung.held_out_sigma,
     },
 ];
 
@@ -146,6 +162,7 @@ impl StudyGroup {
         let error = match measure {
             Measure::RootMeanSquare => self.root_mean_square,
             Measure::ChiSquare => self.chi_square,
+            Measure::InSigma => return None,
         };
         error(group).filter(|_| group.is_held_out == self.is_held_out)
     }
@@ -178,9 +195,10 @@ pub fn figure(title: &str, falls: &[Fall]) -> Figure {
 
 fn panel(fall: &Fall) -> Panel {
     let last = fall.steps.len().saturating_sub(1);
+    let channel = fall.channel.map_or("all channels".to_string(), words);
     let title = match fall.wing.as_str() {
-        "" => words(fall.channel),
-        wing => format!("{wing}: {}", words(fall.channel)),
+        "" => channel,
+        wing => format!("{wing}: {channel}"),
     };
     let step = |(index, (label, levels)): (usize, &(String, Vec<Option<f64>>))| Step {
         label: label.clone(),
@@ -190,8 +208,12 @@ fn panel(fall: &Fall) -> Panel {
     Panel::Waterfall(Waterfall {
         title,
         y_label: match fall.measure {
-            Measure::RootMeanSquare => with_unit("root mean square error", fall.channel.unit()),
+            Measure::RootMeanSquare => {
+                let unit = fall.channel.map_or("", |channel| channel.unit());
+                with_unit("root mean square error", unit)
+            }
             Measure::ChiSquare => "chi-square per number".to_string(),
+            Measure::InSigma => with_unit("root mean square error", "stated σ"),
         },
         groups: fall.groups.clone(),
         steps: fall.steps.iter().enumerate().map(step).collect(),

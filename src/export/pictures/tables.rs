@@ -218,12 +218,13 @@ pub fn falls(falls: &[Fall]) -> Result<Vec<u8>, ExportError> {
     for fall in falls {
         for (step, levels) in &fall.steps {
             for (group, level) in fall.groups.iter().zip(levels) {
-                let channel: Channel = fall.channel;
-                let (measure, unit) = match fall.measure {
-                    Measure::RootMeanSquare => ("root_mean_square", channel.unit()),
-                    Measure::ChiSquare => ("chi_square_per_number", "1"),
+                let (measure, unit) = match (fall.measure, fall.channel) {
+                    (Measure::RootMeanSquare, Some(channel)) => ("root_mean_square", channel.unit()),
+                    (Measure::RootMeanSquare | Measure::InSigma, _) => ("root_mean_square", "sigma"),
+                    (Measure::ChiSquare, _) => ("chi_square_per_number", "1"),
                 };
-                lines.push((&fall.wing, channel.name(), measure, unit, step, group, level));
+                let channel = fall.channel.map_or("all", Channel::name);
+                lines.push((&fall.wing, channel, measure, unit, step, group, level));
             }
         }
     }
