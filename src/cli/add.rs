@@ -97,6 +97,7 @@ impl Add {
             option: "--to",
             reason: format!("{}: {error}", self.to.display()),
         })?;
+        let changed = self.changed(&text, 0.0, 1.5 * scale, &table)?;
         let compared = |text: &str| self.compared(&LoadedStudy::from_text(&self.to, text, &[])?, console);
         let added = added_effects(&study);
         let mut steps = Vec::new();
@@ -108,11 +109,12 @@ impl Add {
             console.progress().say(&step);
             steps.push((step, compared(&without(&text, &added[count..])?)?));
         }
-        let changed = self.changed(&text, 0.0, 1.5 * scale, &table)?;
-        let change = match (self.remove, added.contains(&self.effect)) {
-            (true, _) => format!("− {}", self.effect),
-            (false, false) => format!("+ {}", self.effect),
-            (false, true) => format!("{} anew", self.effect),
+        let stands = study.study.effect.iter().any(|effect| effect.name == self.effect);
+        let change = match (self.remove, added.contains(&self.effect), stands) {
+            (true, ..) => format!("− {}", self.effect),
+            (false, true, _) => format!("{} anew", self.effect),
+            (false, false, true) => format!("{} fitted", self.effect),
+            (false, false, false) => format!("+ {}", self.effect),
         };
         console.progress().say(&change);
         let after = compared(&changed)?;
@@ -217,7 +219,13 @@ impl Add {
             .entry("effect")
             .or_insert(Item::ArrayOfTables(ArrayOfTables::new()));
         let Some(tables) = tables.as_array_of_tables_mut() else {
-            return Err(fault("effect must be written as tables [[effect]]".to_string()));
+            return Err(fault(format!(
+                "{}: effect = {}: write each effect as a table of its own, [[effect]], to add one or take one out",
+                self.to.display(),
+                document
+                    .get("effect")
+                    .map_or(String::new(), |own| own.to_string().trim().to_string())
+            )));
         };
         let is_it =
             |table: &toml_edit::Table| table.get("name").and_then(Item::as_str) == Some(self.effect.as_str());
@@ -231,14 +239,14 @@ impl Add {
             if !stands {
                 let mut table = toml_edit::Table::new();
                 table["name"] = value(self.effect.as_str());
-                table["strength"] = value(strength);
-                table["sigma"] = value(sigma);
+                table["strength"] = value(written(strength));
+                table["sigma"] = value(written(sigma));
                 tables.push(table);
             }
             // one that stands there already takes what is given now, and keeps the rest
             if let Some(table) = tables.iter_mut().find(|table| is_it(table)) {
-                table["strength"] = value(strength);
-                table.entry("sigma").or_insert(value(sigma));
+                table["strength"] = value(written(strength));
+                table.entry("sigma").or_insert(value(written(sigma)));
                 if !self.on.is_empty() {
                     let wings: toml_edit::Array = self.on.iter().map(String::as_str).collect();
                     table["designs"] = value(wings);
@@ -287,6 +295,11 @@ pub(super) fn own_effects(file: &Path) -> Result<BTreeMap<String, toml::Table>, 
         true => Err(fault(cure.to_string())),
         false => Ok(found),
     }
+}
+
+/// A number as it is written into a study, with six digits.
+fn written(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 /// Names of the effects of a study whose strength is fitted, in its order.

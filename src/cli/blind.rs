@@ -104,8 +104,8 @@ impl TryBlind {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         known(&self.effect)?;
         let study = LoadedStudy::load_planned(&self.study, &self.set)?;
-        let names = candidates(&study, &self.effect)?;
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let effects = candidates(&study, &self.effect, console)?;
+        let names: Vec<&str> = effects.names.iter().map(String::as_str).collect();
         let folder = self.output.join("cases");
         std::fs::create_dir_all(&folder).map_err(ExportError::file("create", &folder))?;
         let cases: Vec<(Kind, u64, PathBuf)> = (0..self.cases as usize)

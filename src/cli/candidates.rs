@@ -2,11 +2,12 @@
 
 use crate::diagnose::DiagnoseError;
 use crate::effects::{all, instead_of, lacks, named};
+use crate::export::text::first_up;
 use crate::input::refused_in;
 use crate::input::study::LoadedStudy;
 use crate::study::case::PreparedCase;
 
-use super::Failure;
+use super::{Console, Failure};
 
 /// Effects of which the reason is told why they cannot join.
 const TOLD: usize = 4;
@@ -22,9 +23,16 @@ pub fn known(asked: &[String]) -> Result<(), Failure> {
     }
 }
 
-/// Effects to be tried: those asked for with `--effect`, those that the study names, or all; each once. One of them at least can
-/// join the model.
-pub fn candidates(study: &LoadedStudy, asked: &[String]) -> Result<Vec<String>, Failure> {
+/// Effects to be tried.
+pub struct Candidates {
+    /// Their names, each once; one of them at least can join the model.
+    pub names: Vec<String>,
+    /// Of those that were named, why one cannot join the model and is not tried.
+    pub left_out: Vec<String>,
+}
+
+/// Those asked for with `--effect`, those that the study names, or all. What was named and cannot be tried is noted.
+pub fn candidates(study: &LoadedStudy, asked: &[String], console: &Console) -> Result<Candidates, Failure> {
     known(asked)?;
     let of_study = study.study.candidates.as_deref();
     for (index, name) in of_study.unwrap_or_default().iter().enumerate() {
@@ -49,9 +57,23 @@ pub fn candidates(study: &LoadedStudy, asked: &[String]) -> Result<Vec<String>, 
             names.push(name);
         }
     }
-    let Some(reason) = none_joins(study, &names)? else {
-        return Ok(names);
-    };
+    let unable = unable(study, &names)?;
+    if unable.len() < names.len() {
+        let is_named = !asked.is_empty() || of_study.is_some();
+        let left_out = unable
+            .iter()
+            .filter(|unable| is_named && !unable.stands_already)
+            .map(|unable| {
+                format!(
+                    "{} is not tried: it cannot join the model: {}",
+                    unable.name, unable.reason
+                )
+            });
+        let left_out: Vec<String> = left_out.collect();
+        left_out.iter().for_each(|words| console.note(words));
+        return Ok(Candidates { names, left_out });
+    }
+    let reason = none_joins(&unable);
     Err(match (asked, of_study) {
         ([], None) => Failure::Diagnosis {
             study: study.path.clone(),
@@ -78,11 +100,16 @@ fn refused(study: &LoadedStudy, key: &str, message: &str, cure: &str) -> Failure
     refused_in(&study.path, "study file", key, message, cure).into()
 }
 
-/// Why none of these effects can join the model of a study; none if one can.
-fn none_joins(study: &LoadedStudy, names: &[String]) -> Result<Option<String>, Failure> {
-    if names.is_empty() {
-        return Ok(Some("there is no effect in it".to_string()));
-    }
+/// An effect that cannot join the model of a study.
+struct Unable {
+    name: String,
+    reason: String,
+    /// Whether the reason is that the study has it.
+    stands_already: bool,
+}
+
+/// Those of these effects that cannot join the model of a study.
+fn unable(study: &LoadedStudy, names: &[String]) -> Result<Vec<Unable>, Failure> {
     let tried: Vec<&str> = names.iter().map(String::as_str).collect();
     let cases = study
         .cases
@@ -94,12 +121,13 @@ fn none_joins(study: &LoadedStudy, names: &[String]) -> Result<Option<String>, F
             study: study.path.clone(),
             source,
         })?;
-    let mut reasons = Vec::new();
+    let mut unable = Vec::new();
     for name in names {
-        let reason = if study.study.effect.iter().any(|effect| effect.name == *name) {
+        let stands_already = study.study.effect.iter().any(|effect| effect.name == *name);
+        let reason = if stands_already {
             "it stands in the study already ([[effect]])".to_string()
         } else if cases.iter().any(|case| case.design.effects.contains_key(name)) {
-            return Ok(None);
+            continue;
         } else {
             let mut lacking: Vec<String> = Vec::new();
             for case in &cases {
@@ -108,28 +136,30 @@ fn none_joins(study: &LoadedStudy, names: &[String]) -> Result<Option<String>, F
             }
             lacking.join(", or ")
         };
-        reasons.push(match names {
-            [_] => reason,
-            _ => format!("{name}: {reason}"),
+        unable.push(Unable {
+            name: name.clone(),
+            reason,
+            stands_already,
         });
     }
-    let more = match reasons.len().saturating_sub(TOLD) {
-        0 => String::new(),
-        more => format!("; and {more} more"),
-    };
-    reasons.truncate(TOLD);
-    let reasons = reasons.join("; ") + &more;
-    Ok(Some(match names {
-        [name] => format!("{name} cannot join the model: {reasons}"),
-        _ => format!("none of them can join the model: {reasons}"),
-    }))
+    Ok(unable)
 }
 
-/// A sentence with its first letter in upper case.
-pub fn first_up(words: &str) -> String {
-    let mut letters = words.chars();
-    let first = letters
-        .next()
-        .map_or(String::new(), |letter| letter.to_uppercase().to_string());
-    first + letters.as_str()
+/// Why none of the effects that are to be tried, which are these, can join the model.
+fn none_joins(unable: &[Unable]) -> String {
+    match unable {
+        [] => "there is no effect in it".to_string(),
+        [only] => format!("{} cannot join the model: {}", only.name, only.reason),
+        _ => {
+            let reasons = unable.iter().take(TOLD);
+            let reasons: Vec<String> = reasons
+                .map(|unable| format!("{}: {}", unable.name, unable.reason))
+                .collect();
+            let more = match unable.len().saturating_sub(TOLD) {
+                0 => String::new(),
+                more => format!("; and {more} more"),
+            };
+            format!("none of them can join the model: {}{more}", reasons.join("; "))
+        }
+    }
 }

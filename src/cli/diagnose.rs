@@ -15,7 +15,7 @@ use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::{Campaign, Forward};
 
-use super::candidates::{candidates, known};
+use super::candidates::{Candidates, candidates, known};
 use super::study::{listed, target};
 use super::{Console, Failure};
 
@@ -80,7 +80,7 @@ impl Diagnose {
         let folder = (!self.plan)
             .then(|| RunFolder::listed_by(&target, DIAGNOSIS))
             .transpose()?;
-        let names = candidates(&study, &self.effect)?;
+        let effects = candidates(&study, &self.effect, console)?;
         let settings = Settings {
             significance: self.significance,
             seed: self.seed,
@@ -88,10 +88,10 @@ impl Diagnose {
         };
         match folder {
             Some(folder) => {
-                let (campaign, report) = answered(&self.study, &study, &names, settings, console)?;
+                let (campaign, report) = answered(&self.study, &study, &effects, settings, console)?;
                 self.written(&campaign, report, folder, console)
             }
-            None => planned(&self.study, &study, &names, settings, console),
+            None => planned(&self.study, &study, &effects.names, settings, console),
         }
     }
 
@@ -173,26 +173,28 @@ pub fn diagnosed(
 ) -> Result<(Campaign, DiagnosisReport), Failure> {
     let settings = Settings::default();
     refuse_own_word(path, study, settings.seed)?;
-    answered(path, study, &candidates(study, &[])?, settings, console)
+    answered(path, study, &candidates(study, &[], console)?, settings, console)
 }
 
 /// What the measurements of a study say, and which of its experiments comes next.
 fn answered(
     path: &Path,
     study: &LoadedStudy,
-    names: &[String],
+    effects: &Candidates,
     settings: Settings,
     console: &Console,
 ) -> Result<(Campaign, DiagnosisReport), Failure> {
     let progress = console.progress();
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let names: Vec<&str> = effects.names.iter().map(String::as_str).collect();
     let (campaign, settings) = prepared(path, study, &names, settings, progress)?;
     let experiments = Campaign::of_experiments(study, &names, progress);
     let experiments = experiments.map_err(|error| fault(path, error.into()))?;
     let next = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
     let diagnosis = diagnose_with(&campaign, next, &settings, progress);
+    let mut diagnosis = diagnosis.map_err(|error| fault(path, error))?;
+    diagnosis.notes.extend(effects.left_out.iter().cloned());
     let report = DiagnosisReport {
-        diagnosis: diagnosis.map_err(|error| fault(path, error))?,
+        diagnosis,
         work: campaign.work(),
         files: Vec::new(),
     };

@@ -4,11 +4,11 @@ use std::path::Path;
 
 use crate::effects::custom::Custom;
 use crate::effects::{Card, EffectError, Parameter, instead_of, named};
+use crate::export::text::first_up;
 use crate::input::study::{LoadedCase, LoadedStudy};
 use crate::input::{Design, nearest, refused_in};
 
 use super::Failure;
-use super::candidates::first_up;
 
 /// There is no effect of this name, nor a table of one's own.
 pub fn no_such_effect(name: &str) -> Failure {

@@ -10,7 +10,8 @@ use super::study::{GroupMisfit, StudyComparison, StudyRow, root_mean_square};
 /// A model on the ladder, and its errors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct StudyRung {
-    /// `raw`, `calibrated`, `+ effect`, `− effect`, `noise`.
+    /// `raw`, `calibrated`, `+ effect` for every one that was added, `− effect`, `effect anew` (it was there) or `effect fitted` (with a
+    /// fixed strength), `noise`.
     pub name: String,
     /// χ² per fitted number with the correlations of the error that the study admits to the model: what a fit makes least; none
     /// for `noise`.

@@ -92,8 +92,8 @@ pub struct StudyRow {
     pub sigma_of_inputs: f64,
     /// The model as calibrated.
     pub after: f64,
-    /// The model as calibrated to all other cases, linear about the calibration to all; none for what is held out, and where
-    /// only one case is fitted.
+    /// The model as calibrated to all other cases, linear about the calibration to all; none for what is held out, for bounds that
+    /// are kept, and where only one case is fitted.
     pub left_out: Option<f64>,
     /// Whether it was kept out of the fit.
     pub is_held_out: bool,
@@ -256,10 +256,13 @@ fn predictions_from_others(
         rows.iter().for_each(|&row| predicted[row] = Some(after[row]));
         return predicted;
     };
-    for group in Others::new(&Local::about(fit, campaign, noise), noise).leave_out(&groups) {
+    let left = Others::new(&Local::about(fit, campaign, noise), noise).leave_out(&groups);
+    for group in left.iter().flatten() {
         for (&position, error) in group.positions.iter().zip(&group.errors) {
-            let row = rows[position];
-            predicted[row] = Some(observables[row].value - error);
+            let (row, observable) = (rows[position], &observables[rows[position]]);
+            // a bound that the fit keeps has no part in it, and no prediction by it
+            let is_kept = observable.bound != Bound::None && misfit(observable, after[row]) == 0.0;
+            predicted[row] = (!is_kept).then_some(observable.value - error);
         }
     }
     predicted

@@ -46,7 +46,7 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
         if groups.len() < 2 {
             return None;
         }
-        let left = Others::new(local, &baseline.scatter.noise).leave_out(&groups);
+        let left = Others::new(local, &baseline.scatter.noise).leave_out(&groups)?;
         let errors = left
             .iter()
             .flat_map(|left| left.positions.iter().zip(&left.errors))

@@ -50,6 +50,8 @@ pub mod rough;
 
 pub mod rows;
 
+pub mod scaling;
+
 pub mod screening;
 
 pub mod second_look;

@@ -9,7 +9,8 @@ use crate::study::Forward;
 use super::baseline::Baseline;
 use super::evidence::{Likelihood, Spectrum, ln_sum};
 use super::fields::{Field, Law};
-use super::laws::{self, Scaling, load_laws};
+use super::laws::growths;
+use super::scaling::{Scaling, scaling};
 use super::whitened::Whitened;
 
 /// Amplitudes tried, as the size of the response over that of the prediction.
@@ -35,7 +36,7 @@ pub struct FieldPoint {
     pub standard_deviation: f64,
 }
 
-/// The missing field in one condition, or at the largest frequency and amplitude of the study.
+/// The missing field in one condition, or at the largest frequency and amplitude that are fitted.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FieldProfile {
     /// Name of the condition; none if one law holds in all.
@@ -130,7 +131,7 @@ fn share(law: Law, fields: &[Field]) -> f64 {
 /// The best field along the span, of all laws by which a load may grow, and of the others. None if there is no field.
 pub fn reconstruct(baseline: &Baseline) -> Option<Reconstruction> {
     let (forward, whitened) = (baseline.forward, &baseline.whitened);
-    let loads = load_laws(
+    let growths = growths(
         forward,
         &baseline.data,
         &baseline.moment,
@@ -138,19 +139,34 @@ pub fn reconstruct(baseline: &Baseline) -> Option<Reconstruction> {
     );
     let is_load = |field: &&Field| matches!(field.law, Law::Load { .. });
     let others = baseline.fields.iter().filter(|field| !is_load(field));
-    let fields: Vec<Field> = loads.iter().chain(others).cloned().collect();
+    let loads = growths.iter().map(|growth| &growth.field);
+    let fields: Vec<Field> = loads.chain(others).cloned().collect();
     let seen = seen(&fields, whitened);
     let weighed = weigh(&fields, &seen, whitened, baseline.likelihood);
     let weight = |k: usize| {
-        let share = match k < loads.len() {
-            true => LOADS * laws::share(fields[k].law, &loads),
-            false => share(fields[k].law, &fields),
+        let share = match growths.get(k) {
+            Some(growth) => LOADS * growth.laws.iter().map(|own| own.share).sum::<f64>(),
+            None => share(fields[k].law, &fields),
         };
         weighed.each[k].0 + share.ln()
     };
+    let of_laws = growths.iter().enumerate().flat_map(|(k, growth)| {
+        let gain = weighed.each[k].0;
+        growth.laws.iter().map(move |own| (*own, gain + own.share.ln()))
+    });
+    let of_loads = scaling(&of_laws.collect::<Vec<_>>());
+    // of the more probable kind of growth, whichever single law is best
+    let is_likelier = |k: &usize| {
+        let is_onset = matches!(fields[*k].law, Law::Onset { .. });
+        *k >= growths.len() || of_loads.is_none_or(|found| found.is_onset() == is_onset)
+    };
     let mut order: Vec<usize> = (0..fields.len()).collect();
     order.sort_by(|&a, &b| weight(b).total_cmp(&weight(a)).then(a.cmp(&b)));
-    let best = *order.first()?;
+    let best = order.iter().copied().find(is_likelier)?;
+    let law = match (fields[best].law, of_loads.and_then(|found| found.onset)) {
+        (Law::Onset { .. }, Some(onset)) => onset.law(),
+        (law, _) => law,
+    };
     let amplitude = weighed.each[best].1;
     let (mean, covariance) = weights_of(&(&seen[best] * amplitude), &whitened.residual)?;
     let field = fields[best].profiles.iter().map(|(condition, map)| {
@@ -161,16 +177,13 @@ pub fn reconstruct(baseline: &Baseline) -> Option<Reconstruction> {
     });
     let field: Vec<FieldProfile> = field.collect();
     let scaling = match fields[best].law {
-        Law::Load { .. } | Law::Onset { .. } => {
-            let weights: Vec<(Law, f64)> = (0..loads.len()).map(|k| (fields[k].law, weight(k))).collect();
-            laws::scaling(&weights)
-        }
+        Law::Load { .. } | Law::Onset { .. } => of_loads,
         Law::Free => scaling_of_conditions(forward, &fields[best], &field),
         _ => None,
     };
     let laws = order.iter().map(|&k| LawRow {
         law: fields[k].law,
-        delta_ln_evidence: weight(k) - weight(best),
+        delta_ln_evidence: weighed.each[k].0 - weighed.each[best].0,
     });
     let unit = match fields[best].law {
         Law::Load { .. } | Law::Onset { .. } | Law::Free => "N m/m",
@@ -179,7 +192,7 @@ pub fn reconstruct(baseline: &Baseline) -> Option<Reconstruction> {
         Law::Sensor => "deg",
     };
     Some(Reconstruction {
-        law: fields[best].law,
+        law,
         laws: laws.collect(),
         unit: unit.into(),
         field,

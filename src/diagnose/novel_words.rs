@@ -105,10 +105,10 @@ pub fn what(reconstruction: &Reconstruction) -> Option<String> {
 
 /// The same load with the onset in what rises together with what it is said to set in at, if that explains the data as well.
 fn rival(reconstruction: &Reconstruction) -> Option<Reconstruction> {
-    let Law::Onset { of, .. } = reconstruction.law else {
+    let Law::Onset { .. } = reconstruction.law else {
         return None;
     };
-    let (of, [from, _]) = reconstruction.scaling?.onset?.rival(of)?;
+    let (of, [from, _]) = reconstruction.scaling?.onset?.rival()?;
     Some(Reconstruction {
         law: Law::Onset { of, from },
         ..reconstruction.clone()
@@ -200,7 +200,7 @@ fn growth(
                 name,
                 value: from,
                 range: [
-                    from - 2.0 * error,
+                    (from - 2.0 * error).max(0.0),
                     (from + 2.0 * error).min(0.5 * (from + largest)),
                 ],
                 unit,
@@ -283,8 +283,8 @@ fn polynomial(profile: &FieldProfile) -> Option<(String, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::laws::{Onset, Scaling};
     use crate::diagnose::novel::FieldPoint;
+    use crate::diagnose::scaling::{Onset, Scaling};
     use crate::input::Expression;
 
     fn condition(name: &str, frequency_hz: f64) -> Condition {
@@ -378,7 +378,7 @@ mod tests {
         let rival = effect
             .replace("\nexpression", "\n# first")
             .replace("# expression", "expression")
-            .replace("# Phi_on", "Phi_on")
+            .replace("# Phi_on =", "Phi_on =")
             .replace("units = { ", "units = { Phi_on = \"rad\", ");
         let table: toml::Table = rival.parse().unwrap();
         let found = at(table["effects"]["missing"].as_table().unwrap(), 99.0);

@@ -106,6 +106,7 @@ impl Outlook {
             at_means: DVector::zeros(size),
             slopes: own,
             rows: data.rows.clone(),
+            ends: Vec::new(),
         };
         let whitened = Whitened::new(&local, &scatter.noise)?;
         let directions = Directions::new(&data, &slopes, &whitened);

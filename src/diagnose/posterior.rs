@@ -91,26 +91,26 @@ pub fn unfolded(beliefs: &[Belief]) -> Vec<Belief> {
     all
 }
 
-/// Gives "none that is known" at least what is left to it where all other explanations are refuted: what the best of them leaves
-/// arises by chance with probability `p`. Whatever the truth is then, it is at most −1/(e p ln p) times as probable as they are (T. Sellke,
-/// M. J. Bayarri, J. O. Berger, Calibration of p values for testing precise null hypotheses, The American Statistician 55 (2001) 62);
-/// `prior`: of none that is known.
+/// Gives "none that is known" what the others lose where the best of them is refuted: what it leaves arises by chance with probability
+/// `p`. By convention they lose the most that p allows: against any other explanation they keep at least the factor −e p ln p (T. Sellke,
+/// M. J. Bayarri, J. O. Berger, Calibration of p values for testing precise null hypotheses, The American Statistician 55 (2001) 62), and
+/// that is what they are left with. `prior`: of none that is known. Where that has more already, nothing changes.
 pub fn refuted(beliefs: &mut [Belief], prior: f64, p: f64) {
     let p = p.clamp(f64::MIN_POSITIVE, (-1.0_f64).exp());
     let factor = -std::f64::consts::E * p * p.ln();
-    let least = prior / (prior + (1.0 - prior) * factor);
+    let taken = prior / (prior + (1.0 - prior) * factor);
     let Some(own) = beliefs.iter().find(|belief| belief.case == Case::Novel) else {
         return;
     };
     let before = own.probability;
-    if before >= least {
+    if before >= taken {
         return;
     }
     for belief in beliefs.iter_mut() {
         if belief.case == Case::Novel {
-            belief.probability = least;
+            belief.probability = taken;
         } else {
-            belief.probability *= (1.0 - least) / (1.0 - before);
+            belief.probability *= (1.0 - taken) / (1.0 - before);
         }
     }
     choose(beliefs);

@@ -260,7 +260,7 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
 fn held_out_gain(baseline: &Baseline, refit: Option<&Explanation>) -> Option<f64> {
     let with = held_out_sigma(baseline, &refit?.fit.as_ref()?.predicted)?;
     let without = held_out_sigma(baseline, &baseline.fit.predicted)?;
-    Some(without / with.max(f64::MIN_POSITIVE))
+    (with > 0.0).then(|| without / with)
 }
 
 /// How much better each condition is predicted from the others with an effect.
@@ -293,6 +293,12 @@ impl<'a> LeftOutGain<'a> {
             .find_map(|(_, found)| found.local.as_ref());
         let with = match refit {
             Some(local) => Others::new(local, &self.baseline.scatter.noise),
+            // of the wrong sign, the best that it can have is none
+            None if is_one_sided(&forward.unknowns()[data.missing[k]])
+                && self.baseline.directions.scores[k] < 0.0 =>
+            {
+                return self.ln_density.map(|_| 0.0);
+            }
             None => {
                 let column = self.baseline.slopes.column(k);
                 self.others.with(&column.select_rows(data.rows.iter()))

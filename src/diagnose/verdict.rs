@@ -226,13 +226,13 @@ pub struct EffectRow {
     pub sight: Sight,
     /// Logarithm of its evidence against nothing missing.
     pub ln_evidence: f64,
-    /// Probability of its family alone being what is missing.
+    /// Probability that its family is what is missing, alone or with a second effect that the data merely allow.
     pub probability: f64,
     /// Logarithm of the density that all other cases give to each, with it fitted over without, summed; by the linear model where it
     /// was not refitted; none where only one case is fitted.
     pub gain_left_out_conditions: Option<f64>,
     /// Root mean square error of what is held out (in stated standard deviations), calibrated without it over refitted with it: above
-    /// one if it predicts better; none where nothing is held out or it was not refitted.
+    /// one if it predicts better; none where nothing is held out, all of it is met, or it was not refitted.
     pub held_out_gain: Option<f64>,
     /// Other families that look like it, nearest first.
     pub look_alikes: Vec<LookAlike>,

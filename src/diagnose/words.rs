@@ -164,10 +164,10 @@ fn novel(diagnosis: &Diagnosis) -> String {
         let known = diagnosis.hypotheses.iter().find(|h| !h.families.is_empty());
         let left = diagnosis
             .significance_after
-            .map(|left| left.p_misfit.min(left.p_field));
+            .map(|left| (2.0 * left.p_misfit.min(left.p_field)).min(1.0));
         let best = known.zip(left).map_or_else(String::new, |(known, left)| {
             format!(
-                " Of the known ones, {} does best, and what it leaves arises by chance with probability {} only.",
+                " Of the known ones, {} does best, and what it leaves arises by chance with a probability of no more than {}.",
                 with_strength(known),
                 short(left)
             )

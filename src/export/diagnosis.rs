@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::diagnose::ladder::Rung;
 use crate::diagnose::novel::Reconstruction;
 use crate::diagnose::screening::Sight;
-use crate::diagnose::verdict::{EffectRow, Hypothesis};
+use crate::diagnose::verdict::{EffectRow, Hypothesis, Prediction};
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::study::Work;
 
@@ -29,7 +29,7 @@ const STRENGTHS: &str = "score: distance from none in sigma, what the model can 
                          whether its error reaches the plausible range; detectable: sigma that the largest plausible size would have, by the \
                          derivative at none (more than it has, if it saturates); \
                          alone: whether it could be what is missing, by its score alone.";
-const LIKELY: &str = "ln_evidence: against nothing missing; probability: of its family alone; gain_left_out: of the logarithm of the \
+const LIKELY: &str = "ln_evidence: against nothing missing; probability: of its family, alone or with a second that the data merely allow; gain_left_out: of the logarithm of the \
                       density that all other cases give to each; held_out_gain: held-out error without over with it; look-alikes with \
                       the cosine between both signatures, and how many sigma apart they are at the strength found.";
 /// Look-alikes of which the table tells.
@@ -247,6 +247,7 @@ fn place(row: &EffectRow) -> String {
 fn likely(effects: &[EffectRow]) -> String {
     let mut table = Table::new([
         "effect",
+        "family",
         "ln_evidence",
         "probability",
         "gain_left_out",
@@ -267,6 +268,7 @@ fn likely(effects: &[EffectRow]) -> String {
         });
         table.row([
             row.effect.clone(),
+            row.family.clone(),
             number(row.ln_evidence, 1),
             number(row.probability, 3),
             optional(row.gain_left_out_conditions, 1),
@@ -363,6 +365,13 @@ fn reconstruction(found: &Reconstruction) -> String {
     text
 }
 
+/// Station or interval of a prediction, mm; nothing where it has none.
+pub(super) fn station(prediction: &Prediction) -> String {
+    let ends = [prediction.r_mm, prediction.r_to_mm].into_iter().flatten();
+    let ends = ends.map(|r_mm| significant(r_mm, 4));
+    ends.collect::<Vec<_>>().join(" to ")
+}
+
 fn predictions(diagnosis: &Diagnosis) -> String {
     let mut table = Table::new([
         "case",
@@ -375,14 +384,10 @@ fn predictions(diagnosis: &Diagnosis) -> String {
         "unit",
     ]);
     for prediction in &diagnosis.predictions {
-        let place = |r_mm: Option<f64>| r_mm.map(|r_mm| significant(r_mm, 4));
-        let station = [prediction.r_mm, prediction.r_to_mm]
-            .into_iter()
-            .filter_map(place);
         table.row([
             prediction.condition.clone(),
             prediction.channel.name().to_string(),
-            station.collect::<Vec<_>>().join(" to "),
+            station(prediction),
             significant(prediction.measured, 4),
             significant(prediction.calibrated, 4),
             significant(prediction.explained, 4),

@@ -20,6 +20,8 @@ pub struct Local {
     pub slopes: DMatrix<f64>,
     /// Indices of the observables.
     pub rows: Vec<usize>,
+    /// Columns of unknowns that ended at an end of their range, with their distance from the prior mean in its standard deviations.
+    pub ends: Vec<(usize, f64)>,
 }
 
 impl Local {
@@ -31,7 +33,10 @@ impl Local {
             .iter()
             .map(|&i| (fit.at[i] - unknowns[i].mean) / unknowns[i].sigma);
         let pulls = DVector::from_iterator(fit.free.len(), pulls);
-        let at_means = noise.colour(&(&fit.residual + &fit.slopes * pulls));
+        let at_means = noise.colour(&(&fit.residual + &fit.slopes * &pulls));
+        let is_at_end = |column: &usize| fit.at_end.contains(&fit.free[*column]);
+        let ends = (0..fit.free.len()).filter(is_at_end);
+        let ends = ends.map(|column| (column, pulls[column])).collect();
         let mut slopes = fit.slopes.clone();
         for mut column in slopes.column_iter_mut() {
             let coloured = noise.colour(&column.clone_owned());
@@ -41,6 +46,22 @@ impl Local {
             at_means,
             slopes,
             rows: fit.rows.clone(),
+            ends,
+        }
+    }
+
+    /// The same with what ended at an end of its range held there: it is not free to be fitted to a part of the data either.
+    fn held(&self) -> Local {
+        let mut at_means = self.at_means.clone();
+        for &(column, pull) in &self.ends {
+            at_means -= self.slopes.column(column) * pull;
+        }
+        let columns: Vec<usize> = self.ends.iter().map(|end| end.0).collect();
+        Local {
+            at_means,
+            slopes: self.slopes.clone().remove_columns_at(&columns),
+            rows: self.rows.clone(),
+            ends: Vec::new(),
         }
     }
 }
@@ -67,6 +88,7 @@ pub struct Others {
 impl Others {
     /// About a fit, with scatter `noise`.
     pub fn new(local: &Local, noise: &Noise) -> Others {
+        let local = local.held();
         let size = local.at_means.len();
         let slopes = noise.whiten_columns(&local.slopes);
         let covariance = DMatrix::identity(size, size) + &slopes * slopes.transpose();
@@ -74,10 +96,7 @@ impl Others {
             let whitener = noise.whiten_columns(&DMatrix::identity(size, size));
             whitener.transpose() * factor.solve(&whitener)
         });
-        Others {
-            local: local.clone(),
-            precision,
-        }
+        Others { local, precision }
     }
 
     /// The same with one unknown more, by its derivatives per prior standard deviation (Sherman & Morrison 1950).
@@ -98,14 +117,12 @@ impl Others {
         }
     }
 
-    /// Leaves out each of `groups` in turn.
-    pub fn leave_out(&self, groups: &[Vec<usize>]) -> Vec<LeftOut> {
-        let Some(precision) = &self.precision else {
-            return Vec::new();
-        };
+    /// Leaves out each of `groups` in turn; none if the derivatives are not finite.
+    pub fn leave_out(&self, groups: &[Vec<usize>]) -> Option<Vec<LeftOut>> {
+        let precision = self.precision.as_ref()?;
         let weighted = precision * &self.local.at_means;
         let all = groups.iter();
-        all.filter_map(|positions| self.one(precision, &weighted, positions))
+        all.map(|positions| self.one(precision, &weighted, positions))
             .collect()
     }
 
@@ -134,9 +151,12 @@ impl Others {
         })
     }
 
-    /// Sum of the logarithms of the densities; none if there are fewer than two groups.
+    /// Sum of the logarithms of the densities; none if there are fewer than two groups, or the derivatives are not finite.
     pub fn ln_density(&self, groups: &[Vec<usize>]) -> Option<f64> {
-        (groups.len() > 1).then(|| self.leave_out(groups).iter().map(|left| left.ln_density).sum())
+        if groups.len() < 2 {
+            return None;
+        }
+        Some(self.leave_out(groups)?.iter().map(|left| left.ln_density).sum())
     }
 }
 
@@ -221,9 +241,12 @@ mod tests {
             at_means: at_means.clone(),
             slopes: slopes.clone(),
             rows: (0..5).collect(),
+            ends: Vec::new(),
         };
         let groups = [vec![0, 1, 2], vec![3, 4]];
-        let left = Others::new(&local, &noise(5, 0.5, 0.0)).leave_out(&groups);
+        let left = Others::new(&local, &noise(5, 0.5, 0.0))
+            .leave_out(&groups)
+            .unwrap();
         let near = slopes.rows(0, 3) / 0.5;
         let curvature = DMatrix::identity(2, 2) + near.transpose() * &near;
         let fit = curvature
@@ -243,8 +266,11 @@ mod tests {
             at_means: DVector::from_element(4, 2.0),
             slopes: DMatrix::from_element(4, 1, 1e-6),
             rows: (0..4).collect(),
+            ends: Vec::new(),
         };
-        let left = Others::new(&local, &noise(4, 0.1, 2.0)).leave_out(&[vec![0, 1], vec![2, 3]]);
+        let left = Others::new(&local, &noise(4, 0.1, 2.0))
+            .leave_out(&[vec![0, 1], vec![2, 3]])
+            .unwrap();
         for error in left.iter().flat_map(|left| &left.errors) {
             assert!((error - 2.0).abs() < 1e-3, "{error}");
         }
@@ -257,6 +283,7 @@ mod tests {
             at_means: DVector::from_vec(vec![1.0, 1.5, 2.5, 2.0, 5.0]),
             slopes: slopes.clone(),
             rows: (0..5).collect(),
+            ends: Vec::new(),
         };
         let less = Local {
             slopes: slopes.columns(0, 1).into_owned(),
@@ -266,13 +293,37 @@ mod tests {
         let more = Others::new(&less, &noise).with(&slopes.column(1).into_owned());
         for (a, b) in more
             .leave_out(&groups)
+            .unwrap()
             .iter()
-            .zip(Others::new(&whole, &noise).leave_out(&groups))
+            .zip(Others::new(&whole, &noise).leave_out(&groups).unwrap())
         {
             assert!((a.ln_density - b.ln_density).abs() < 1e-9);
             for (a, b) in a.errors.iter().zip(&b.errors) {
                 assert!((a - b).abs() < 1e-9, "{a} {b}");
             }
         }
+    }
+
+    #[test]
+    fn an_unknown_at_the_end_of_its_range_is_held_there() {
+        let slopes = DMatrix::from_fn(5, 2, |i, j| 3.0 * (i as f64).powi(j as i32));
+        let at_means = DVector::from_vec(vec![1.0, 1.5, 2.5, 2.0, 5.0]);
+        let (noise, groups) = (noise(5, 0.5, 0.3), [vec![0, 1], vec![2, 3, 4]]);
+        let with = |slopes: DMatrix<f64>, at_means: DVector<f64>, ends: Vec<(usize, f64)>| {
+            let local = Local {
+                at_means,
+                slopes,
+                rows: (0..5).collect(),
+                ends,
+            };
+            Others::new(&local, &noise).leave_out(&groups).unwrap()
+        };
+        let one = slopes.columns(0, 1).into_owned();
+        // at its mean it tells as much as if it were not there
+        let there = with(slopes.clone(), at_means.clone(), vec![(1, 0.0)]);
+        assert_eq!(there, with(one.clone(), at_means.clone(), Vec::new()));
+        let moved = &at_means - slopes.column(1) * 0.4;
+        let there = with(slopes, at_means, vec![(1, 0.4)]);
+        assert_eq!(there, with(one, moved, Vec::new()));
     }
 }

@@ -155,7 +155,7 @@ fn an_effect_of_fixed_strength_is_part_of_the_model_until_it_is_added() {
             "raw",
             "calibrated",
             "+ root-flexure",
-            "+ rod-shear-modulus",
+            "rod-shear-modulus fitted",
             "noise"
         ]
     );
@@ -166,4 +166,36 @@ fn an_effect_of_fixed_strength_is_part_of_the_model_until_it_is_added() {
     );
     let text = fs::read_to_string(&path).unwrap();
     assert_eq!(text.matches("sigma").count(), 2, "{text}");
+}
+
+#[test]
+fn an_effect_that_ends_at_nothing_predicts_as_if_it_were_not_there() {
+    let folder = tempfile::tempdir().unwrap();
+    hidden_pair(folder.path());
+    // both that are hidden make the rod softer; this stiffens it, and can only do that
+    let arguments = ["add", "warping-restraint", "--to", "try/study.toml", "--json"];
+    let added = json(&washout(folder.path(), &arguments));
+    assert_eq!(names(&added)[2], "+ warping-restraint");
+    assert_eq!(added["strength"][0], 0.0, "{}", added["strength"]);
+    for of in ["in_sample_sigma", "left_out_sigma", "held_out_sigma"] {
+        let found = errors(&added, of);
+        let [without, with] = [1, 2].map(|rung| found[rung].unwrap());
+        assert!((with / without - 1.0).abs() < 1e-3, "{of}: {found:?}");
+    }
+    let arguments = [
+        "diagnose",
+        "try/study.toml",
+        "--effect",
+        "warping-restraint",
+        "--effect",
+        "root-flexure",
+        "--json",
+    ];
+    let said = json(&washout(folder.path(), &arguments));
+    let rows = said["effects"].as_array().unwrap().iter();
+    for row in rows {
+        let gain = row["gain_left_out_conditions"].as_f64().unwrap();
+        let is_true = row["effect"] == "root-flexure";
+        assert!(if is_true { gain > 100.0 } else { gain.abs() < 1.0 }, "{row}");
+    }
 }

@@ -159,6 +159,20 @@ fn options_that_belong_to_a_design_and_unknown_effects_are_refused() {
 }
 
 #[test]
+fn a_candidate_that_cannot_join_beside_one_that_can_is_said_to_be_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    bench(folder.path());
+    let few = ["--effect", "rod-shear-modulus", "--effect", "large-rotation"];
+    let arguments = [&["diagnose", "study.toml", "--json"][..], &few].concat();
+    let said = washout(folder.path(), &arguments);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let why = "large-rotation is not tried: it cannot join the model: ";
+    assert!(said.err.contains(why), "{}", said.err);
+    let notes = said.document()["notes"].to_string();
+    assert!(notes.contains(why), "{notes}");
+}
+
+#[test]
 fn a_study_and_its_diagnosis_are_reported_with_every_wing_before_and_after() {
     let folder = tempfile::tempdir().unwrap();
     bench(folder.path());

@@ -344,7 +344,7 @@ fn predictions(document: &Document, found: &Diagnosis) -> String {
         table.row(vec![
             Shown::text(&prediction.condition),
             Shown::text(prediction.channel.name()),
-            document.exact(&format!("/predictions/{index}/r_mm")),
+            Shown::text(crate::export::diagnosis::station(prediction)),
             at("measured", 4),
             at("calibrated", 4),
             at("explained", 4),
