@@ -88,9 +88,9 @@ pub struct AddReport {
 impl Add {
     /// Fits, writes and shows.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let (scale, table) = self.effect()?;
-        let target = self.output.clone().unwrap_or_else(|| self.to.clone());
         let study = LoadedStudy::load(&self.to, &[])?;
+        let (scale, table) = self.effect(&study)?;
+        let target = self.output.clone().unwrap_or_else(|| self.to.clone());
         let name = study.study.name.clone();
         let mut folder = RunFolder::listed_by(&target_of(self.ladder.as_ref(), &name, "ladder"), LADDER)?;
         let text = std::fs::read_to_string(&self.to).map_err(|error| Failure::Option {
@@ -147,11 +147,10 @@ impl Add {
     }
 
     /// Plausible size of the effect, and its table if it is the user's own.
-    fn effect(&self) -> Result<(f64, toml::Table), Failure> {
-        let study = LoadedStudy::load(&self.to, &[])?;
-        joining::wings(&study, &self.on)?;
+    fn effect(&self, study: &LoadedStudy) -> Result<(f64, toml::Table), Failure> {
+        joining::wings(study, &self.on)?;
         if self.remove {
-            joining::present(&study, &self.effect)?;
+            joining::present(study, &self.effect)?;
         }
         if let Some(file) = &self.own {
             let mut tables = own_effects(file)?;
@@ -231,9 +230,6 @@ impl Add {
             |table: &toml_edit::Table| table.get("name").and_then(Item::as_str) == Some(self.effect.as_str());
         let stands = tables.iter().any(is_it);
         if self.remove {
-            if !stands {
-                return Err(fault(format!("{} is not in this study", self.effect)));
-            }
             tables.retain(|table| !is_it(table));
         } else {
             if !stands {

@@ -23,8 +23,7 @@ pub fn no_such_effect(name: &str) -> Failure {
 
 /// A file with effects of one's own has none of this name, only `names`.
 pub fn no_such_table(file: &Path, name: &str, names: &[&str]) -> Failure {
-    let near = nearest(name, names.iter().copied());
-    let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
+    let near = did_you_mean(";", name, names.iter().copied());
     Failure::Option {
         option: "--own",
         reason: format!(
@@ -33,6 +32,11 @@ pub fn no_such_table(file: &Path, name: &str, names: &[&str]) -> Failure {
             names.join(", ")
         ),
     }
+}
+
+/// The nearest of the known names, if one is near, behind `mark`.
+fn did_you_mean<'a>(mark: &str, name: &str, known: impl Iterator<Item = &'a str>) -> String {
+    nearest(name, known).map_or(String::new(), |near| format!("{mark} did you mean {near}?"))
 }
 
 /// Reads `NAME=VALUE` of `--number`: another number of an effect than its strength.
@@ -63,8 +67,7 @@ pub fn number(text: &str, card: &Card) -> Result<(String, f64), Failure> {
         return refuse(format!("the {name} is fitted; leave it out"));
     }
     let Some(parameter) = others.iter().find(|parameter| parameter.name == name) else {
-        let near = nearest(name, others.iter().map(|parameter| parameter.name));
-        let near = near.map_or(String::new(), |near| format!(", did you mean {near}?"));
+        let near = did_you_mean(",", name, others.iter().map(|parameter| parameter.name));
         let known: Vec<String> = others.iter().map(shown).collect();
         return refuse(format!(
             "{} has no number {name}{near}; besides its strength it has {}",
@@ -168,8 +171,7 @@ pub fn wings(study: &LoadedStudy, on: &[String]) -> Result<(), Failure> {
     let Some(wing) = on.iter().find(|wing| !known.contains(&wing.as_str())) else {
         return Ok(());
     };
-    let near = nearest(wing, known.iter().copied());
-    let near = near.map_or(String::new(), |near| format!(", did you mean {near}?"));
+    let near = did_you_mean(",", wing, known.iter().copied());
     Err(Failure::Option {
         option: "--on",
         reason: format!(
@@ -198,8 +200,7 @@ pub fn present(study: &LoadedStudy, name: &str) -> Result<(), Failure> {
         ),
         (None, []) => format!("{name} is not in {path}; there is no effect in it, so nothing to take out"),
         (None, present) => {
-            let near = nearest(name, present.iter().copied());
-            let near = near.map_or(String::new(), |near| format!(", did you mean {near}?"));
+            let near = did_you_mean(",", name, present.iter().copied());
             format!("{name} is not in {path}{near}; in it: {}", present.join(", "))
         }
     };

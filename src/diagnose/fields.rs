@@ -14,6 +14,19 @@ const SPAN_LENGTH: f64 = 0.2;
 /// Correlation of a free field between conditions.
 const FREE_CORRELATION: f64 = 0.6;
 
+/// Powers of frequency and amplitude of the loads that are weighed against the known effects.
+const POWERS: [(f64, f64); 9] = [
+    (0.0, 0.0),
+    (1.0, 0.0),
+    (0.0, 1.0),
+    (1.0, 1.0),
+    (2.0, 0.0),
+    (0.0, 2.0),
+    (2.0, 1.0),
+    (1.0, 2.0),
+    (2.0, 2.0),
+];
+
 /// How a missing field enters and scales.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", tag = "kind")]
@@ -40,6 +53,31 @@ pub enum Law {
     Compliance,
     /// An error of the reading, the same in all conditions.
     Sensor,
+}
+
+impl Law {
+    /// How large a load is in a condition, over that at the largest frequency `f1` (Hz) and amplitude `phi1` (deg); nought for what is
+    /// no load that grows by a law.
+    pub(super) fn factor(&self, condition: &Condition, f1: f64, phi1: f64) -> f64 {
+        match *self {
+            Law::Load {
+                frequency_power,
+                amplitude_power,
+            } => {
+                power(condition.frequency_hz, f1, frequency_power)
+                    * power(condition.half_amplitude_deg, phi1, amplitude_power)
+            }
+            Law::Onset { of, from } => {
+                let largest = match of {
+                    Driver::Frequency => f1,
+                    Driver::Amplitude => phi1,
+                };
+                let over = of.of(condition).map_or(0.0, |value| (value - from).max(0.0));
+                over / (largest - from)
+            }
+            Law::Free | Law::Spring | Law::Compliance | Law::Sensor => 0.0,
+        }
+    }
 }
 
 /// What of the motion a missing load may grow with.
@@ -79,7 +117,12 @@ pub fn fields(forward: &dyn Forward, data: &Data, moment: &DMatrix<f64>, value: 
     let root = smooth_root(stations);
     let moment = moment.select_rows(data.rows.iter());
     let place = Places::new(forward, data, value, stations);
-    let mut found = load_fields(forward, data, &place, &moment, &root);
+    let loads = POWERS.map(|(frequency_power, amplitude_power)| Law::Load {
+        frequency_power,
+        amplitude_power,
+    });
+    let loads = load_fields(forward, data, &place, &(&moment * &root), &root, &loads);
+    let mut found: Vec<Field> = loads.into_iter().map(|(field, _)| field).collect();
     found.push(free_field(forward, data, &place, &moment, &root));
     let others = [
         (Law::Spring, -moment.component_mul(&place.twist_at_stations)),
@@ -92,57 +135,48 @@ pub fn fields(forward: &dyn Forward, data: &Data, moment: &DMatrix<f64>, value: 
     found
 }
 
-fn load_fields(
+/// A field for each way in which `laws` grow in the conditions that are fitted, with the laws that grow so, the first of which it has;
+/// `response`: of the fitted observables to a smooth moment that is the same in all conditions.
+pub(super) fn load_fields(
     forward: &dyn Forward,
     data: &Data,
     place: &Places,
-    moment: &DMatrix<f64>,
+    response: &DMatrix<f64>,
     root: &DMatrix<f64>,
-) -> Vec<Field> {
-    let conditions = forward.conditions();
-    let largest = |of: fn(&Condition) -> Option<f64>| {
-        conditions.iter().filter_map(of).fold(f64::MIN_POSITIVE, f64::max)
+    laws: &[Law],
+) -> Vec<(Field, Vec<usize>)> {
+    let of_row = |row: usize| &forward.conditions()[forward.observables()[row].condition];
+    let largest = |driver: Driver| {
+        let values = data.rows.iter().filter_map(|&row| driver.of(of_row(row)));
+        values.fold(f64::MIN_POSITIVE, f64::max)
     };
-    let (f1, a1) = (largest(|c| c.frequency_hz), largest(|c| c.half_amplitude_deg));
-    let mut found: Vec<Field> = Vec::new();
-    let mut laws: Vec<DVector<f64>> = Vec::new();
-    for (a, b) in [
-        (0, 0),
-        (1, 0),
-        (0, 1),
-        (1, 1),
-        (2, 0),
-        (0, 2),
-        (2, 1),
-        (1, 2),
-        (2, 2),
-    ] {
-        let factor = data.rows.iter().map(|&row| {
-            let condition = &conditions[forward.observables()[row].condition];
-            power(condition.frequency_hz, f1, a) * power(condition.half_amplitude_deg, a1, b)
-        });
-        let factor = DVector::from_iterator(data.rows.len(), factor);
-        let size = factor.amax().max(f64::MIN_POSITIVE);
-        if laws.iter().any(|known| (known - &factor / size).amax() < 1e-9) {
+    let [f1, phi1] = [Driver::Frequency, Driver::Amplitude].map(largest);
+    let mut grown: Vec<DVector<f64>> = Vec::new();
+    let mut found: Vec<(Field, Vec<usize>)> = Vec::new();
+    for (index, law) in laws.iter().enumerate() {
+        let factors = data.rows.iter().map(|&row| law.factor(of_row(row), f1, phi1));
+        let factors = DVector::from_iterator(data.rows.len(), factors);
+        let size = factors.amax();
+        if size == 0.0 {
             continue;
         }
-        laws.push(&factor / size);
-        let law = Law::Load {
-            frequency_power: f64::from(a),
-            amplitude_power: f64::from(b),
-        };
-        let response = DMatrix::from_diagonal(&factor) * moment * root;
-        found.extend(place.scaled(law, &response, root));
+        let shape = &factors / size;
+        if let Some(same) = grown.iter().position(|known| (known - &shape).amax() < 1e-9) {
+            found[same].1.push(index);
+        } else if let Some(field) = place.scaled(*law, &(DMatrix::from_diagonal(&factors) * response), root) {
+            grown.push(shape);
+            found.push((field, vec![index]));
+        }
     }
     found
 }
 
 /// (x/x₁)^p; a bench load without x has no part in a law that needs it.
-pub(super) fn power(value: Option<f64>, largest: f64, power: i32) -> f64 {
-    match (value, power) {
-        (_, 0) => 1.0,
-        (Some(value), power) => (value / largest).powi(power),
-        (None, _) => 0.0,
+fn power(value: Option<f64>, largest: f64, power: f64) -> f64 {
+    match value {
+        _ if power == 0.0 => 1.0,
+        Some(value) => (value / largest).powi(power as i32),
+        None => 0.0,
     }
 }
 

@@ -5,10 +5,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::study::{Condition, Forward};
+use crate::study::Forward;
 
 use super::data::Data;
-use super::fields::{Driver, Field, Law, Places, power, smooth_root};
+use super::fields::{Driver, Field, Law, Places, load_fields, smooth_root};
 
 /// Largest power of frequency and of amplitude.
 pub const HIGHEST: i32 = 4;
@@ -44,60 +44,22 @@ pub fn growths(
     moment: &DMatrix<f64>,
     value: &DVector<f64>,
 ) -> Vec<Growth> {
-    let conditions = forward.conditions();
     let root = smooth_root(moment.ncols());
     let places = Places::new(forward, data, value, moment.ncols());
-    let response = moment.select_rows(data.rows.iter());
-    let of_row = |row: usize| &conditions[forward.observables()[row].condition];
-    let values = |driver: Driver| {
-        let values = data.rows.iter().filter_map(|&row| driver.of(of_row(row)));
-        distinct(values)
-    };
-    let [f, phi] = [Driver::Frequency, Driver::Amplitude].map(values);
-    let largest = |values: &[f64]| values.last().copied().unwrap_or(f64::MIN_POSITIVE);
-    let [f1, phi1] = [largest(&f), largest(&phi)];
-    let factor = |law: Law, condition: &Condition| match law {
-        Law::Load {
-            frequency_power,
-            amplitude_power,
-        } => {
-            power(condition.frequency_hz, f1, frequency_power as i32)
-                * power(condition.half_amplitude_deg, phi1, amplitude_power as i32)
-        }
-        Law::Onset { of, from } => {
-            let end = match of {
-                Driver::Frequency => f1,
-                Driver::Amplitude => phi1,
-            };
-            let over = of.of(condition).map_or(0.0, |value| (value - from).max(0.0));
-            over / (end - from)
-        }
-        Law::Free | Law::Spring | Law::Compliance | Law::Sensor => 0.0,
-    };
-    let mut known: Vec<DVector<f64>> = Vec::new();
-    let mut found: Vec<Growth> = Vec::new();
-    for own in laws(&f, &phi) {
-        let factors = data.rows.iter().map(|&row| factor(own.law, of_row(row)));
-        let factors = DVector::from_iterator(data.rows.len(), factors);
-        // a load that acts in bench loads only grows with nothing
-        let size = factors.amax();
-        if size == 0.0 {
-            continue;
-        }
-        if let Some(same) = known.iter().position(|other| (other - &factors).amax() < 1e-9) {
-            found[same].laws.push(own);
-            continue;
-        }
-        let columns = DMatrix::from_diagonal(&factors) * &response * &root;
-        if let Some(field) = places.scaled(own.law, &columns, &root) {
-            known.push(factors);
-            found.push(Growth {
-                field,
-                laws: vec![own],
-            });
-        }
-    }
-    found
+    let response = moment.select_rows(data.rows.iter()) * &root;
+    let [f, phi] = [Driver::Frequency, Driver::Amplitude].map(|driver| {
+        let conditions = data.conditions(forward).into_iter();
+        distinct(conditions.filter_map(|(condition, _)| driver.of(&forward.conditions()[condition])))
+    });
+    let all = laws(&f, &phi);
+    let plain: Vec<Law> = all.iter().map(|own| own.law).collect();
+    load_fields(forward, data, &places, &response, &root, &plain)
+        .into_iter()
+        .map(|(field, same)| Growth {
+            field,
+            laws: same.into_iter().map(|index| all[index]).collect(),
+        })
+        .collect()
 }
 
 /// All laws of a load in conditions with these frequencies and amplitudes, powers first.

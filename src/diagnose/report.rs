@@ -19,7 +19,7 @@ use super::null::are_few;
 use super::posterior::{Case, SEPARATE, unfolded};
 use super::refit::Explanation;
 use super::rows::{
-    LOOK_ALIKES, case_families, effect_rows, hypothesis, is_possible, name, probability, unseen,
+    Gains, LOOK_ALIKES, case_families, effect_rows, hypothesis, is_possible, name, probability, unseen,
 };
 use super::screening::ENOUGH_POWER;
 use super::verdict::{
@@ -44,12 +44,13 @@ pub fn report(
     candidates: Option<&dyn Forward>,
     progress: &Progress,
 ) -> Result<Diagnosis, DiagnoseError> {
+    let gains = Gains::new(baseline);
     let hypotheses: Vec<Hypothesis> = unfolded(&judgement.beliefs)
         .iter()
         .filter(|belief| belief.in_set || (belief.is_shown && belief.probability > LISTED))
-        .map(|belief| hypothesis(baseline, judgement, belief))
+        .map(|belief| hypothesis(baseline, judgement, &gains, belief))
         .collect();
-    let effects = effect_rows(baseline, judgement);
+    let effects = effect_rows(baseline, judgement, &gains);
     let unseen: Vec<String> = unseen(&effects);
     let verdict = verdict(baseline, judgement, &effects, &hypotheses);
     let best = best_known(judgement);

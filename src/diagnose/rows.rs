@@ -1,6 +1,6 @@
 //! The rows of the report: hypotheses with their strengths, effects with their look-alikes.
 
-use crate::study::left_out::{Others, by_condition, by_wing};
+use crate::study::left_out::{Local, Others, by_condition, by_wing};
 use crate::study::{Unknown, UnknownKind};
 
 use super::baseline::Baseline;
@@ -48,7 +48,7 @@ pub fn case_families(case: &Case) -> Vec<usize> {
 }
 
 /// A belief with its strengths and its gain in prediction.
-pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -> Hypothesis {
+pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, belief: &Belief) -> Hypothesis {
     let families = case_families(&belief.case);
     let found = judgement.best_of(&families);
     let mut strengths: Vec<Strength> = Vec::new();
@@ -81,12 +81,7 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -
             });
         }
     }
-    let gain = |groups: &[Vec<usize>]| {
-        let local = found?.1?.local.as_ref()?;
-        let noise = &baseline.scatter.noise;
-        let about = |local| Others::new(local, noise).ln_density(groups);
-        Some(about(local)? - about(&baseline.local)?)
-    };
+    let local = found.and_then(|(_, explanation)| explanation?.local.as_ref());
     let family_names = families
         .iter()
         .map(|&family| judgement.families[family].name.clone());
@@ -117,8 +112,8 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -
         plausible,
         in_set: belief.in_set,
         refitted: found.is_some_and(|(_, explanation)| explanation.is_some()),
-        gain_left_out_conditions: gain(&by_condition(baseline.forward, &baseline.data.rows)),
-        gain_left_out_wings: gain(&by_wing(baseline.forward, &baseline.data.rows)),
+        gain_left_out_conditions: local.and_then(|local| gains.conditions.with(local)),
+        gain_left_out_wings: local.and_then(|local| gains.wings.with(local)),
     }
 }
 
@@ -182,7 +177,7 @@ fn weight(row: &EffectRow) -> f64 {
 }
 
 /// A row for every missing effect; of those that could sit elsewhere, for their best place.
-pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow> {
+pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) -> Vec<EffectRow> {
     let directions = &baseline.directions;
     let significance = family_wise(baseline.settings.significance, baseline.data.missing.len());
     let base = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
@@ -249,9 +244,8 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement) -> Vec<EffectRow>
             None => rows.push(row),
         }
     }
-    let gain = LeftOutGain::new(baseline);
     for row in &mut rows {
-        row.gain_left_out_conditions = gain.of(&row.unknown, judgement);
+        row.gain_left_out_conditions = gains.conditions.of(&row.unknown, judgement);
     }
     rows
 }
@@ -263,7 +257,24 @@ fn held_out_gain(baseline: &Baseline, refit: Option<&Explanation>) -> Option<f64
     (with > 0.0).then(|| without / with)
 }
 
-/// How much better each condition is predicted from the others with an effect.
+/// How much better each condition, and each wing, is predicted from the others with something more in the model.
+pub struct Gains<'a> {
+    conditions: LeftOutGain<'a>,
+    wings: LeftOutGain<'a>,
+}
+
+impl<'a> Gains<'a> {
+    /// Over the model as it is.
+    pub fn new(baseline: &'a Baseline) -> Gains<'a> {
+        let (forward, rows) = (baseline.forward, &baseline.data.rows);
+        Gains {
+            conditions: LeftOutGain::new(baseline, by_condition(forward, rows)),
+            wings: LeftOutGain::new(baseline, by_wing(forward, rows)),
+        }
+    }
+}
+
+/// How much better each of these groups is predicted from the others.
 struct LeftOutGain<'a> {
     baseline: &'a Baseline<'a>,
     groups: Vec<Vec<usize>>,
@@ -272,8 +283,7 @@ struct LeftOutGain<'a> {
 }
 
 impl<'a> LeftOutGain<'a> {
-    fn new(baseline: &'a Baseline) -> LeftOutGain<'a> {
-        let groups = by_condition(baseline.forward, &baseline.data.rows);
+    fn new(baseline: &'a Baseline, groups: Vec<Vec<usize>>) -> LeftOutGain<'a> {
         let others = Others::new(&baseline.local, &baseline.scatter.noise);
         LeftOutGain {
             ln_density: others.ln_density(&groups),
@@ -281,6 +291,11 @@ impl<'a> LeftOutGain<'a> {
             groups,
             others,
         }
+    }
+
+    /// By the fit that `local` is about.
+    fn with(&self, local: &Local) -> Option<f64> {
+        self.over(&Others::new(local, &self.baseline.scatter.noise))
     }
 
     /// With the effect whose strength is the unknown of this name: as refitted, else by the derivative.
@@ -291,19 +306,18 @@ impl<'a> LeftOutGain<'a> {
         let refit = refits
             .filter(|(index, _)| judgement.trial(*index).members == [k])
             .find_map(|(_, found)| found.local.as_ref());
-        let with = match refit {
-            Some(local) => Others::new(local, &self.baseline.scatter.noise),
-            // of the wrong sign, the best that it can have is none
-            None if is_one_sided(&forward.unknowns()[data.missing[k]])
-                && self.baseline.directions.scores[k] < 0.0 =>
-            {
-                return self.ln_density.map(|_| 0.0);
-            }
-            None => {
-                let column = self.baseline.slopes.column(k);
-                self.others.with(&column.select_rows(data.rows.iter()))
-            }
-        };
+        if let Some(local) = refit {
+            return self.with(local);
+        }
+        // of the wrong sign, the best that it can have is none
+        if is_one_sided(&forward.unknowns()[data.missing[k]]) && self.baseline.directions.scores[k] < 0.0 {
+            return self.ln_density.map(|_| 0.0);
+        }
+        let column = self.baseline.slopes.column(k);
+        self.over(&self.others.with(&column.select_rows(data.rows.iter())))
+    }
+
+    fn over(&self, with: &Others) -> Option<f64> {
         Some(with.ln_density(&self.groups)? - self.ln_density?)
     }
 }

@@ -222,6 +222,7 @@ impl Onset {
 mod tests {
     use super::*;
     use crate::diagnose::laws::{distinct, laws};
+    use crate::study::Condition;
 
     fn load(frequency_power: f64, amplitude_power: f64) -> LoadLaw {
         LoadLaw {
@@ -291,20 +292,19 @@ mod tests {
 
     /// All laws with the weights that they have where only the largest of three motions shows the load.
     fn told(f: &[f64], phi: &[f64], seen: [f64; 3]) -> Scaling {
+        let last = |values: &[f64]| values[values.len() - 1];
         let factor = |law: Law, k: usize| {
-            let at = |values: &[f64]| values[k.min(values.len() - 1)];
-            let last = |values: &[f64]| values[values.len() - 1];
-            match law {
-                Law::Load {
-                    frequency_power,
-                    amplitude_power,
-                } => (at(f) / last(f)).powf(frequency_power) * (at(phi) / last(phi)).powf(amplitude_power),
-                Law::Onset { of, from } => {
-                    let values = if of == Driver::Frequency { f } else { phi };
-                    (at(values) - from).max(0.0) / (last(values) - from)
-                }
-                _ => 0.0,
-            }
+            let at = |values: &[f64]| Some(values[k.min(values.len() - 1)]);
+            let condition = Condition {
+                name: String::new(),
+                wing: String::new(),
+                is_held_out: false,
+                frequency_hz: at(f),
+                half_amplitude_deg: at(phi),
+                dynamic_pressure_pa: 1.0,
+                length_m: 0.07,
+            };
+            law.factor(&condition, last(f), last(phi))
         };
         let weight = |own: &LoadLaw| {
             let misfit: f64 = (0..3)
