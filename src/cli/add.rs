@@ -52,7 +52,7 @@ pub struct Add {
     /// Another number of the effect, e.g. from=0.53; can be given many times
     #[arg(long, value_name = "NAME=VALUE", conflicts_with_all = ["remove", "own"])]
     pub number: Vec<String>,
-    /// The wing that has it, by the name of its design; can be given many times [default: all on which it can act]
+    /// The wing that has it, by the name of its design; can be given many times [default: candidates_on of the study, or all on which it can act]
     #[arg(long, value_name = "WING", conflicts_with = "remove")]
     pub on: Vec<String>,
     /// Take the effect out instead
@@ -76,7 +76,7 @@ pub struct AddReport {
     pub written: PathBuf,
     /// The effect.
     pub effect: String,
-    /// Its fitted strength and standard error; none if it was taken out.
+    /// Its fitted strength and standard error (0 if it is there wholly or not at all); none if it was taken out.
     pub strength: Option<[f64; 2]>,
     /// The error falling: as stated and calibrated without any effect that was added, with one after the other of those in the
     /// study, with this one (or without it), the noise.
@@ -88,6 +88,9 @@ pub struct AddReport {
 impl Add {
     /// Fits, writes and shows.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        if self.own.is_none() && !self.remove && named(&self.effect).is_none() {
+            return Err(joining::no_such_effect(&self.effect));
+        }
         let study = LoadedStudy::load(&self.to, &[])?;
         let (scale, table) = self.effect(&study)?;
         let target = self.output.clone().unwrap_or_else(|| self.to.clone());
@@ -97,7 +100,17 @@ impl Add {
             option: "--to",
             reason: format!("{}: {error}", self.to.display()),
         })?;
-        let changed = self.changed(&text, 0.0, 1.5 * scale, &table)?;
+        let on = match self.on.is_empty() {
+            true => study.study.candidates_on.as_deref().unwrap_or_default(),
+            false => &self.on,
+        };
+        // what is all or none is written as it is, and not fitted
+        let is_whole = named(&self.effect).is_some_and(|effect| effect.is_all_or_none());
+        let (first, sigma) = match is_whole {
+            true => (scale, None),
+            false => (0.0, Some(1.5 * scale)),
+        };
+        let changed = self.changed(&text, first, sigma, &table, on)?;
         let compared = |text: &str| self.compared(&LoadedStudy::from_text(&self.to, text, &[])?, console);
         let added = added_effects(&study);
         let mut steps = Vec::new();
@@ -120,11 +133,12 @@ impl Add {
         let after = compared(&changed)?;
         let key = format!("effects.{}.strength", self.effect);
         let found = after.unknowns.iter().find(|unknown| unknown.unknown.name == key);
-        let strength = found.map(|unknown| [unknown.value, unknown.standard_error]);
+        let whole = (is_whole && !self.remove).then_some([scale, 0.0]);
+        let strength = whole.or(found.map(|unknown| [unknown.value, unknown.standard_error]));
         steps.push((change, after));
         let ladder = ladder(&steps);
         let text = match strength {
-            Some([value, _]) => self.changed(&text, value, 1.5 * scale, &table)?,
+            Some([value, _]) => self.changed(&text, value, sigma, &table, on)?,
             None => changed,
         };
         add_falls(&mut folder, &name, &Fall::of_study(&ladder))?;
@@ -160,7 +174,10 @@ impl Add {
             };
             joining::own_strength(file, &self.effect, &table)?;
             let designs = study.cases.iter().map(|case| &case.loaded.design);
-            let meant = designs.filter(|design| self.on.is_empty() || self.on.contains(&design.name));
+            let meant = designs.filter(|design| match self.on.is_empty() {
+                true => study.study.is_tried_on(&design.name),
+                false => self.on.contains(&design.name),
+            });
             joining::own_table(file, &self.effect, &table, meant, 0.0)?;
             table.remove("strength");
             return Ok((1.0, table));
@@ -204,8 +221,9 @@ impl Add {
         &self,
         text: &str,
         strength: f64,
-        sigma: f64,
+        sigma: Option<f64>,
         numbers: &toml::Table,
+        on: &[String],
     ) -> Result<String, Failure> {
         let fault = |reason: String| Failure::Option {
             option: "--to",
@@ -236,15 +254,16 @@ impl Add {
                 let mut table = toml_edit::Table::new();
                 table["name"] = value(self.effect.as_str());
                 table["strength"] = value(written(strength));
-                table["sigma"] = value(written(sigma));
                 tables.push(table);
             }
             // one that stands there already takes what is given now, and keeps the rest
             if let Some(table) = tables.iter_mut().find(|table| is_it(table)) {
                 table["strength"] = value(written(strength));
-                table.entry("sigma").or_insert(value(written(sigma)));
-                if !self.on.is_empty() {
-                    let wings: toml_edit::Array = self.on.iter().map(String::as_str).collect();
+                if let Some(sigma) = sigma {
+                    table.entry("sigma").or_insert(value(written(sigma)));
+                }
+                if !self.on.is_empty() || (!stands && !on.is_empty()) {
+                    let wings: toml_edit::Array = on.iter().map(String::as_str).collect();
                     table["designs"] = value(wings);
                 }
                 let text = toml::to_string(numbers).map_err(|error| fault(error.to_string()))?;
@@ -298,18 +317,23 @@ fn written(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
-/// Names of the effects of a study whose strength is fitted, in its order.
+/// Whether an effect of a study was added to its model: its strength is fitted, or it is all or none.
+fn is_added(name: &str, is_fitted: bool) -> bool {
+    is_fitted || named(name).is_some_and(|effect| effect.is_all_or_none())
+}
+
+/// Names of the effects of a study that were added, in its order.
 fn added_effects(study: &LoadedStudy) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
-    for effect in study.study.effect.iter().filter(|effect| effect.sigma.is_some()) {
-        if !names.contains(&effect.name) {
+    for effect in &study.study.effect {
+        if is_added(&effect.name, effect.sigma.is_some()) && !names.contains(&effect.name) {
             names.push(effect.name.clone());
         }
     }
     names
 }
 
-/// The study's text without these effects, as far as their strength is fitted.
+/// The study's text without these effects, as far as they were added.
 fn without(text: &str, effects: &[String]) -> Result<String, Failure> {
     let mut document: DocumentMut = text
         .parse()
@@ -320,7 +344,8 @@ fn without(text: &str, effects: &[String]) -> Result<String, Failure> {
     if let Some(tables) = document.get_mut("effect").and_then(Item::as_array_of_tables_mut) {
         let is_out = |table: &toml_edit::Table| {
             let name = table.get("name").and_then(Item::as_str);
-            table.contains_key("sigma") && effects.iter().any(|effect| name == Some(effect))
+            let is_fitted = table.contains_key("sigma");
+            name.is_some_and(|name| is_added(name, is_fitted) && effects.iter().any(|effect| effect == name))
         };
         tables.retain(|table| !is_out(table));
     }
@@ -335,6 +360,11 @@ const GROUPS: &str = "rmse: root mean square error; chi2: chi-square per number,
 /// The page of `washout add`.
 pub fn page(report: &AddReport) -> String {
     let what = match report.strength {
+        Some([value, 0.0]) => format!(
+            "{} with strength {}, all of it",
+            report.effect,
+            significant(value, 4)
+        ),
         Some([value, error]) => format!(
             "{} with strength {} ± {}",
             report.effect,

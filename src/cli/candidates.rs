@@ -130,7 +130,10 @@ fn unable(study: &LoadedStudy, names: &[String]) -> Result<Vec<Unable>, Failure>
             continue;
         } else {
             let mut lacking: Vec<String> = Vec::new();
-            for case in &cases {
+            for case in cases
+                .iter()
+                .filter(|case| study.study.is_tried_on(&case.design.name))
+            {
                 let lack = named(name).and_then(|effect| lacks(&effect.card(), &case.design));
                 lacking.extend(lack.filter(|lack| !lacking.contains(lack)));
             }

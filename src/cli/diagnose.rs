@@ -17,7 +17,7 @@ use crate::study::{Campaign, Forward};
 
 use super::candidates::{Candidates, candidates, known};
 use super::study::{listed, target};
-use super::{Console, Failure};
+use super::{Console, Failure, joining};
 
 /// The document that lists the files of a diagnosis.
 pub const DIAGNOSIS: &str = "diagnosis.json";
@@ -27,6 +27,7 @@ pub const DIAGNOSIS: &str = "diagnosis.json";
 #[command(after_help = "Examples:
   washout diagnose studies/pre-pazy-skin.toml
   washout diagnose my-study.toml --effect root-flexure --effect tip-loss-prandtl       these two only
+  washout diagnose my-study.toml --on repaired-wing      what that wing has and the others have not
   washout diagnose my-study.toml --plan                  before any measurement: what could be seen, what told apart
   washout diagnose my-study.toml --report                report.html besides: the wings with and without what is found
   washout diagnose my-study.toml --json | jq .verdict
@@ -44,6 +45,10 @@ pub struct Diagnose {
     /// Try this effect; can be given many times [default: those that the study names, or all that can act]
     #[arg(long, value_name = "NAME")]
     pub effect: Vec<String>,
+    /// Try effects on this wing alone, by the name of its design, and hold the others to be as modelled; can be given many times
+    /// [default: candidates_on of the study, or all]
+    #[arg(long, value_name = "WING")]
+    pub on: Vec<String>,
     /// Probability of a false alarm that is accepted where nothing is missing
     #[arg(long, value_name = "P", default_value_t = 0.01)]
     pub significance: f64,
@@ -68,10 +73,14 @@ impl Diagnose {
     /// Diagnoses.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         known(&self.effect)?;
-        let study = match self.plan {
+        let mut study = match self.plan {
             true => LoadedStudy::load_planned(&self.study, &self.set)?,
             false => LoadedStudy::load(&self.study, &self.set)?,
         };
+        joining::wings(&study, &self.on)?;
+        if !self.on.is_empty() {
+            study.study.candidates_on = Some(self.on.clone());
+        }
         if !self.own_data && !self.plan {
             refuse_own_word(&self.study, &study, self.seed)?;
         }
@@ -192,6 +201,12 @@ fn answered(
     let next = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
     let diagnosis = diagnose_with(&campaign, next, &settings, progress);
     let mut diagnosis = diagnosis.map_err(|error| fault(path, error))?;
+    if let Some(wings) = &study.study.candidates_on {
+        let wings = wings.join(", ");
+        diagnosis.notes.push(format!(
+            "Effects were tried on {wings} alone; the other wings are held to be as modelled."
+        ));
+    }
     diagnosis.notes.extend(effects.left_out.iter().cloned());
     let report = DiagnosisReport {
         diagnosis,

@@ -6,19 +6,22 @@ use crate::study::Footing;
 use super::baseline::Baseline;
 use super::conclude::{conclude, gate};
 use super::error::DiagnoseError;
+use super::foretold::{Foretold, foretold};
 use super::library::{Family, Scales, Trial, families, heaviest};
 use super::novel::{Weighed, weigh};
 use super::null::Significance;
 use super::pairs::refit_pairs;
 use super::posterior::{Belief, Case};
 use super::refit::{Explanation, Refits};
-use super::screening::is_one_sided;
+use super::screening::{is_one_sided, whole_strength};
 use super::second_look::{HALF, HALF_AND_WHOLE, second_look};
 
 /// Explanations this much below the best in ln(prior × evidence) of the linear model are not fitted anew.
 const HOPELESS: f64 = 25.0;
 /// The same below the best that was fitted anew.
 const LOST: f64 = 15.0;
+/// Odds against a slip from which on an effect that is all or none may be named.
+const SURE: f64 = 20.0;
 
 /// Everything that was weighed.
 pub struct Judgement {
@@ -46,6 +49,8 @@ pub struct Judgement {
     pub after_known: Option<Significance>,
     /// Whether the best pair may be named.
     pub pair_is_accepted: bool,
+    /// Of a misfit that stands on few readings, what an effect with nothing to be fitted says of the first of them.
+    pub foretold: Option<Foretold>,
     /// Whether the unnamed fields win.
     pub is_novel: bool,
     /// Probability of none that is known among the explanations that were weighed, before the best known one was checked.
@@ -65,6 +70,11 @@ impl Judgement {
     pub fn believes_nothing(&self, baseline: &Baseline) -> bool {
         let mut nothing = self.beliefs.iter().filter(|belief| belief.case == Case::Nothing);
         nothing.any(|belief| belief.probability >= baseline.settings.significance)
+    }
+
+    /// Whether a misfit that stands on few readings is what an effect says that has nothing to be fitted, and no slip.
+    pub fn is_foretold(&self) -> bool {
+        self.foretold.is_some_and(|foretold| foretold.odds >= SURE)
     }
 
     /// The trial of that index: singles, then pairs.
@@ -145,11 +155,20 @@ impl Judgement {
         let (a, b) = (self.trial(trial_a).members[0], self.trial(trial_b).members[0]);
         let directions = &baseline.directions;
         let score = |k: usize| directions.scores[k].abs();
+        let unknown = |k: usize| &baseline.forward.unknowns()[baseline.data.missing[k]];
         // an effect of one sign that would need the other explains nothing of what moves the data
-        let is_possible = |k: usize| {
-            let unknown = &baseline.forward.unknowns()[baseline.data.missing[k]];
-            directions.scores[k] > 0.0 || !is_one_sided(unknown)
-        };
+        let is_possible = |k: usize| directions.scores[k] > 0.0 || !is_one_sided(unknown(k));
+        // what is all or none has no direction at none, but a misfit, and so has the other by the linear model
+        for (whole, fit, other) in [(a, fit_a, b), (b, fit_b, a)] {
+            if let (Some(fit), Some(_)) = (fit, whole_strength(unknown(whole))) {
+                let taken = if is_possible(other) {
+                    score(other).powi(2)
+                } else {
+                    0.0
+                };
+                return (baseline.whitened.q() - taken - fit.q).max(0.0).sqrt();
+            }
+        }
         match (is_possible(a), is_possible(b)) {
             (true, true) => {
                 let cosine = directions.cosine(a, b);
@@ -214,6 +233,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         after_best: None,
         after_known: None,
         pair_is_accepted: false,
+        foretold: None,
         is_novel: false,
         novel_as_weighed: 0.0,
     };
@@ -235,6 +255,10 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
     } else if !judgement.believes_nothing(baseline) {
         second_look(&mut judgement, baseline, &refits, &HALF_AND_WHOLE, progress)?;
         conclude(&mut judgement, baseline, ln_nothing);
+        judgement.foretold = foretold(baseline, &judgement)?;
+        if judgement.is_foretold() {
+            gate(&mut judgement, baseline)?;
+        }
     }
     Ok(judgement)
 }
@@ -249,9 +273,23 @@ fn refit_singles(
     let Some(&first) = chosen.first() else {
         return Ok(());
     };
+    // of what is all or none a derivative at none says nothing
+    let unknowns = refits.forward.unknowns();
+    let is_whole = |member: &usize| whole_strength(&unknowns[refits.data.missing[*member]]).is_some();
+    for index in 0..judgement.singles.len() {
+        let members = judgement.singles[index].members.clone();
+        if members.iter().any(is_whole) {
+            progress.check()?;
+            let found = refits.refit(&members, &[1.0])?;
+            judgement.take(index, found);
+        }
+    }
     let mut offsets = Vec::new();
     for index in chosen {
         progress.check()?;
+        if judgement.is_refitted(index) {
+            continue;
+        }
         let trial = &judgement.singles[index];
         let fitted = judgement.refits.iter();
         let best = fitted

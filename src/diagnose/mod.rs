@@ -14,6 +14,8 @@ pub mod evidence;
 
 pub mod fields;
 
+pub mod foretold;
+
 pub mod judge;
 
 pub mod ladder;

@@ -36,6 +36,16 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, 
             of_motion.join(", ")
         ));
     }
+    if let Some(foretold) = judgement.foretold.filter(|_| judgement.is_foretold()) {
+        let observable = &baseline.forward.observables()[foretold.row];
+        notes.push(format!(
+            "One reading carries this ({}, {}). It lies where an effect says that has nothing to be fitted; odds against a slip that fell \
+             there: {:.0} to 1.",
+            baseline.forward.conditions()[observable.condition].name,
+            observable.channel.name(),
+            foretold.odds
+        ));
+    }
     let unsettled = unsettled(judgement);
     if !unsettled.is_empty() {
         notes.push(format!(

@@ -9,7 +9,7 @@ use crate::study::{Fit, Footing, Forward};
 use super::data::{Data, Scatter};
 use super::error::DiagnoseError;
 use super::evidence::{Likelihood, one_sided};
-use super::screening::{is_one_sided, place_of};
+use super::screening::{is_one_sided, place_of, whole_strength};
 
 /// Largest step from zero at which a refit starts, in prior standard deviations.
 const LONGEST_START: f64 = 2.0;
@@ -76,15 +76,23 @@ impl Refits<'_> {
         members: &[usize],
         starts: &[Vec<f64>],
     ) -> Result<Option<Explanation>, DiagnoseError> {
+        let unknowns = self.forward.unknowns();
         let effects: Vec<usize> = members.iter().map(|&k| self.data.missing[k]).collect();
+        let (whole, fitted): (Vec<usize>, Vec<usize>) = effects
+            .iter()
+            .partition(|&&effect| whole_strength(&unknowns[effect]).is_some());
         let mut free = self.data.model.clone();
-        free.extend(&effects);
+        free.extend(&fitted);
         free.extend(self.places(&effects));
         let most = self.baseline.q + 1e-6 * (1.0 + self.baseline.q);
         for start in starts {
+            let mut start = start.clone();
+            for &effect in &whole {
+                start[effect] = whole_strength(&unknowns[effect]).unwrap_or_default();
+            }
             let fit = match self
                 .scatter
-                .fit(self.forward, self.data, &free, start, self.footing)
+                .fit(self.forward, self.data, &free, &start, self.footing)
             {
                 Ok(fit) => fit,
                 Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),
@@ -106,30 +114,30 @@ impl Refits<'_> {
             .collect()
     }
 
-    /// The explanation by a fit in which `members` were free.
+    /// The explanation by a fit in which `members` were free, as far as they are not all or none.
     fn explanation(&self, members: &[usize], fit: Fit) -> Explanation {
         let unknowns = self.forward.unknowns();
-        let first = self.data.model.len();
+        let column = |unknown: usize| fit.free.iter().position(|&i| i == unknown);
         let size = fit.slopes.ncols();
         let curvature = DMatrix::identity(size, size) + fit.slopes.transpose() * &fit.slopes;
         let mut ln_evidence = self.likelihood.ln(fit.q) - 0.5 * ln_determinant(curvature);
         let variance = self.likelihood.variance(fit.q);
         let (mut strength, mut standard_error) = (Vec::new(), Vec::new());
-        for position in 0..members.len() {
-            let unknown = fit.free[first + position];
-            let error = (variance * fit.covariance[(first + position, first + position)]).sqrt();
-            if is_one_sided(&unknowns[unknown]) {
+        let error_of = |column: usize| (variance * fit.covariance[(column, column)]).sqrt();
+        let effects = members.iter().map(|&k| self.data.missing[k]);
+        for unknown in effects.clone() {
+            let error = column(unknown).map_or(0.0, error_of);
+            if error > 0.0 && is_one_sided(&unknowns[unknown]) {
                 ln_evidence += one_sided(fit.at[unknown] / error);
             }
             strength.push(fit.at[unknown]);
             standard_error.push(error);
         }
-        let place = |position: usize| {
-            let own = place_of(unknowns, fit.free[first + position])?;
-            let column = fit.free.iter().position(|&i| i == own)?;
-            Some([fit.at[own], (variance * fit.covariance[(column, column)]).sqrt()])
+        let place = |unknown: usize| {
+            let own = place_of(unknowns, unknown)?;
+            Some([fit.at[own], error_of(column(own)?)])
         };
-        let places = (0..members.len()).map(place).collect();
+        let places = effects.map(place).collect();
         Explanation {
             members: members.to_vec(),
             ln_evidence,

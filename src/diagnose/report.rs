@@ -141,7 +141,7 @@ fn verdict(
     effects: &[EffectRow],
     hypotheses: &[Hypothesis],
 ) -> Verdict {
-    if judgement.significance.p_null > baseline.settings.significance {
+    if judgement.significance.p_null > baseline.settings.significance && !judgement.is_foretold() {
         let could_see = effects.iter().any(|row| row.power >= ENOUGH_POWER);
         let (found, level) = (&judgement.significance, baseline.settings.significance);
         let misses_with_few = are_few(baseline.data.rows.len(), level) && found.p_misfit < level;

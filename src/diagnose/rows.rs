@@ -8,7 +8,7 @@ use super::judge::Judgement;
 use super::ladder::held_out_sigma;
 use super::posterior::{Belief, Case};
 use super::refit::Explanation;
-use super::screening::{ENOUGH_POWER, Sight, effect_of, family_wise, is_one_sided, place_of};
+use super::screening::{ENOUGH_POWER, Sight, effect_of, family_wise, is_one_sided, place_of, whole_strength};
 use super::verdict::{EffectRow, Hypothesis, LookAlike, PlaceFound, Strength};
 
 /// Strengths beyond this many scales get no name, whatever their probability.
@@ -134,6 +134,7 @@ fn place(baseline: &Baseline, k: usize, found: Option<[f64; 2]>) -> Option<Place
         parameter: parameter.clone(),
         value: found.map_or(own.mean, |[value, _]| value),
         standard_error: found.map(|[_, error]| error),
+        unit: own.unit.clone(),
         numbers: numbers.clone(),
         wing: wing.clone(),
     })
@@ -166,7 +167,7 @@ pub fn is_possible(baseline: &Baseline, hypothesis: &Hypothesis) -> bool {
                 let scale = effect_of(own).map_or(f64::INFINITY, |(_, _, scale, _)| scale);
                 let [low, high] = own.range;
                 let is_inside = (low == 0.0 || *value > low) && (high == 0.0 || *value < high);
-                value.abs() <= POSSIBLE * scale && is_inside
+                whole_strength(own).is_some() || (value.abs() <= POSSIBLE * scale && is_inside)
             })
         })
 }

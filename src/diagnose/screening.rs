@@ -14,6 +14,8 @@ use super::whitened::Whitened;
 
 /// Power from which on an effect of its plausible size counts as detectable.
 pub const ENOUGH_POWER: f64 = 0.8;
+/// Share of its plausible size from which on an effect must have been seen to be called absent.
+const MATTERS: f64 = 1.0 / 3.0;
 
 /// Level of one score when any of `count` effects, or either of two other tests, may raise the alarm.
 pub fn family_wise(level: f64, count: usize) -> f64 {
@@ -26,7 +28,7 @@ pub fn family_wise(level: f64, count: usize) -> f64 {
 pub enum Sight {
     /// Its score is beyond chance, though many were tried: it is there, or one that looks like it.
     Possible,
-    /// It would have been seen if it had its plausible size, and was not.
+    /// It would have been seen at a third of its plausible size, and was not.
     Absent,
     /// This campaign cannot tell.
     Undecidable,
@@ -57,6 +59,18 @@ pub fn effect_of(unknown: &Unknown) -> Option<(&str, &str, f64, bool)> {
             one_sided,
             ..
         } => Some((effect, family, *scale, *one_sided)),
+        _ => None,
+    }
+}
+
+/// The strength of an effect that is there with its plausible size or not at all.
+pub fn whole_strength(unknown: &Unknown) -> Option<f64> {
+    match unknown.kind {
+        UnknownKind::Effect {
+            all_or_none: true,
+            scale,
+            ..
+        } => Some(scale),
         _ => None,
     }
 }
@@ -196,12 +210,17 @@ impl Directions {
 
     /// Probability to see effect `k` at its plausible size with false alarms at `level`.
     pub fn power(&self, k: usize, unknown: &Unknown, level: f64) -> f64 {
+        self.power_at(1.0, k, unknown, level)
+    }
+
+    /// The same at a share of that size.
+    fn power_at(&self, share: f64, k: usize, unknown: &Unknown, level: f64) -> f64 {
         let Some((_, _, scale, one_sided)) = effect_of(unknown) else {
             return 0.0;
         };
         let normal = Normal::standard();
         let tail = if one_sided { level } else { 0.5 * level };
-        let distance = scale / unknown.sigma * self.lengths[k];
+        let distance = share * scale / unknown.sigma * self.lengths[k];
         1.0 - normal.cdf(normal.inverse_cdf(1.0 - tail) - distance)
     }
 
@@ -216,7 +235,7 @@ impl Directions {
         let tail = if one_sided { level } else { 0.5 * level };
         if score > Normal::standard().inverse_cdf(1.0 - tail) {
             Sight::Possible
-        } else if self.power(k, unknown, level) > ENOUGH_POWER {
+        } else if self.power_at(MATTERS, k, unknown, level) > ENOUGH_POWER {
             Sight::Absent
         } else {
             Sight::Undecidable

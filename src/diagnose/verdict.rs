@@ -152,6 +152,8 @@ pub struct PlaceFound {
     pub value: f64,
     /// Its standard error; none if it was not fitted.
     pub standard_error: Option<f64>,
+    /// Unit of both; `1` if they have none.
+    pub unit: String,
     /// Other numbers that the effect needs, such as which spar.
     pub numbers: BTreeMap<String, f64>,
     /// The wing on which it sits, by the name of its design; none if on all.

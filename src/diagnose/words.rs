@@ -84,11 +84,14 @@ fn with_strength(hypothesis: &Hypothesis) -> String {
             } else {
                 format!(" {}", strength.unit)
             };
+            let error = match strength.standard_error {
+                0.0 => String::new(),
+                error => format!(" ± {}", short(error)),
+            };
             format!(
-                "{} = {} ± {}{unit}{}",
+                "{} = {}{error}{unit}{}",
                 strength.effect,
                 short(strength.value),
-                short(strength.standard_error),
                 strength.place.as_ref().map_or(String::new(), place)
             )
         })
@@ -112,8 +115,12 @@ fn place(place: &PlaceFound) -> String {
         .wing
         .as_ref()
         .map_or(String::new(), |wing| format!(" on {wing}"));
+    let unit = match place.unit.as_str() {
+        "1" => String::new(),
+        unit => format!(" {unit}"),
+    };
     format!(
-        "{numbers}, {} {}{error}{wing}",
+        "{numbers}, {} {}{error}{unit}{wing}",
         place.parameter,
         short(place.value)
     )

@@ -43,6 +43,10 @@ impl Effect for LargeRotation {
         CARD
     }
 
+    fn is_all_or_none(&self) -> bool {
+        true
+    }
+
     fn kinematics(&self, values: &Values) -> Option<f64> {
         Some(values.strength())
     }

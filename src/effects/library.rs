@@ -10,8 +10,9 @@ use super::{
     inertia_off_mid_stroke, inflow_momentum, inflow_uniform, large_rotation, leading_edge_frame,
     leading_edge_vortex_loss, lift_gain_linear, lift_gain_saturating, phase_lag, rod_ends_early,
     rod_shear_modulus, rod_split, root_bending, root_chord_held, root_flexure, rotational_damping,
-    rotational_lift, skin_bending, skin_torsion, spar_joint_compliance, spar_stiffness, stall_shift,
-    stop_backlash, tip_loss_exponential, tip_loss_prandtl, tip_mass, twist_dynamics, warping_restraint,
+    rotational_lift, skin_bending, skin_torsion, skin_yielding, spar_joint_compliance, spar_stiffness,
+    stall_shift, stop_backlash, tip_loss_exponential, tip_loss_prandtl, tip_mass, twist_dynamics,
+    warping_restraint,
 };
 
 /// Every effect of washout, in the order in which they act.
@@ -21,6 +22,7 @@ pub static ALL: &[&dyn Effect] = &[
     &warping_restraint::WarpingRestraint,
     &bend_twist_coupling::BendTwistCoupling,
     &skin_bending::SkinBending,
+    &skin_yielding::SkinYielding,
     &skin_torsion::SkinTorsion,
     &leading_edge_frame::LeadingEdgeFrame,
     &rod_ends_early::RodEndsEarly,

@@ -65,6 +65,8 @@ pub mod bend_twist_coupling;
 
 pub mod skin_bending;
 
+pub mod skin_yielding;
+
 pub mod skin_torsion;
 
 pub mod leading_edge_frame;
@@ -122,6 +124,11 @@ pub trait Effect: Sync + Send + std::fmt::Debug {
     /// Where it may sit, if that is not known.
     fn places(&self) -> Option<Places> {
         None
+    }
+
+    /// Whether it is there with its plausible size or not at all, so that a diagnosis fits no strength between.
+    fn is_all_or_none(&self) -> bool {
+        false
     }
 
     /// Changes sections, sheets, joints or supports.

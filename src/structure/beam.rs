@@ -11,6 +11,7 @@ use super::StructureError;
 use super::corotational::{Frame, Response, Rest};
 use super::rotation::skew;
 use super::section::Section;
+use super::skin::Skin;
 
 /// A beam element.
 #[derive(Debug, Clone)]
@@ -22,7 +23,11 @@ pub struct Beam {
     rest: Rest<2>,
     length_m: f64,
     stiffness: SMatrix<f64, 12, 12>,
+    skin: Option<Skin>,
 }
+
+/// Freedoms that bend the element out of the wing's plane: the turns of its ends about e₂.
+const FLAP_TURNS: [usize; 2] = [4, 10];
 
 impl Beam {
     /// Between two nodes (m), with e₃ as near as possible to `normal`.
@@ -52,6 +57,7 @@ impl Beam {
             rest: Rest::new(ends, axes),
             length_m,
             stiffness,
+            skin: section.skin,
         })
     }
 
@@ -127,11 +133,11 @@ impl Beam {
         let frame = self.frame(u, q);
         let p = frame.local_freedoms(&self.rest, u, q);
         let strained = untwisted(&p, twist_rad);
-        let f = self.stiffness * strained;
-        (0.5 * strained.dot(&f), frame.global_force(&p, &f))
+        let Response { energy, force, .. } = self.local(&strained);
+        (energy, frame.global_force(&p, &force))
     }
 
-    /// Section forces at the middle: N, V_edge, V_flap (N), T, M_flap, M_edge (N·m), deformed axes.
+    /// Section forces at the middle without those of a skin: N, V_edge, V_flap (N), T, M_flap, M_edge (N·m), deformed axes.
     pub fn section_forces(
         &self,
         u: &[Vector3<f64>; 2],
@@ -165,10 +171,31 @@ impl Beam {
 
     fn local(&self, p: &SVector<f64, 12>) -> Response<12> {
         let force = self.stiffness * p;
-        Response {
+        let mut response = Response {
             energy: 0.5 * p.dot(&force),
             force,
             stiffness: self.stiffness,
+        };
+        if let Some(skin) = &self.skin {
+            self.add_skin(skin, p, &mut response);
+        }
+        response
+    }
+
+    /// A skin bends with the cubic that the turns of the ends make of the element; taken at two points of Gauss.
+    fn add_skin(&self, skin: &Skin, p: &SVector<f64, 12>, response: &mut Response<12>) {
+        for sign in [-1.0, 1.0] {
+            let x = 0.5 + sign / 12.0_f64.sqrt();
+            let bends = [6.0 * x - 4.0, 6.0 * x - 2.0].map(|b| b / self.length_m);
+            let bending: f64 = FLAP_TURNS.iter().zip(bends).map(|(&at, b)| b * p[at]).sum();
+            let [energy, moment, tangent] = skin.response(bending).map(|part| 0.5 * self.length_m * part);
+            response.energy += energy;
+            for (&i, a) in FLAP_TURNS.iter().zip(bends) {
+                response.force[i] += a * moment;
+                for (&j, b) in FLAP_TURNS.iter().zip(bends) {
+                    response.stiffness[(i, j)] += a * b * tangent;
+                }
+            }
         }
     }
 

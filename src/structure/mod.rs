@@ -46,6 +46,8 @@ pub mod shell;
 
 pub mod shell_force;
 
+pub mod skin;
+
 pub mod state;
 
 pub mod strength;
@@ -67,5 +69,6 @@ pub use newton::{NewtonReport, NewtonSettings};
 pub use section::Section;
 pub use sheet::{Compression, Sheet};
 pub use shell::Shell;
+pub use skin::Skin;
 pub use strength::{FilmStress, Peak, bending_peak, film_stress, torsion_peak};
 pub use wing::{bench_loads, weigh, wing_model, wing_model_beside};

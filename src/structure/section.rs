@@ -7,6 +7,7 @@
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3};
 
 use super::StructureError;
+use super::skin::Skin;
 
 /// Elastic and inertial properties of a section about its reference axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +22,8 @@ pub struct Section {
     pub fibres: Vec<Fibre>,
     /// Torsional shear stress at the surface per unit twist rate, Pa·m.
     pub shear_per_twist_rate_pa_m: f64,
+    /// A skin beside it, if any.
+    pub skin: Option<Skin>,
 }
 
 /// A fibre at which axial stress is read.
@@ -77,6 +80,7 @@ impl Section {
             inertia_kg_m: Vector3::zeros(),
             fibres: Vec::new(),
             shear_per_twist_rate_pa_m: 0.0,
+            skin: None,
         })
     }
 
@@ -92,6 +96,7 @@ impl Section {
             inertia_kg_m: Vector3::zeros(),
             fibres: Vec::new(),
             shear_per_twist_rate_pa_m: 0.0,
+            skin: None,
         }
     }
 
@@ -235,6 +240,7 @@ impl Section {
             inertia_kg_m: Vector3::new(inertia_edge + inertia_flap, inertia_flap, inertia_edge),
             fibres,
             shear_per_twist_rate_pa_m: plies.iter().map(|p| p.q_pa[(2, 2)]).fold(0.0, f64::max) * total,
+            skin: None,
         })
     }
 

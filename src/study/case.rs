@@ -113,11 +113,14 @@ impl PreparedCase {
                 }
             }
         }
-        for name in candidates {
+        let tried = candidates
+            .iter()
+            .filter(|_| study.study.is_tried_on(&design.name));
+        for name in tried.copied().collect::<Vec<&str>>() {
             let Some(effect) = named(name) else {
                 return Err(failed(format!("there is no effect {name} (washout effects)")));
             };
-            if !design.effects.contains_key(*name) && is_applicable(&effect.card(), &design) {
+            if !design.effects.contains_key(name) && is_applicable(&effect.card(), &design) {
                 let strength = [("strength".to_string(), toml::Value::Float(0.0))];
                 design
                     .effects

@@ -84,6 +84,8 @@ pub enum UnknownKind {
         one_sided: bool,
         /// Whether its response has a kink at zero, so that it must be seen from a step.
         has_switch: bool,
+        /// Whether it is there with its plausible size or not at all: no strength between is of this world.
+        all_or_none: bool,
     },
 }
 

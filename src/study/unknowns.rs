@@ -388,6 +388,7 @@ fn strength_of(card: &Card, name: String, sigma: f64) -> Unknown {
             plausible: parameter.plausible,
             one_sided: parameter.is_one_sided(),
             has_switch: card.has_switch,
+            all_or_none: named(card.name).is_some_and(|effect| effect.is_all_or_none()),
         },
         mean: 0.0,
         sigma,

@@ -29,6 +29,8 @@ mod modes;
 
 mod modest;
 
+mod one_wing;
+
 mod real_data;
 
 mod plot;

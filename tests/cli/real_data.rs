@@ -35,73 +35,138 @@ fn hypothesis<'a>(said: &'a Value, effects: &[&str]) -> &'a Value {
         .unwrap_or_else(|| panic!("{effects:?}: {}", said["hypotheses"]))
 }
 
-/// A skin that adds a twelfth of bending stiffness or less; the beams of the literature differ by 1.12 in bending, 1.10 in
-/// torsion, the slopes of the readings by 1.09 to 1.24 and 0.85 to 1.20.
+fn rows(said: &Value) -> &Vec<Value> {
+    said["effects"].as_array().unwrap()
+}
+
+/// Root mean square held-out error of the deflections: calibrated, and with the best known explanation, mm.
+fn held_out_deflections(said: &Value) -> [f64; 2] {
+    let of = |which: &str| {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for row in said["predictions"].as_array().unwrap() {
+            if row["channel"] == "deflection" {
+                sum += (number(&row["measured"]) - number(&row[which])).powi(2);
+                count += 1.0;
+            }
+        }
+        f64::sqrt(sum / count)
+    };
+    [of("calibrated"), of("explained")]
+}
+
+/// With the two skins that only add stiffness, that which adds it in bending is named: 1.18 ± 0.04. The slopes of the readings
+/// differ by 1.09 to 1.24 and the beams of the literature by 1.12 in bending; in torsion by 0.85 to 1.20 and by 1.10.
 #[test]
 fn the_skin_of_the_pre_pazy_wing_adds_bending_stiffness_and_its_torsion_is_undecided() {
     let said = diagnosed("pre-pazy-skin.toml", &["skin-bending", "skin-torsion"]);
-    assert_eq!(said["verdict"], "set", "{}", said["sentence"]);
+    println!("{}", said["sentence"]);
+    assert_eq!(said["verdict"], "effect", "{}", said["sentence"]);
     let bending = hypothesis(&said, &["skin-bending"]);
     let (strength, error) = (number(&bending["strength"]), number(&bending["standard_error"]));
-    println!("1 + {strength} ± {error}, probability {}", bending["probability"]);
-    assert!(bending["in_set"] == true && number(&bending["probability"]) > 0.5);
-    assert!((strength - 0.073).abs() < 0.01 && strength + 2.0 * error > 0.12 && strength > 2.0 * error);
-    let rows = said["effects"].as_array().unwrap();
-    let torsion = rows.iter().find(|row| row["effect"] == "skin-torsion").unwrap();
-    assert_ne!(torsion["sight"], "possible");
-    assert!(number(&torsion["score"]) < 3.5);
+    assert!(number(&bending["probability"]) > 0.95);
+    assert!(
+        (strength - 0.183).abs() < 0.01 && (0.03..0.05).contains(&error),
+        "{strength} ± {error}"
+    );
+    assert!(strength - 2.0 * error < 0.12 && strength + error < 0.24);
+    let torsion = rows(&said)
+        .iter()
+        .find(|row| row["effect"] == "skin-torsion")
+        .unwrap();
+    assert_eq!(torsion["sight"], "undecidable");
+    // stiffness alone explains less than half of what is wrong with the held-out deflections
+    let [calibrated, explained] = held_out_deflections(&said);
+    assert!(
+        explained < 0.8 * calibrated && explained > 0.5 * calibrated,
+        "{calibrated} {explained}"
+    );
 }
 
-/// The one reading that shows large rotation is no discovery by itself, but heads the table of what does not fit.
+/// With every effect tried it is a skin that gives way: 17 % under 0.2 kg and 3 % under 3.2 kg. Held-out deflections are wrong by less
+/// than half as much, 2.3 mm after 6.0, where the scatter is 1.7.
 #[test]
-fn tang_and_dowell_without_large_rotation_have_one_reading_far_off_and_no_effect_named() {
-    let said = diagnosed("tang-dowell-linear.toml", &["large-rotation", "tip-mass"]);
+fn with_every_effect_tried_the_skin_of_the_pre_pazy_wing_gives_way() {
+    let said = diagnosed("pre-pazy-skin.toml", &[]);
+    println!("{}", said["sentence"]);
+    assert_eq!(said["verdict"], "effect", "{}", said["sentence"]);
+    let found = hypothesis(&said, &["skin-yielding"]);
+    let (strength, error) = (number(&found["strength"]), number(&found["standard_error"]));
+    assert!(
+        (strength - 0.222).abs() < 0.01 && (0.02..0.04).contains(&error),
+        "{strength} ± {error}"
+    );
+    let place = &found["strengths"][0]["place"];
+    assert!(
+        (number(&place["value"]) - 0.65).abs() < 0.05 && place["unit"] == "rad",
+        "{place}"
+    );
+    let [calibrated, explained] = held_out_deflections(&said);
+    println!("held out {calibrated} mm, {explained} mm");
+    assert!(
+        explained < 0.5 * calibrated && explained < 1.5 * 1.7,
+        "{calibrated} {explained}"
+    );
+}
+
+/// The wing without skin tells nothing else of it, and misses some twists itself, which no effect on the other wing explains.
+#[test]
+fn what_the_skinned_wing_has_and_the_bare_one_has_not_is_a_skin_that_gives_way() {
+    let said = diagnosed(
+        "pre-pazy-both.toml",
+        &["skin-bending", "skin-torsion", "skin-yielding"],
+    );
+    let rows = rows(&said);
+    let row = |name: &str| rows.iter().find(|row| row["effect"] == name).unwrap();
+    let found = row("skin-yielding");
+    assert!((number(&found["refitted"]) - 0.216).abs() < 0.01, "{found}");
+    assert!(number(&found["ln_evidence"]) > 5.0 + number(&row("skin-bending")["ln_evidence"]));
+    let [calibrated, explained] = held_out_deflections(&said);
+    assert!(explained < 0.5 * calibrated, "{calibrated} {explained}");
+    let notes = said["notes"].to_string();
+    assert!(notes.contains("tried on pre-pazy-skinned alone"), "{notes}");
+}
+
+/// One reading shows large rotation, and might be a slip; but it lies where an effect says that has nothing to be fitted.
+#[test]
+fn tang_and_dowell_without_large_rotation_lack_it_though_one_reading_shows_it() {
+    for effects in [&[][..], &["large-rotation", "tip-mass"]] {
+        let said = diagnosed("tang-dowell-linear.toml", effects);
+        println!("{}", said["sentence"]);
+        assert_eq!(said["verdict"], "effect", "{}", said["sentence"]);
+        let found = hypothesis(&said, &["large-rotation"]);
+        assert!(
+            number(&found["strength"]) == 1.0 && number(&found["standard_error"]) == 0.0,
+            "{found}"
+        );
+        assert!(number(&found["probability"]) > 0.99, "{found}");
+        let groups = said["misfit"]["by_condition"].as_array().unwrap().iter();
+        let worst = groups
+            .max_by(|a, b| number(&a["share"]).total_cmp(&number(&b["share"])))
+            .unwrap();
+        assert!(
+            worst["condition"] == "gravity-45" && worst["channel"] == "twist",
+            "{worst}"
+        );
+        assert!(number(&worst["share"]) > 0.7, "{worst}");
+        let notes = said["notes"].to_string();
+        assert!(
+            notes.contains("One reading carries this (gravity-45, twist)"),
+            "{notes}"
+        );
+    }
+}
+
+/// Without the effect that has nothing to be fitted the reading may be a slip, and nothing is named.
+#[test]
+fn one_reading_far_off_names_no_effect_whose_strength_is_fitted_to_it() {
+    let said = diagnosed(
+        "tang-dowell-linear.toml",
+        &["tip-mass", "bend-twist-coupling", "stop-backlash"],
+    );
     println!("{}", said["sentence"]);
     assert!(
         said["verdict"] != "effect" && said["verdict"] != "pair",
         "{}",
         said["sentence"]
     );
-    // its slope at zero says nothing of it; tried whole it is all there
-    let hypotheses = said["hypotheses"].as_array().unwrap();
-    let found = hypotheses
-        .iter()
-        .find(|own| own["effects"][0] == "large-rotation")
-        .unwrap();
-    assert!((number(&found["strength"]) - 1.0).abs() < 1e-3, "{found}");
-    assert!(
-        said["sentence"]
-            .as_str()
-            .unwrap()
-            .contains("large-rotation explains it")
-    );
-    let groups = said["misfit"]["by_condition"].as_array().unwrap().iter();
-    let worst = groups
-        .max_by(|a, b| number(&a["share"]).total_cmp(&number(&b["share"])))
-        .unwrap();
-    assert!(
-        worst["condition"] == "gravity-45" && worst["channel"] == "twist",
-        "{worst}"
-    );
-    assert!(number(&worst["share"]) > 0.7, "{worst}");
-}
-
-#[test]
-fn with_every_effect_tried_the_skin_leads_and_is_not_named() {
-    let said = diagnosed("pre-pazy-skin.toml", &[]);
-    println!("{}", said["sentence"]);
-    assert_eq!(said["verdict"], "novel", "{}", said["sentence"]);
-    // a verdict and its probability say the same: the best of the known ones is refuted, and stays in the set
-    assert!(
-        said["novel"]["probability"].as_f64().unwrap() > 0.5,
-        "{}",
-        said["novel"]
-    );
-    let all = said["hypotheses"].as_array().unwrap();
-    let names = |hypothesis: &serde_json::Value| hypothesis["effects"].to_string();
-    assert!(names(&all[0]).contains("novel"), "{}", all[0]);
-    let skin = all
-        .iter()
-        .find(|hypothesis| names(hypothesis).contains("skin-bending"));
-    assert_eq!(skin.unwrap()["in_set"], true, "{all:?}");
 }

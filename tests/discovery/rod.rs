@@ -382,6 +382,7 @@ fn unknowns() -> Vec<Unknown> {
             plausible: [if effect.one_sided { 0.0 } else { -effect.scale }, effect.scale],
             one_sided: effect.one_sided,
             has_switch: false,
+            all_or_none: false,
         },
         mean: 0.0,
         sigma: 1.5 * effect.scale,

@@ -208,6 +208,29 @@ fn a_beam_of_twice_the_bending_stiffness_bends_half_as_far() {
     );
 }
 
+/// A moment at the end bends the rod to a circle, EI κ + s EI (k κ + (1 − k) κ₀ tanh(κ/κ₀)) = M: the end turns by κ L. Here κ = 5/m,
+/// with a skin as stiff as the rod that gives way at κ₀ = 0.2 rad / L = 2/m and keeps nothing, then half.
+#[test]
+fn a_skin_that_gives_way_carries_its_moment_and_no_more() {
+    for kept in [0.0, 0.5] {
+        let (bending, gives_way) = (5.0, 2.0_f64);
+        let skin = kept * bending + (1.0 - kept) * gives_way * (bending / gives_way).tanh();
+        let moment = EI * (bending + skin);
+        let load = format!("[[load]]\nat_mm = 100.0\nmoment_n_m = [0.0, {moment}, 0.0]\n");
+        let design = with(rectangle(&load), "skin-yielding", 1.0);
+        let design = also(design, "effects.skin-yielding.from", gives_way * LENGTH_M);
+        let design = also(design, "effects.skin-yielding.kept", kept);
+        assert_near(end_of_rod(&design).0.y, bending * LENGTH_M, 1e-6);
+    }
+    // far below, it is as stiff as a skin that never gives way
+    let design = also(
+        with(rectangle(FORCE), "skin-yielding", 1.0),
+        "effects.skin-yielding.from",
+        1.0,
+    );
+    assert_near(relative_deflection(&design), 0.5, 1e-3);
+}
+
 #[test]
 fn a_beam_of_twice_the_torsional_stiffness_twists_half_as_far() {
     assert_near(

@@ -155,7 +155,7 @@ fn effects(document: &Document, found: &Diagnosis) -> String {
     ];
     let mut table = HtmlTable::new(&heads).caption(
         "Score: distance from none, what the model can absorb left out; detectable: the score that the largest plausible size would \
-         have; alone: whether it could be what is missing, by its score alone; held-out gain: held-out error without over with it",
+         have; alone: whether it could be what is missing, by its score alone (absent: a third of the plausible size would have been seen); held-out gain: held-out error without over with it",
     );
     let mut order: Vec<usize> = (0..found.effects.len()).collect();
     let score = |index: &usize| found.effects[*index].score.abs();

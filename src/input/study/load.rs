@@ -258,7 +258,8 @@ fn known_designs(study: &Study, root: &Node, cases: &[LoadedCase]) -> Result<(),
         .iter()
         .enumerate()
         .map(|(k, e)| (format!("effect[{k}].designs"), &e.designs));
-    for (key, designs) in named.chain(effects) {
+    let candidates = [("candidates_on".to_string(), &study.candidates_on)];
+    for (key, designs) in named.chain(effects).chain(candidates) {
         for name in designs.iter().flatten() {
             if !cases.iter().any(|case| case.loaded.design.name == *name) {
                 let mut known: Vec<&str> = cases

@@ -53,6 +53,19 @@ pub struct Study {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = [["tip-loss-prandtl", "root-flexure"]]))]
     pub candidates: Option<Vec<String>>,
+    /// The designs, by name, on which a diagnosis tries effects: those that may differ from the others; all where absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("examples" = [["twist-v2"]]))]
+    pub candidates_on: Option<Vec<String>>,
+}
+
+impl Study {
+    /// Whether a diagnosis tries effects on the design of this name.
+    pub fn is_tried_on(&self, design: &str) -> bool {
+        self.candidates_on
+            .as_ref()
+            .is_none_or(|designs| designs.iter().any(|name| name == design))
+    }
 }
 
 /// One case, or a family of them.
