@@ -299,11 +299,17 @@ mod tests {
         assert!((tip[4] - l / 5.0).abs() < 1e-12);
     }
 
-    /// A beam with a coupled section, and ends turned by a large rotation and somewhat bent, stretched and twisted.
+    /// A beam with a coupled section and a skin that gives way, and ends turned by a large rotation and somewhat bent, stretched and
+    /// twisted.
     fn bent(size: f64) -> (Beam, [Vector3<f64>; 2], [UnitQuaternion<f64>; 2]) {
         let mut section = Section::uncoupled(2e3, 0.3, 0.5, 0.7);
         section.compliance[(3, 4)] = 0.6;
         section.compliance[(4, 3)] = 0.6;
+        section.skin = Some(Skin {
+            flap_n_m2: 0.4,
+            gives_way_per_m: 0.3,
+            kept: 0.2,
+        });
         let ends = [Vector3::new(0.1, 0.2, -0.1), Vector3::new(0.4, 0.1, 0.3)];
         let beam = Beam::new([0, 1], ends, &Vector3::z(), 0, &section).unwrap();
         let turn = UnitQuaternion::new(Vector3::new(0.9, -1.3, 0.5));

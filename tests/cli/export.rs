@@ -68,6 +68,19 @@ fn the_deck_holds_the_loads_that_the_support_carries_and_goes_away_with_its_run(
 }
 
 #[test]
+fn a_skin_that_gives_way_is_said_to_be_left_out() {
+    let here = folder();
+    let sets = ["film.compression=carries", "effects.skin-yielding.strength=0.2"];
+    assert_eq!(solve(here.path(), &sets).code, Some(0));
+    let said = export(here.path()).document();
+    assert!(
+        said["left_out"].to_string().contains("skin"),
+        "{}",
+        said["left_out"]
+    );
+}
+
+#[test]
 fn a_film_with_pretension_is_cooled_to_it_in_a_step_of_its_own() {
     let here = folder();
     solve(here.path(), &["film.pretension_n_per_m=10"]);

@@ -195,6 +195,9 @@ fn left_out(model: &Model) -> Vec<String> {
     if model.sheets.iter().any(wrinkles) {
         left_out.push("wrinkling: the film of the deck carries compression".to_string());
     }
+    if model.sections.iter().any(|section| section.skin.is_some()) {
+        left_out.push("the skin of the rod, which gives way".to_string());
+    }
     if model.sections.iter().any(Rectangle::leaves_out) {
         left_out.push(
             "couplings of the sections, such as that of torsion and shear of a half-round rod".to_string(),

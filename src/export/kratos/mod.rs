@@ -218,6 +218,9 @@ fn left_out(model: &Model) -> Vec<String> {
     if model.sheets.iter().any(wrinkles) {
         left_out.push("wrinkling: the shells of the model part carry compression".to_string());
     }
+    if model.sections.iter().any(|section| section.skin.is_some()) {
+        left_out.push("the skin of the rod, which gives way".to_string());
+    }
     if model.sections.iter().any(BeamProperties::leaves_out) {
         left_out.push(
             "couplings of the sections, such as that of torsion and shear of a half-round rod".to_string(),
