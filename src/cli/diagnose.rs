@@ -4,12 +4,14 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use crate::diagnose::verdict::{Diagnosis, Hypothesis, Verdict};
 use crate::diagnose::{DiagnoseError, Settings, diagnose_with, plan};
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::html::{self, REPORT};
 use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
+use crate::export::text::significant;
 use crate::input::measurement::InCommon;
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
@@ -120,6 +122,10 @@ impl Diagnose {
             screening.factorizations,
             report.work
         );
+        let text = match to_add(&self.study, &self.on, &report.diagnosis) {
+            commands if commands.is_empty() => text,
+            commands => format!("{text}\nTo take it into the model\n{commands}"),
+        };
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
         report.files = folder.listed_with(self.report);
         if self.report {
@@ -133,6 +139,40 @@ impl Diagnose {
         let text = format!("{text}\n{}", listed(&written, &report.files));
         console.result(&text, &report)
     }
+}
+
+/// The commands that take what is named, or is most probable in a set, into the model of the study, a line each.
+fn to_add(study: &Path, on: &[String], diagnosis: &Diagnosis) -> String {
+    let is_known = |hypothesis: &&Hypothesis| !hypothesis.families.is_empty() && hypothesis.in_set;
+    let known = match diagnosis.verdict {
+        Verdict::Effect | Verdict::Pair | Verdict::Set => diagnosis.hypotheses.iter().find(is_known),
+        Verdict::Nothing | Verdict::Novel | Verdict::Undecidable => None,
+    };
+    let Some(known) = known else {
+        return String::new();
+    };
+    // a second effect that the data merely allow is none to be added
+    let count = if known.is_shown { known.strengths.len() } else { 1 };
+    let mut commands = String::new();
+    for strength in known.strengths.iter().take(count) {
+        commands.push_str(&format!("  washout add {}", strength.effect));
+        if let Some(place) = &strength.place {
+            commands.push_str(&format!(
+                " --number {}={}",
+                place.parameter,
+                significant(place.value, 3)
+            ));
+            for (name, value) in &place.numbers {
+                commands.push_str(&format!(" --number {name}={value}"));
+            }
+        }
+        let wing = strength.place.as_ref().and_then(|place| place.wing.as_ref());
+        for wing in wing.into_iter().chain(on.iter().filter(|_| wing.is_none())) {
+            commands.push_str(&format!(" --on {wing}"));
+        }
+        commands.push_str(&format!(" --to {}\n", study.display()));
+    }
+    commands
 }
 
 /// Data that were made with what the diagnosis itself would use prove nothing.

@@ -1,7 +1,7 @@
 //! Singles, pairs and unnamed fields against one another: refits of the best, conditional scores, probabilities.
 
 use crate::progress::Progress;
-use crate::study::Footing;
+use crate::study::{Fit, Footing};
 
 use super::baseline::Baseline;
 use super::conclude::{conclude, gate};
@@ -182,9 +182,14 @@ impl Judgement {
 }
 
 fn between_fits(baseline: &Baseline, a: &Explanation, b: &Explanation) -> f64 {
-    let (Some(a), Some(b)) = (&a.fit, &b.fit) else {
-        return f64::INFINITY;
-    };
+    match (&a.fit, &b.fit) {
+        (Some(a), Some(b)) => distance_of_fits(baseline, a, b),
+        _ => f64::INFINITY,
+    }
+}
+
+/// Distance between two fits, in standard deviations of data and priors.
+pub fn distance_of_fits(baseline: &Baseline, a: &Fit, b: &Fit) -> f64 {
     let unknowns = baseline.forward.unknowns();
     let apart = (&a.residual - &b.residual).norm_squared();
     let pulls: f64 = baseline

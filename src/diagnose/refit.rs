@@ -98,7 +98,8 @@ impl Refits<'_> {
                 Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),
                 Err(_) => continue,
             };
-            if fit.q <= most {
+            // what is all or none stands as it is, be the misfit larger with it
+            if fit.q <= most || fitted.is_empty() {
                 return Ok(Some(self.explanation(members, fit)));
             }
         }

@@ -4,11 +4,13 @@ use crate::study::left_out::{Local, Others, by_condition, by_wing};
 use crate::study::{Unknown, UnknownKind};
 
 use super::baseline::Baseline;
-use super::judge::Judgement;
+use super::judge::{Judgement, distance_of_fits};
 use super::ladder::held_out_sigma;
 use super::posterior::{Belief, Case};
 use super::refit::Explanation;
-use super::screening::{ENOUGH_POWER, Sight, effect_of, family_wise, is_one_sided, place_of, whole_strength};
+use super::screening::{
+    ENOUGH_POWER, Sight, effect_of, family_wise, is_one_sided, place_of, power_at_distance, whole_strength,
+};
 use super::verdict::{EffectRow, Hypothesis, LookAlike, PlaceFound, Strength};
 
 /// Strengths beyond this many scales get no name, whatever their probability.
@@ -188,18 +190,19 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) ->
         let Some((effect, family, scale, _)) = effect_of(own) else {
             continue;
         };
-        let length = directions.lengths[k] / own.sigma;
         let single = judgement.singles.iter().position(|trial| trial.members == [k]);
         let refit = judgement
             .refits
             .iter()
             .find(|(index, _)| Some(*index) == single)
             .map(|(_, e)| e);
-        let one_step = if length > 0.0 {
-            directions.scores[k] / length
-        } else {
-            0.0
+        let whole = refit.and_then(|refit| whole_step(baseline, own, refit));
+        // per unit of strength
+        let (score, length) = match whole {
+            Some([score, distance]) => (score, distance / scale),
+            None => (directions.scores[k], directions.lengths[k] / own.sigma),
         };
+        let one_step = if length > 0.0 { score / length } else { 0.0 };
         let family_index = judgement.families.iter().position(|f| f.name == family);
         let one_step_error = if length > 0.0 { 1.0 / length } else { f64::MAX };
         let refitted = refit.map(|e| e.strength[0]);
@@ -211,7 +214,7 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) ->
             unknown: own.name.clone(),
             unit: own.unit.clone(),
             scale,
-            score: directions.scores[k],
+            score,
             one_step,
             one_step_error,
             refitted,
@@ -223,12 +226,19 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) ->
             ),
             plausible_range: plausible_range(own),
             detectability: scale * length,
-            power: directions.power(k, own, significance),
+            power: match whole {
+                Some([_, distance]) => power_at_distance(distance, is_one_sided(own), significance),
+                None => directions.power(k, own, significance),
+            },
             // what a fit finds is there, whatever the derivative at zero says of it
             sight: match refit {
                 Some(fit) if ln_evidence > 0.0 && fit.strength[0].abs() > NEAR * fit.standard_error[0] => {
                     Sight::Possible
                 }
+                Some(_) if whole.is_some_and(|[_, distance]| !is_unseen(distance, own, significance)) => {
+                    Sight::Absent
+                }
+                _ if whole.is_some() => Sight::Undecidable,
                 _ => directions.sight(k, own, significance),
             },
             ln_evidence,
@@ -249,6 +259,19 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) ->
         row.gain_left_out_conditions = gains.conditions.of(&row.unknown, judgement);
     }
     rows
+}
+
+/// Score of an effect that is all or none, and how far the data lie with it from without, in standard deviations: by the whole of it, as
+/// its derivative at none says nothing.
+fn whole_step(baseline: &Baseline, unknown: &Unknown, refit: &Explanation) -> Option<[f64; 2]> {
+    whole_strength(unknown)?;
+    let distance = distance_of_fits(baseline, &baseline.fit, refit.fit.as_ref()?);
+    let score = (baseline.fit.q - refit.q + distance * distance) / (2.0 * distance.max(f64::MIN_POSITIVE));
+    Some([score, distance])
+}
+
+fn is_unseen(distance: f64, unknown: &Unknown, level: f64) -> bool {
+    power_at_distance(distance, is_one_sided(unknown), level) < ENOUGH_POWER
 }
 
 /// How much better the held-out observables are predicted with an effect.
@@ -326,6 +349,11 @@ impl<'a> LeftOutGain<'a> {
 /// Members of other families whose direction is nearest, the nearest of each, if they may have the sign that takes.
 fn look_alikes(baseline: &Baseline, judgement: &Judgement, k: usize) -> Vec<LookAlike> {
     let directions = &baseline.directions;
+    // what is all or none has no signature at none
+    let is_whole = |k: usize| whole_strength(unknown(baseline, k)).is_some();
+    if is_whole(k) {
+        return Vec::new();
+    }
     let is_one_sided = |k: usize| is_one_sided(unknown(baseline, k));
     let sign = if is_one_sided(k) {
         1.0
@@ -341,7 +369,7 @@ fn look_alikes(baseline: &Baseline, judgement: &Judgement, k: usize) -> Vec<Look
             let near = family
                 .members
                 .iter()
-                .filter(|&&j| !is_one_sided(j) || sign * cosine(j) > 0.0)
+                .filter(|&&j| !is_whole(j) && (!is_one_sided(j) || sign * cosine(j) > 0.0))
                 .max_by(|&&a, &&b| cosine(a).abs().total_cmp(&cosine(b).abs()))?;
             Some((*near, cosine(*near)))
         })

@@ -34,6 +34,23 @@ pub enum Sight {
     Undecidable,
 }
 
+/// Probability that a score of this size is seen with false alarms at `level`.
+pub fn power_at_distance(distance: f64, one_sided: bool, level: f64) -> f64 {
+    let normal = Normal::standard();
+    1.0 - normal.cdf(threshold(one_sided, level) - distance)
+}
+
+/// Whether a score is beyond chance at `level`.
+pub fn is_beyond(score: f64, one_sided: bool, level: f64) -> bool {
+    let score = if one_sided { score } else { score.abs() };
+    score > threshold(one_sided, level)
+}
+
+fn threshold(one_sided: bool, level: f64) -> f64 {
+    let tail = if one_sided { level } else { 0.5 * level };
+    Normal::standard().inverse_cdf(1.0 - tail)
+}
+
 /// Directions of the effects that the model lacks.
 #[derive(Debug, Clone)]
 pub struct Directions {
@@ -215,25 +232,15 @@ impl Directions {
 
     /// The same at a share of that size.
     fn power_at(&self, share: f64, k: usize, unknown: &Unknown, level: f64) -> f64 {
-        let Some((_, _, scale, one_sided)) = effect_of(unknown) else {
-            return 0.0;
-        };
-        let normal = Normal::standard();
-        let tail = if one_sided { level } else { 0.5 * level };
-        let distance = share * scale / unknown.sigma * self.lengths[k];
-        1.0 - normal.cdf(normal.inverse_cdf(1.0 - tail) - distance)
+        effect_of(unknown).map_or(0.0, |(_, _, scale, one_sided)| {
+            power_at_distance(share * scale / unknown.sigma * self.lengths[k], one_sided, level)
+        })
     }
 
     /// Verdict of one glance at effect `k`, at `level`.
     pub fn sight(&self, k: usize, unknown: &Unknown, level: f64) -> Sight {
         let one_sided = is_one_sided(unknown);
-        let score = if one_sided {
-            self.scores[k]
-        } else {
-            self.scores[k].abs()
-        };
-        let tail = if one_sided { level } else { 0.5 * level };
-        if score > Normal::standard().inverse_cdf(1.0 - tail) {
+        if is_beyond(self.scores[k], one_sided, level) {
             Sight::Possible
         } else if self.power_at(MATTERS, k, unknown, level) > ENOUGH_POWER {
             Sight::Absent

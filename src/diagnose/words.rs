@@ -12,9 +12,9 @@ pub fn sentence(diagnosis: &Diagnosis, level: f64) -> String {
     match (diagnosis.verdict, known) {
         (Verdict::Nothing, _) => {
             let unseen = match diagnosis.unseen.len() {
-                0 => "every known effect of plausible size would have been seen".to_string(),
+                0 => "every effect that was tried would have been seen at its plausible size".to_string(),
                 1 => format!("{} could not have been seen", diagnosis.unseen[0]),
-                count => format!("{count} known effects could not have been seen"),
+                count => format!("{count} of the effects that were tried could not have been seen"),
             };
             format!(
                 "Nothing detectable is missing (a misfit like this arises by chance with probability {:.2}); {unseen}.",
@@ -55,7 +55,7 @@ pub fn sentence(diagnosis: &Diagnosis, level: f64) -> String {
                 .into()
         }
         (Verdict::Effect, Some(hypothesis)) => format!(
-            "Missing: {} (probability {:.2}, {:.2} that nothing else is); no other known effect explains the misfit.",
+            "Missing: {} (probability {:.2}, {:.2} that nothing else is); no other effect that was tried explains the misfit.",
             with_strength(hypothesis),
             with_any_second(diagnosis, hypothesis),
             hypothesis.probability

@@ -26,8 +26,8 @@ pub struct Beam {
     skin: Option<Skin>,
 }
 
-/// Freedoms that bend the element out of the wing's plane: the turns of its ends about e₂.
-const FLAP_TURNS: [usize; 2] = [4, 10];
+/// Freedoms that bend the element out of the wing's plane: displacement of an end along e₃, its turn about e₂, then those of the other.
+const FLAP: [usize; 4] = [2, 4, 8, 10];
 
 impl Beam {
     /// Between two nodes (m), with e₃ as near as possible to `normal`.
@@ -74,18 +74,6 @@ impl Beam {
     /// Axes of the deformed element as columns, wing frame.
     pub fn deformed_axes(&self, u: &[Vector3<f64>; 2], q: &[UnitQuaternion<f64>; 2]) -> Matrix3<f64> {
         self.frame(u, q).axes
-    }
-
-    /// Stiffness at rest in the wing frame, for linear kinematics and scaling.
-    pub fn linear_stiffness(&self) -> SMatrix<f64, 12, 12> {
-        let mut k = self.stiffness;
-        for i in 0..4 {
-            for j in 0..4 {
-                let block = self.rest.axes * k.fixed_view::<3, 3>(3 * i, 3 * j) * self.rest.axes.transpose();
-                k.fixed_view_mut::<3, 3>(3 * i, 3 * j).copy_from(&block);
-            }
-        }
-        k
     }
 
     /// Energy, force and tangent in the deformed shape; the tangent at the local freedoms `guess` if there are any.
@@ -182,17 +170,18 @@ impl Beam {
         response
     }
 
-    /// A skin bends with the cubic that the turns of the ends make of the element; taken at two points of Gauss.
+    /// A skin bends with the cubic that its ends make of the element; taken at two points of Gauss.
     fn add_skin(&self, skin: &Skin, p: &SVector<f64, 12>, response: &mut Response<12>) {
         for sign in [-1.0, 1.0] {
             let x = 0.5 + sign / 12.0_f64.sqrt();
-            let bends = [6.0 * x - 4.0, 6.0 * x - 2.0].map(|b| b / self.length_m);
-            let bending: f64 = FLAP_TURNS.iter().zip(bends).map(|(&at, b)| b * p[at]).sum();
+            let across = (12.0 * x - 6.0) / self.length_m;
+            let bends = [-across, 6.0 * x - 4.0, across, 6.0 * x - 2.0].map(|b| b / self.length_m);
+            let bending: f64 = FLAP.iter().zip(bends).map(|(&at, b)| b * p[at]).sum();
             let [energy, moment, tangent] = skin.response(bending).map(|part| 0.5 * self.length_m * part);
             response.energy += energy;
-            for (&i, a) in FLAP_TURNS.iter().zip(bends) {
+            for (&i, a) in FLAP.iter().zip(bends) {
                 response.force[i] += a * moment;
-                for (&j, b) in FLAP_TURNS.iter().zip(bends) {
+                for (&j, b) in FLAP.iter().zip(bends) {
                     response.stiffness[(i, j)] += a * b * tangent;
                 }
             }

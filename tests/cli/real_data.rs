@@ -170,3 +170,32 @@ fn one_reading_far_off_names_no_effect_whose_strength_is_fitted_to_it() {
         said["sentence"]
     );
 }
+
+/// The same reading anywhere but where large rotation says (0.13°): a slip, as far as these data go.
+#[test]
+fn the_one_reading_elsewhere_names_nothing() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().unwrap();
+    let text = |path: &str| std::fs::read_to_string(root.join(path)).unwrap();
+    let shipped = format!("\"{}/", root.display());
+    let study = text("studies/tang-dowell-linear.toml")
+        .replace("\"../measurements/tang-dowell.csv\"", "\"moved.csv\"");
+    std::fs::write(folder.path().join("s.toml"), study.replace("\"../", &shipped)).unwrap();
+    for value in ["-0.12", "0.05", "0.30"] {
+        let moved = text("measurements/tang-dowell.csv").replace("0.12005", value);
+        std::fs::write(folder.path().join("moved.csv"), moved).unwrap();
+        let effects = ["--effect", "large-rotation", "--effect", "tip-mass"];
+        let said = washout(
+            folder.path(),
+            &[&["diagnose", "s.toml", "--json"], &effects[..]].concat(),
+        );
+        assert_eq!(said.code, Some(0), "{}", said.err);
+        let said: Value = serde_json::from_str(&said.out).unwrap();
+        println!("{value}: {}", said["sentence"]);
+        assert!(
+            said["verdict"] != "effect" && said["verdict"] != "pair",
+            "{value}: {}",
+            said["sentence"]
+        );
+    }
+}
