@@ -41,7 +41,7 @@ pub fn power_at_distance(distance: f64, one_sided: bool, level: f64) -> f64 {
 }
 
 /// Whether a score is beyond chance at `level`.
-pub fn is_beyond(score: f64, one_sided: bool, level: f64) -> bool {
+fn is_beyond(score: f64, one_sided: bool, level: f64) -> bool {
     let score = if one_sided { score } else { score.abs() };
     score > threshold(one_sided, level)
 }

@@ -17,8 +17,8 @@ const CARD: Card = Card {
     source: "definition: skins that are elastic until they give way on both sides, smoothed, because fibres at different heights give way \
              one after the other; on the Pre-Pazy wing the stiffness that the skin adds falls from 14 ± 4 % under 0.6 kg to 3 ± 1 \
              % under 3.2 kg (masses of equal deflection with and without it, Zenodo 4299868)",
-    when_right: "films and coatings on thick sections: at strains of 0.5 to 2.5 % a shrunk film goes slack where it is pressed, and then \
-                 polyester yields; prefer skin-bending while the strain is small",
+    when_right: "films and coatings on thick sections, which go slack where they are pressed by more than they were shrunk; prefer \
+                 skin-bending while the strain is small",
     gets_wrong: "that what yielded does not come back when the load goes; with linear kinematics it never gives way; the forces of the \
                  section that are written are those of the rod alone",
     case: "a_skin_that_gives_way_carries_its_moment_and_no_more",
