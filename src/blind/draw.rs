@@ -32,7 +32,8 @@ pub fn recipe(
     // the diagnosis draws its noise with seed 1: another seed, whatever the case
     let mut recipe = Recipe::new(1_000_000 + 1000 * seed + kind as u64);
     recipe.made.mesh = MESHES[(draws.uniform(1, 0) * MESHES.len() as f64) as usize];
-    recipe.made.background = 0.005 + 0.01 * draws.uniform(1, 1);
+    let [least, most] = blind.ranges.background;
+    recipe.made.background = least + (most - least) * draws.uniform(1, 1);
     let none = |reason| BlindError::NoCase {
         kind: kind.word(),
         reason,
@@ -102,7 +103,7 @@ fn has_twin(effect: &PlannedEffect, seen: f64) -> bool {
 
 /// Detectability that is drawn for a hidden effect, sigma.
 fn target(blind: &Blind, draws: Draws, which: u64) -> f64 {
-    let [low, high] = blind.detectable;
+    let [low, high] = blind.ranges.detectable;
     low + (high - low) * draws.uniform(3, which)
 }
 
@@ -115,7 +116,7 @@ fn hidden(blind: &Blind, effect: &PlannedEffect, draws: Draws, which: u64) -> Re
         reason: "the effect acts on none of its wings",
     })?;
     let (strength, seen) = strength_seen_at(blind, (effect, spot), target, sign);
-    if seen < blind.detectable[0] * (1.0 - NEAR) {
+    if seen < blind.ranges.detectable[0] * (1.0 - NEAR) {
         return Err(BlindError::TooFaint {
             effect: effect.effect.clone(),
             seen,

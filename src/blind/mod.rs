@@ -140,6 +140,15 @@ impl Kind {
     }
 }
 
+/// Ranges from which cases are drawn, evenly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ranges {
+    /// Detectability of what is hidden, sigma.
+    pub detectable: [f64; 2],
+    /// Standard deviation of the errors of chord, stiffness and air law that nobody states, as a share.
+    pub background: [f64; 2],
+}
+
 /// What all cases share.
 pub struct Blind<'a> {
     /// The study whose campaign is tried.
@@ -156,14 +165,14 @@ pub struct Blind<'a> {
     pub shared: Shared,
     /// What could be measured besides, if the study lists anything.
     pub experiments: Option<Campaign>,
-    /// Range from which the detectability of what is hidden is drawn, sigma.
-    pub detectable: [f64; 2],
+    /// Ranges from which cases are drawn.
+    pub ranges: Ranges,
     /// Effects that would be seen but are not hidden: a small error of the wing turns their signature.
     pub turned: Vec<Turned>,
 }
 
 impl<'a> Blind<'a> {
-    /// Judges the campaign, so that strengths can be drawn by how well they can be seen, from the range `detectable` (sigma);
+    /// Judges the campaign, so that strengths can be drawn by how well they can be seen;
     /// `known`: effects that are not hidden, if they are known from an earlier run.
     ///
     /// # Errors
@@ -171,7 +180,7 @@ impl<'a> Blind<'a> {
     pub fn new(
         study: &'a LoadedStudy,
         candidates: Vec<&'a str>,
-        detectable: [f64; 2],
+        ranges: Ranges,
         known: Option<Vec<Turned>>,
         progress: &Progress,
     ) -> Result<Blind<'a>, BlindError> {
@@ -192,7 +201,7 @@ impl<'a> Blind<'a> {
             outlook,
             settings,
             shared,
-            detectable,
+            ranges,
             turned: Vec::new(),
         };
         blind.turned = match known {
@@ -207,7 +216,7 @@ impl<'a> Blind<'a> {
 
     /// Whether the plausible size of an effect reaches the range from which strengths are drawn.
     fn sees(&self, effect: &PlannedEffect) -> bool {
-        effect.detectability >= self.detectable[0]
+        effect.detectability >= self.ranges.detectable[0]
     }
 
     /// What is hidden in a case, its measurements, and how often it was drawn anew because a wing had no equilibrium with it, or it was

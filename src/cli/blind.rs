@@ -9,7 +9,7 @@ use clap::Args;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::{Deserialize, Serialize};
 
-use crate::blind::{Blind, BlindError, Failed, Kind, Outcome, Scoreboard, Turned, scoreboard};
+use crate::blind::{Blind, BlindError, Failed, Kind, Outcome, Ranges, Scoreboard, Turned, scoreboard};
 use crate::diagnose::DiagnoseError;
 use crate::export::ExportError;
 use crate::export::blind::page;
@@ -74,7 +74,10 @@ pub struct TryBlind {
     pub seed: u64,
     /// How well the hidden effects could be seen, sigma: strengths are drawn evenly from this range
     #[arg(long, value_name = "LOW..HIGH", default_value = "5..25", value_parser = sigmas)]
-    pub detectability: Sigmas,
+    pub detectability: Within,
+    /// Errors of chord, stiffness and air law that nobody states: their standard deviation is drawn evenly from this range of shares
+    #[arg(long, value_name = "LOW..HIGH", default_value = "0.005..0.015", value_parser = shares)]
+    pub background: Within,
     /// Change a key in every design of the study; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
@@ -166,7 +169,7 @@ impl TryBlind {
         let content = Base::Study(Box::new(study.clone())).content().map_err(fault)?;
         let run = Run {
             version: env!("CARGO_PKG_VERSION").to_string(),
-            content: key([&[content.as_str(), &format!("{:?}", self.detectability.0)], names].concat()),
+            content: key([&[content.as_str(), &format!("{:?}", self.ranges())], names].concat()),
             turned: None,
         };
         let path = self.run_file();
@@ -183,6 +186,13 @@ impl TryBlind {
                     self.output.display()
                 ),
             }),
+        }
+    }
+
+    fn ranges(&self) -> Ranges {
+        Ranges {
+            detectable: self.detectability.0,
+            background: self.background.0,
         }
     }
 
@@ -242,7 +252,7 @@ impl Work for Ready<'_> {
         let blind = Blind::new(
             self.study,
             self.names.clone(),
-            self.verb.detectability.0,
+            self.verb.ranges(),
             known,
             progress,
         );
@@ -260,18 +270,25 @@ impl Work for Ready<'_> {
     }
 }
 
-/// A range, sigma.
+/// A range.
 #[derive(Debug, Clone, Copy)]
-pub struct Sigmas([f64; 2]);
+pub struct Within([f64; 2]);
 
-fn sigmas(word: &str) -> Result<Sigmas, String> {
-    let ends = word
-        .split_once("..")
-        .and_then(|(low, high)| Some([low.trim().parse().ok()?, high.trim().parse().ok()?]));
-    match ends {
-        Some([low, high]) if 1.0 <= low && low < high && high <= 1000.0 => Ok(Sigmas([low, high])),
-        _ => Err("give two numbers from 1 to 1000, the smaller first, as 5..25".to_string()),
-    }
+fn sigmas(word: &str) -> Result<Within, String> {
+    within(word, [1.0, 1000.0])
+        .ok_or("give two numbers from 1 to 1000, the smaller first, as 5..25".to_string())
+}
+
+fn shares(word: &str) -> Result<Within, String> {
+    within(word, [0.001, 0.1])
+        .ok_or("give two shares from 0.001 to 0.1, the smaller first, as 0.005..0.015".to_string())
+}
+
+/// The two ends that a word names, if they lie within `ends`.
+fn within(word: &str, ends: [f64; 2]) -> Option<Within> {
+    let (low, high) = word.split_once("..")?;
+    let (low, high): (f64, f64) = (low.trim().parse().ok()?, high.trim().parse().ok()?);
+    (ends[0] <= low && low <= high && high <= ends[1]).then_some(Within([low, high]))
 }
 
 fn kind(word: &str) -> Result<Kind, String> {

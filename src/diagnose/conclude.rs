@@ -3,6 +3,7 @@
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
 use super::evidence::ln_sum;
+use super::hump::Hump;
 use super::judge::Judgement;
 use super::library::Trial;
 use super::posterior::{Case, Weight, beliefs, class_around, fold, level_class, refuted};
@@ -24,8 +25,8 @@ const PLAIN: f64 = 5.0;
 /// misfit lets pass as chance, because it asks for nothing in particular, may be the signature of a second effect.
 const CLEAR: f64 = 3.0;
 
-/// Gives every hypothesis its probability; `ln_nothing`: evidence of the model as it is.
-pub fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64) {
+/// Gives every hypothesis its probability.
+pub fn conclude(judgement: &mut Judgement, baseline: &Baseline) {
     let prior = baseline.settings.prior;
     let weight_of = |families: &[usize]| {
         let trials = judgement.singles.iter().chain(&judgement.pairs).enumerate();
@@ -108,13 +109,14 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64)
             }
         }
     }
-    for (case, prior, ln_gain) in [
-        (Case::Nothing, prior.nothing, 0.0),
-        (Case::Novel, prior.novel, judgement.weighed.ln_gain),
+    let linear = judgement.ln_nothing + judgement.weighed.ln_gain;
+    for (case, prior, ln_evidence) in [
+        (Case::Nothing, prior.nothing, judgement.ln_nothing),
+        (Case::Novel, prior.novel, with_humps(linear, &judgement.humps)),
     ] {
         weights.push(Weight {
             case,
-            ln_weight: prior.ln() + ln_nothing + ln_gain,
+            ln_weight: prior.ln() + ln_evidence,
             ln_likelihood: f64::NEG_INFINITY,
             seconds: Vec::new(),
         });
@@ -122,6 +124,18 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline, ln_nothing: f64)
     judgement.beliefs = beliefs(&weights, baseline.settings.tempering);
     let novel = judgement.beliefs.iter().find(|belief| belief.case == Case::Novel);
     judgement.novel_as_weighed = novel.map_or(0.0, |belief| belief.probability);
+}
+
+/// Evidence of none that is known: half for fields that may be anything, half for one hump, each kind as much as its fields.
+fn with_humps(linear: f64, humps: &[Hump]) -> f64 {
+    let all: f64 = humps.iter().map(Hump::share).sum();
+    let fitted = humps
+        .iter()
+        .map(|hump| hump.ln_evidence + (hump.share() / all).ln());
+    match humps.is_empty() {
+        true => linear,
+        false => ln_sum([linear, ln_sum(fitted)].into_iter()) - std::f64::consts::LN_2,
+    }
 }
 
 /// Is the best known explanation one at all? May the best pair be named?

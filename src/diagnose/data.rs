@@ -68,7 +68,12 @@ impl Data {
             (0..unknowns.len()).partition(|&i| unknowns[i].kind == UnknownKind::Admitted);
         let (missing, model): (Vec<usize>, Vec<usize>) = others
             .into_iter()
-            .filter(|&i| !matches!(unknowns[i].kind, UnknownKind::Place { .. }))
+            .filter(|&i| {
+                !matches!(
+                    unknowns[i].kind,
+                    UnknownKind::Place { .. } | UnknownKind::Unnamed { .. }
+                )
+            })
             .partition(|&i| is_missing(&unknowns[i], start[i]));
         if rows.is_empty() {
             return Err(DiagnoseError::NoData);

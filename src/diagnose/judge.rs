@@ -7,6 +7,7 @@ use super::baseline::Baseline;
 use super::conclude::{conclude, gate};
 use super::error::DiagnoseError;
 use super::foretold::{Foretold, foretold};
+use super::hump::{Hump, humps};
 use super::library::{Family, Scales, Trial, families, heaviest};
 use super::novel::{Weighed, weigh};
 use super::null::Significance;
@@ -29,6 +30,8 @@ pub struct Judgement {
     pub significance: Significance,
     /// Families of the missing effects.
     pub families: Vec<Family>,
+    /// Logarithm of the evidence of the model as it is.
+    pub ln_nothing: f64,
     /// Explanations by one family.
     pub singles: Vec<Trial>,
     /// Explanations by two.
@@ -41,6 +44,8 @@ pub struct Judgement {
     pub ln_evidence: Vec<f64>,
     /// Unnamed fields.
     pub weighed: Weighed,
+    /// Causes without a name that were fitted: none where one effect leaves nothing beyond chance.
+    pub humps: Vec<Hump>,
     /// Hypotheses with probabilities, most probable first.
     pub beliefs: Vec<Belief>,
     /// Significance of what the best single effect leaves.
@@ -63,6 +68,21 @@ impl Judgement {
         let level = baseline.settings.significance;
         self.after_best
             .is_some_and(|left| left.p_null < level || left.p_largest_score.max(left.p_signs) < level)
+    }
+
+    /// Whether the heaviest of all that were fitted anew is a pair.
+    fn is_best_a_pair(&self) -> bool {
+        self.best_refit()
+            .is_some_and(|(index, _)| *index >= self.singles.len())
+    }
+
+    /// The cause without a name that does best, if it does better than the linear fields.
+    pub fn best_hump(&self) -> Option<&Hump> {
+        let best = self
+            .humps
+            .iter()
+            .max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence));
+        best.filter(|hump| hump.ln_evidence > self.ln_nothing + self.weighed.ln_gain)
     }
 
     /// Whether it may be that nothing is missing, by the probabilities: a test that asks for nothing in particular may pass what no
@@ -228,12 +248,14 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
     let mut judgement = Judgement {
         significance,
         families,
+        ln_nothing,
         singles,
         pairs,
         refits: Vec::new(),
         unsettled: Vec::new(),
         ln_evidence,
         weighed,
+        humps: Vec::new(),
         beliefs: Vec::new(),
         after_best: None,
         after_known: None,
@@ -253,13 +275,16 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
     if !is_null {
         second_look(&mut judgement, baseline, &refits, &HALF, progress)?;
         refit_pairs(&mut judgement, baseline, &refits, progress)?;
+        if judgement.needs_second(baseline) || judgement.is_best_a_pair() {
+            judgement.humps = humps(baseline, &refits, progress)?;
+        }
     }
-    conclude(&mut judgement, baseline, ln_nothing);
+    conclude(&mut judgement, baseline);
     if !is_null {
         gate(&mut judgement, baseline)?;
     } else if !judgement.believes_nothing(baseline) {
         second_look(&mut judgement, baseline, &refits, &HALF_AND_WHOLE, progress)?;
-        conclude(&mut judgement, baseline, ln_nothing);
+        conclude(&mut judgement, baseline);
         judgement.foretold = foretold(baseline, &judgement)?;
         if judgement.is_foretold() {
             gate(&mut judgement, baseline)?;

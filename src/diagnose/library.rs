@@ -5,6 +5,7 @@ use crate::study::Forward;
 use super::baseline::Baseline;
 use super::data::Data;
 use super::evidence::{Likelihood, LinearEvidence, of_one, of_two};
+use super::prior::StrengthPrior;
 use super::screening::{Directions, effect_of, is_one_sided, place_of};
 
 /// Effects whose prior standard deviation moves the data by less than this, in standard deviations, explain nothing: if
@@ -106,22 +107,22 @@ impl<'a> Scales<'a> {
     /// Evidence of one effect.
     pub fn one(&self, k: usize) -> LinearEvidence {
         let directions = self.directions;
-        let one_sided = is_one_sided(&self.forward.unknowns()[self.data.missing[k]]);
         let dot = directions.scores[k] * directions.lengths[k];
-        of_one(self.likelihood, self.q0, directions.gram[(k, k)], dot, one_sided)
+        let prior = StrengthPrior::of(&self.forward.unknowns()[self.data.missing[k]]);
+        of_one(self.likelihood, self.q0, directions.gram[(k, k)], dot, prior)
     }
 
     /// Evidence of two effects.
     pub fn two(&self, a: usize, b: usize) -> LinearEvidence {
         let directions = self.directions;
-        let one_sided = [a, b].map(|k| is_one_sided(&self.forward.unknowns()[self.data.missing[k]]));
+        let priors = [a, b].map(|k| StrengthPrior::of(&self.forward.unknowns()[self.data.missing[k]]));
         let dot = [a, b].map(|k| directions.scores[k] * directions.lengths[k]);
         let gram = [
             directions.gram[(a, a)],
             directions.gram[(a, b)],
             directions.gram[(b, b)],
         ];
-        of_two(self.likelihood, self.q0, gram, dot, one_sided)
+        of_two(self.likelihood, self.q0, gram, dot, priors)
     }
 
     /// Every explanation by one family, `prior` shared evenly among families, and within a family among its members;

@@ -16,6 +16,8 @@ pub mod fields;
 
 pub mod foretold;
 
+pub mod hump;
+
 pub mod judge;
 
 pub mod ladder;
@@ -41,6 +43,8 @@ pub mod pairs;
 pub mod plan;
 
 pub mod posterior;
+
+pub mod prior;
 
 pub mod refit;
 

@@ -9,6 +9,7 @@ use crate::study::Forward;
 use super::baseline::Baseline;
 use super::evidence::{Likelihood, Spectrum, ln_sum};
 use super::fields::{Field, Law};
+use super::hump::Around;
 use super::laws::growths;
 use super::scaling::{Scaling, scaling};
 use super::whitened::Whitened;
@@ -112,7 +113,11 @@ pub fn weigh(
 }
 
 /// Prior share of loads that scale with the motion, among the unnamed fields.
-const LOADS: f64 = 0.45;
+pub(super) const LOADS: f64 = 0.45;
+/// Prior share of springs.
+pub(super) const SPRINGS: f64 = 0.1;
+/// Prior share of compliances.
+pub(super) const COMPLIANCES: f64 = 0.2;
 
 /// Prior share of a law among the unnamed fields.
 fn share(law: Law, fields: &[Field]) -> f64 {
@@ -121,24 +126,29 @@ fn share(law: Law, fields: &[Field]) -> f64 {
     let group = match law {
         Law::Load { .. } | Law::Onset { .. } => LOADS,
         Law::Free => 0.15,
-        Law::Spring => 0.1,
-        Law::Compliance => 0.2,
+        Law::Spring => SPRINGS,
+        Law::Compliance => COMPLIANCES,
         Law::Sensor => 0.1,
     };
     group / rivals
 }
 
-/// The best field along the span, of all laws by which a load may grow, and of the others. None if there is no field.
-pub fn reconstruct(baseline: &Baseline) -> Option<Reconstruction> {
-    let (forward, whitened) = (baseline.forward, &baseline.whitened);
-    let growths = growths(
-        forward,
-        &baseline.data,
-        &baseline.moment,
-        &baseline.admitted.value,
-    );
+/// The best field along the span, of all laws by which a load may grow, and of the others; about a hump that was fitted, if there is one.
+/// None if there is no field.
+pub fn reconstruct(baseline: &Baseline, around: Option<&Around>) -> Option<Reconstruction> {
+    let forward = baseline.forward;
+    let (whitened, moment, value, known) = match around {
+        Some(around) => (&around.whitened, &around.moment, &around.value, &around.fields),
+        None => (
+            &baseline.whitened,
+            &baseline.moment,
+            &baseline.admitted.value,
+            &baseline.fields,
+        ),
+    };
+    let growths = growths(forward, &baseline.data, moment, value);
     let is_load = |field: &&Field| matches!(field.law, Law::Load { .. });
-    let others = baseline.fields.iter().filter(|field| !is_load(field));
+    let others = known.iter().filter(|field| !is_load(field));
     let loads = growths.iter().map(|growth| &growth.field);
     let fields: Vec<Field> = loads.chain(others).cloned().collect();
     let seen = seen(&fields, whitened);

@@ -8,8 +8,9 @@ use super::error::DiagnoseError;
 use super::evidence::{LinearEvidence, of_one};
 use super::judge::Judgement;
 use super::library::{Trial, heaviest};
+use super::prior::StrengthPrior;
 use super::refit::{Explanation, Refits};
-use super::screening::{Directions, is_one_sided, slopes_of_missing};
+use super::screening::{Directions, slopes_of_missing};
 use super::whitened::Whitened;
 
 /// Pairs are fitted anew only if the linear model puts one this close to the best explanation.
@@ -113,8 +114,8 @@ fn second_of(judgement: &Judgement, pair: usize, explanation: &Explanation, fami
 
 fn gain_of(baseline: &Baseline, directions: &Directions, q: f64, k: usize) -> LinearEvidence {
     let dot = directions.scores[k] * directions.lengths[k];
-    let one_sided = is_one_sided(&baseline.forward.unknowns()[baseline.data.missing[k]]);
-    of_one(baseline.likelihood, q, directions.gram[(k, k)], dot, one_sided)
+    let prior = StrengthPrior::of(&baseline.forward.unknowns()[baseline.data.missing[k]]);
+    of_one(baseline.likelihood, q, directions.gram[(k, k)], dot, prior)
 }
 
 /// Members and estimates of a pair of an explanation and a second effect.

@@ -8,8 +8,9 @@ use crate::study::{Fit, Footing, Forward};
 
 use super::data::{Data, Scatter};
 use super::error::DiagnoseError;
-use super::evidence::{Likelihood, one_sided};
-use super::screening::{is_one_sided, place_of, whole_strength};
+use super::evidence::Likelihood;
+use super::prior::StrengthPrior;
+use super::screening::{place_of, whole_strength};
 
 /// Largest step from zero at which a refit starts, in prior standard deviations.
 const LONGEST_START: f64 = 2.0;
@@ -128,8 +129,9 @@ impl Refits<'_> {
         let effects = members.iter().map(|&k| self.data.missing[k]);
         for unknown in effects.clone() {
             let error = column(unknown).map_or(0.0, error_of);
-            if error > 0.0 && is_one_sided(&unknowns[unknown]) {
-                ln_evidence += one_sided(fit.at[unknown] / error);
+            let own = &unknowns[unknown];
+            if let Some(prior) = StrengthPrior::of(own).filter(|_| error > 0.0) {
+                ln_evidence += prior.ln_factor(fit.at[unknown] / own.sigma, error / own.sigma);
             }
             strength.push(fit.at[unknown]);
             standard_error.push(error);
@@ -220,7 +222,7 @@ impl Refits<'_> {
 }
 
 /// Logarithm of the determinant of a positive definite matrix; 0 if it is none.
-fn ln_determinant(matrix: DMatrix<f64>) -> f64 {
+pub(super) fn ln_determinant(matrix: DMatrix<f64>) -> f64 {
     Cholesky::new(matrix).map_or(0.0, |factor| {
         2.0 * factor.l_dirty().diagonal().iter().map(|d| d.ln()).sum::<f64>()
     })

@@ -8,12 +8,13 @@ use crate::study::Forward;
 use super::added_variable::added_variable;
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
+use super::hump::Around;
 use super::judge::Judgement;
 use super::ladder::ladder;
 use super::misfit;
 use super::next::{NextExperiment, Rival, next_experiment};
 use super::notes::notes;
-use super::novel::{Reconstruction, reconstruct};
+use super::novel::reconstruct;
 use super::novel_words::draft;
 use super::null::are_few;
 use super::posterior::{Case, SEPARATE, unfolded};
@@ -73,7 +74,7 @@ pub fn report(
         significance: judgement.significance,
         significance_after: judgement.after_known,
         noise: noise_found(baseline),
-        novel: novel(baseline, judgement),
+        novel: novel(baseline, judgement)?,
         unseen,
         misfit: misfit::of(baseline),
         added_variables: added.collect(),
@@ -202,9 +203,15 @@ fn noise_found(baseline: &Baseline) -> NoiseFound {
     }
 }
 
-fn novel(baseline: &Baseline, judgement: &Judgement) -> Novel {
+fn novel(baseline: &Baseline, judgement: &Judgement) -> Result<Novel, DiagnoseError> {
     let is_null = judgement.significance.p_null > baseline.settings.significance;
-    let reconstruction: Option<Reconstruction> = (!is_null).then(|| reconstruct(baseline)).flatten();
+    let around = judgement
+        .best_hump()
+        .map(|hump| Around::new(baseline, hump))
+        .transpose()?;
+    let reconstruction = (!is_null)
+        .then(|| reconstruct(baseline, around.as_ref()))
+        .flatten();
     let residual = baseline.whitened.q().sqrt().max(f64::MIN_POSITIVE);
     let mut nearest: Vec<LookAlike> = (0..baseline.data.missing.len())
         .map(|k| {
@@ -224,7 +231,7 @@ fn novel(baseline: &Baseline, judgement: &Judgement) -> Novel {
         is_new
     });
     nearest.truncate(LOOK_ALIKES);
-    Novel {
+    Ok(Novel {
         probability: probability(judgement, &Case::Novel),
         as_weighed: judgement.novel_as_weighed,
         draft: reconstruction
@@ -232,7 +239,7 @@ fn novel(baseline: &Baseline, judgement: &Judgement) -> Novel {
             .and_then(|found| draft(found, baseline.forward.conditions())),
         reconstruction,
         nearest,
-    }
+    })
 }
 
 fn predictions(baseline: &Baseline, best: Option<&Explanation>) -> Result<Vec<Prediction>, DiagnoseError> {

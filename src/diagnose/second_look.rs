@@ -12,8 +12,9 @@ use super::baseline::Baseline;
 use super::error::DiagnoseError;
 use super::evidence::of_one;
 use super::judge::Judgement;
+use super::prior::StrengthPrior;
 use super::refit::Refits;
-use super::screening::{Directions, effect_of};
+use super::screening::{Directions, effect_of, whole_strength};
 
 /// Steps, as shares of the plausible size.
 pub const HALF: [f64; 2] = [0.5, -0.5];
@@ -48,7 +49,11 @@ pub fn second_look(
     let (forward, data) = (baseline.forward, &baseline.data);
     let unknowns = forward.unknowns();
     let tried: Vec<usize> = (0..judgement.singles.len())
-        .filter(|&index| judgement.singles[index].members.len() == 1)
+        .filter(|&index| match judgement.singles[index].members[..] {
+            // what is all or none was fitted whole
+            [only] => whole_strength(&unknowns[data.missing[only]]).is_none(),
+            _ => false,
+        })
         .collect();
     let members: Vec<usize> = tried
         .iter()
@@ -64,7 +69,8 @@ pub fn second_look(
             let k = trial.members[0];
             let dot = directions.scores[k] * directions.lengths[k];
             let q0 = baseline.whitened.q();
-            let found = of_one(baseline.likelihood, q0, directions.gram[(k, k)], dot, true);
+            let prior = StrengthPrior::of(&unknowns[data.missing[k]]).map(|prior| prior.toward(step));
+            let found = of_one(baseline.likelihood, q0, directions.gram[(k, k)], dot, prior);
             ranked.push((
                 trial.ln_prior + found.ln_gain,
                 index,

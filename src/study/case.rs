@@ -9,6 +9,7 @@ use super::admitted::admit;
 use super::error::StudyError;
 use super::footing::Column;
 use super::forward::{Condition, Observable};
+use super::unnamed;
 use super::work::Work;
 use crate::aero::Flow;
 use crate::coupling::sensitivity::Nearby;
@@ -129,6 +130,7 @@ impl PreparedCase {
         }
         if !candidates.is_empty() {
             admit(&mut design);
+            unnamed::place(&mut design);
         }
         let mesh_file = case
             .loaded

@@ -59,6 +59,11 @@ pub enum UnknownKind {
     /// An error of the model that is admitted ([`super::admitted`]): never fitted, part of the scatter. Its sigma is for an admitted
     /// share of 1.
     Admitted,
+    /// A number of a cause without a name: off, unless a fit tries it.
+    Unnamed {
+        /// Name of the cause.
+        cause: String,
+    },
     /// Where an effect sits; it counts while that effect has a strength.
     Place {
         /// Name of the unknown that is the strength.

@@ -40,6 +40,8 @@ pub mod uncertainty;
 
 pub mod unknowns;
 
+pub mod unnamed;
+
 pub mod work;
 
 pub use band::{OutputBand, SurrogateQuality};

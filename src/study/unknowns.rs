@@ -4,6 +4,7 @@ use super::admitted::{ADMITTED, CHORD};
 use super::case::PreparedCase;
 use super::error::StudyError;
 use super::forward::{Observable, Unknown, UnknownKind};
+use super::unnamed::UNNAMED;
 use crate::effects::{Card, Effect, Places, acting, named};
 use crate::input::study::{LoadedStudy, Ruler, RulerKind, Uncertain};
 
@@ -93,7 +94,7 @@ impl Target {
 }
 
 impl Targets {
-    /// Inputs first, then the ruler, then effects: those of the study, then the candidates.
+    /// Inputs first, then the ruler, then effects: those of the study, then the candidates; what is admitted; what has no name.
     ///
     /// # Errors
     /// If no design has an input, or it states no prior.
@@ -136,6 +137,7 @@ impl Targets {
         }
         if !candidates.is_empty() {
             found.add_admitted(cases);
+            found.add_unnamed(cases);
         }
         Ok(found)
     }
@@ -173,6 +175,34 @@ impl Targets {
                     cases: touched.collect(),
                 };
                 self.add(unknown, target, value);
+            }
+        }
+    }
+
+    /// Causes without a name, off.
+    fn add_unnamed(&mut self, cases: &[PreparedCase]) {
+        for cause in &UNNAMED {
+            let measures = cases.iter().map(|case| cause.measure(&case.design));
+            let measure = measures.fold(0.0, f64::max);
+            for (order, number) in cause.numbers.iter().enumerate() {
+                let key = cause.key(number);
+                let has = |&index: &usize| cases[index].design.get(&key).is_some();
+                let touched: Vec<usize> = (0..cases.len()).filter(has).collect();
+                if touched.is_empty() || measure == 0.0 {
+                    continue;
+                }
+                let unit = if order == 0 { measure } else { 1.0 };
+                let unknown = Unknown {
+                    name: key.clone(),
+                    unit: number.unit.to_string(),
+                    kind: UnknownKind::Unnamed {
+                        cause: cause.name.to_string(),
+                    },
+                    mean: number.mean,
+                    sigma: number.sigma * unit,
+                    range: number.range.map(|end| end * unit),
+                };
+                self.add(unknown, Target::Key { key, cases: touched }, number.mean);
             }
         }
     }

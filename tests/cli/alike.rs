@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use washout::blind::{Blind, spot::Spot, twin};
+use washout::blind::{Blind, Ranges, spot::Spot, twin};
 use washout::input::study::LoadedStudy;
 use washout::progress::Progress;
 use washout::synthesize::Hidden;
@@ -64,7 +64,11 @@ fn a_twin_is_what_explains_the_readings_of_another_effect_as_well() {
         let study = LoadedStudy::load_planned(&folder.path().join("study.toml"), &[]).unwrap();
         let names = vec!["rod-shear-modulus", "root-flexure"];
         let quiet = Progress::quiet();
-        let blind = Blind::new(&study, names, [5.0, 25.0], Some(Vec::new()), &quiet).unwrap();
+        let ranges = Ranges {
+            detectable: [5.0, 25.0],
+            background: [0.01, 0.03],
+        };
+        let blind = Blind::new(&study, names, ranges, Some(Vec::new()), &quiet).unwrap();
         let spot = Spot::of(&blind.campaign, &Hidden::known("root-flexure", 0.2)).unwrap();
         twin::apart(&blind, spot, 0.2, &quiet).unwrap()
     };

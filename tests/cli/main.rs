@@ -31,6 +31,8 @@ mod modest;
 
 mod one_wing;
 
+mod overlooked;
+
 mod real_data;
 
 mod plot;

@@ -1,0 +1,159 @@
+//! Causes without a name, fitted: where the linear fields of [`super::fields`] look from the wrong place, because calibration has taken
+//! up most of what is missing and the wing answers to it no longer in proportion.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::progress::Progress;
+use crate::study::left_out::Local;
+use crate::study::unnamed::{Kind, UNNAMED};
+use crate::study::{Fit, UnknownKind};
+
+use super::baseline::Baseline;
+use super::error::DiagnoseError;
+use super::evidence::ln_sum;
+use super::fields::{Field, fields};
+use super::novel::{AMPLITUDES, COMPLIANCES, LOADS, SPRINGS};
+use super::refit::{Refits, ln_determinant};
+use super::whitened::Whitened;
+
+/// Where fits start, the second if the first settles nowhere: place along the span, and size in standard deviations.
+const STARTS: [[f64; 2]; 2] = [[0.6, 0.1], [0.35, -0.1]];
+
+/// One cause without a name, fitted with everything that the model has.
+#[derive(Debug, Clone)]
+pub struct Hump {
+    /// What kind of thing it is.
+    pub kind: Kind,
+    /// Logarithm of the evidence, on the scale of all explanations.
+    pub ln_evidence: f64,
+    /// The fit.
+    pub fit: Fit,
+    /// Index of the unknown that is its size.
+    pub size: usize,
+}
+
+impl Hump {
+    /// Prior share of its kind among the causes without a name: that of the fields of that kind.
+    pub fn share(&self) -> f64 {
+        match self.kind {
+            Kind::Moment => LOADS,
+            Kind::Spring => SPRINGS,
+            Kind::Softness => COMPLIANCES,
+        }
+    }
+}
+
+/// A fit of each cause without a name that can act.
+///
+/// # Errors
+/// If the user asked to stop.
+pub fn humps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Result<Vec<Hump>, DiagnoseError> {
+    let unknowns = baseline.forward.unknowns();
+    let mut found = Vec::new();
+    for cause in &UNNAMED {
+        let is_its =
+            |kind: &UnknownKind| matches!(kind, UnknownKind::Unnamed { cause: own } if own == cause.name);
+        let own: Vec<usize> = (0..unknowns.len())
+            .filter(|&i| is_its(&unknowns[i].kind))
+            .collect();
+        let &[size, place, ..] = own.as_slice() else {
+            continue;
+        };
+        progress.say(format_args!("fit of a cause without a name: {}", cause.name));
+        let free: Vec<usize> = baseline.data.model.iter().chain(&own).copied().collect();
+        for [at_place, at_size] in STARTS {
+            progress.check()?;
+            let mut start = baseline.fit.at.clone();
+            start[place] = at_place;
+            start[size] = at_size * unknowns[size].sigma;
+            let fit = (refits.scatter).fit(baseline.forward, refits.data, &free, &start, refits.footing);
+            match fit {
+                Ok(fit) => {
+                    found.extend(ln_evidence(baseline, &fit, size).map(|ln_evidence| Hump {
+                        kind: cause.kind,
+                        ln_evidence,
+                        fit,
+                        size,
+                    }));
+                    break;
+                }
+                Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),
+                Err(_) => {}
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Evidence of a fit in which the unknown `size` was free, whose prior is that of the fields: it moves the readings by a share of what is
+/// predicted.
+fn ln_evidence(baseline: &Baseline, fit: &Fit, size: usize) -> Option<f64> {
+    let unknowns = baseline.forward.unknowns();
+    let column = fit.free.iter().position(|&i| i == size)?;
+    let parameters = fit.slopes.ncols();
+    let curvature = DMatrix::identity(parameters, parameters) + fit.slopes.transpose() * &fit.slopes;
+    let laplace = baseline.likelihood.ln(fit.q) - 0.5 * ln_determinant(curvature);
+    let local = Local::about(fit, baseline.forward, &baseline.scatter.noise);
+    let (mut predicted, mut responded) = (0.0, 0.0);
+    for (position, &row) in local.rows.iter().enumerate() {
+        let sigma = baseline.forward.observables()[row].sigma;
+        predicted += (fit.predicted[row] / sigma).powi(2);
+        responded += (local.slopes[(position, column)] / sigma).powi(2);
+    }
+    // its size over the standard deviation by which it was fitted, and the same of one that moves the readings as far as they go
+    let found = fit.at[size] / unknowns[size].sigma;
+    let whole = (predicted / responded).sqrt();
+    if !whole.is_finite() {
+        return None;
+    }
+    let density = AMPLITUDES.map(|amplitude| {
+        let wide = amplitude * whole;
+        -0.5 * (found / wide).powi(2) - wide.ln() - (AMPLITUDES.len() as f64).ln()
+    });
+    Some(laplace + 0.5 * found * found + ln_sum(density.into_iter()))
+}
+
+/// The data about a hump, without it: where the fields are what they are linear about.
+pub struct Around {
+    /// The data.
+    pub whitened: Whitened,
+    /// Responses of all observables to a moment at each station.
+    pub moment: DMatrix<f64>,
+    /// Predictions with the hump.
+    pub value: DVector<f64>,
+    /// Fields that have no name.
+    pub fields: Vec<Field>,
+}
+
+impl Around {
+    /// About the fit of a hump.
+    ///
+    /// # Errors
+    /// If the model has no solution there.
+    pub fn new(baseline: &Baseline, hump: &Hump) -> Result<Around, DiagnoseError> {
+        let (forward, data, noise) = (baseline.forward, &baseline.data, &baseline.scatter.noise);
+        let fit = &hump.fit;
+        let column = |unknown: usize| fit.free.iter().position(|&i| i == unknown);
+        let model: Vec<usize> = data.model.iter().filter_map(|&i| column(i)).collect();
+        let mut bare = fit.clone();
+        if let Some(size) = column(hump.size) {
+            let found = fit.at[hump.size] / forward.unknowns()[hump.size].sigma;
+            bare.residual += fit.slopes.column(size) * found;
+        }
+        bare.free = data.model.clone();
+        bare.slopes = fit.slopes.select_columns(&model);
+        let whitened = Whitened::new(&Local::about(&bare, forward, noise), noise)?;
+        let mut moment =
+            forward.moment_response_from(fit.footing.as_ref(), &fit.at, baseline.moment.ncols())?;
+        for row in data.kept_bounds(forward, &fit.predicted) {
+            moment.row_mut(row).fill(0.0);
+        }
+        let fields = fields(forward, data, &moment, &fit.predicted);
+        Ok(Around {
+            whitened,
+            moment,
+            value: fit.predicted.clone(),
+            fields,
+        })
+    }
+}
