@@ -28,11 +28,22 @@ pub struct Hump {
     pub ln_evidence: f64,
     /// The fit.
     pub fit: Fit,
+    /// The data about it.
+    pub local: Local,
     /// Index of the unknown that is its size.
     pub size: usize,
 }
 
 impl Hump {
+    /// What it is called.
+    pub fn name(&self) -> &'static str {
+        match self.kind {
+            Kind::Moment => "unnamed moment",
+            Kind::Spring => "unnamed spring",
+            Kind::Softness => "unnamed softness",
+        }
+    }
+
     /// Prior share of its kind among the causes without a name: that of the fields of that kind.
     pub fn share(&self) -> f64 {
         match self.kind {
@@ -69,10 +80,12 @@ pub fn humps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Resul
             let fit = (refits.scatter).fit(baseline.forward, refits.data, &free, &start, refits.footing);
             match fit {
                 Ok(fit) => {
-                    found.extend(ln_evidence(baseline, &fit, size).map(|ln_evidence| Hump {
+                    let local = Local::about(&fit, baseline.forward, &baseline.scatter.noise);
+                    found.extend(ln_evidence(baseline, &fit, &local, size).map(|ln_evidence| Hump {
                         kind: cause.kind,
                         ln_evidence,
                         fit,
+                        local,
                         size,
                     }));
                     break;
@@ -87,13 +100,12 @@ pub fn humps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Resul
 
 /// Evidence of a fit in which the unknown `size` was free, whose prior is that of the fields: it moves the readings by a share of what is
 /// predicted.
-fn ln_evidence(baseline: &Baseline, fit: &Fit, size: usize) -> Option<f64> {
+fn ln_evidence(baseline: &Baseline, fit: &Fit, local: &Local, size: usize) -> Option<f64> {
     let unknowns = baseline.forward.unknowns();
     let column = fit.free.iter().position(|&i| i == size)?;
     let parameters = fit.slopes.ncols();
     let curvature = DMatrix::identity(parameters, parameters) + fit.slopes.transpose() * &fit.slopes;
     let laplace = baseline.likelihood.ln(fit.q) - 0.5 * ln_determinant(curvature);
-    let local = Local::about(fit, baseline.forward, &baseline.scatter.noise);
     let (mut predicted, mut responded) = (0.0, 0.0);
     for (position, &row) in local.rows.iter().enumerate() {
         let sigma = baseline.forward.observables()[row].sigma;

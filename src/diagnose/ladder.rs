@@ -5,11 +5,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::Channel;
+use crate::study::Fit;
 use crate::study::calibrate::misfit;
 use crate::study::left_out::{Local, Others, by_condition};
 
 use super::baseline::Baseline;
-use super::refit::Explanation;
 
 /// One rung.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -30,8 +30,18 @@ pub struct Rung {
     pub held_out_sigma: Option<f64>,
 }
 
-/// The rungs; `explanations` are fitted with more and more effects, each with its name.
-pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> Vec<Rung> {
+/// A fit with what was found, and what it is called.
+pub struct Explained<'a> {
+    /// Its name.
+    pub name: String,
+    /// The fit.
+    pub fit: &'a Fit,
+    /// The data about it.
+    pub local: Option<&'a Local>,
+}
+
+/// The rungs; `explanations` are fitted with more and more effects.
+pub fn ladder(baseline: &Baseline, explanations: &[Explained]) -> Vec<Rung> {
     let (forward, data) = (baseline.forward, &baseline.data);
     let channel = main_channel(baseline);
     let rms = |rows: &[usize], predicted: &DVector<f64>| {
@@ -76,14 +86,8 @@ pub fn ladder(baseline: &Baseline, explanations: &[(String, &Explanation)]) -> V
         rung("raw", &baseline.raw, None),
         rung("calibrated", &baseline.fit.predicted, Some(&baseline.local)),
     ];
-    for (name, explanation) in explanations {
-        if let Some(fit) = &explanation.fit {
-            rungs.push(rung(
-                &format!("+ {name}"),
-                &fit.predicted,
-                explanation.local.as_ref(),
-            ));
-        }
+    for Explained { name, fit, local } in explanations {
+        rungs.push(rung(&format!("+ {name}"), &fit.predicted, *local));
     }
     let noise = |rows: &[usize]| {
         let sigmas = rows.iter().filter_map(|&row| {

@@ -14,7 +14,7 @@ const NEAR: f64 = 0.1;
 const FAR: f64 = -8.0;
 
 /// Prior of the strength of an effect, in the standard deviations by which it is fitted: what a fit weighs it by is normal about none, of
-/// one sign if it has one; of that, all but a share of [`BEYOND`] lies within what is plausible.
+/// one sign if it has one; of that, all but one part in fifty lies within what is plausible.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrengthPrior {
     /// Plausible strengths.

@@ -3,14 +3,14 @@
 use nalgebra::DMatrix;
 
 use crate::progress::Progress;
-use crate::study::Forward;
+use crate::study::{Fit, Forward};
 
 use super::added_variable::added_variable;
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
 use super::hump::Around;
 use super::judge::Judgement;
-use super::ladder::ladder;
+use super::ladder::{Explained, ladder};
 use super::misfit;
 use super::next::{NextExperiment, Rival, next_experiment};
 use super::notes::notes;
@@ -54,7 +54,6 @@ pub fn report(
     let effects = effect_rows(baseline, judgement, &gains);
     let unseen: Vec<String> = unseen(&effects);
     let verdict = verdict(baseline, judgement, &effects, &hypotheses);
-    let best = best_known(judgement);
     let added = judgement
         .beliefs
         .iter()
@@ -79,7 +78,7 @@ pub fn report(
         misfit: misfit::of(baseline),
         added_variables: added.collect(),
         ladder: ladder(baseline, &rungs(baseline, judgement)),
-        predictions: predictions(baseline, best)?,
+        predictions: predictions(baseline, found(judgement))?,
         next_experiment: next(baseline, judgement, candidates, progress)?,
         notes: notes(baseline, judgement)?,
         screening: baseline.screening,
@@ -98,42 +97,60 @@ fn best_known(judgement: &Judgement) -> Option<&Explanation> {
     judgement.best_of(&case_families(&known.case))?.1
 }
 
-/// The best single effect of the best known explanation, then that explanation.
-fn rungs<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<(String, &'a Explanation)> {
+/// The fit with what was found: the best known explanation, or the cause without a name where that is the verdict.
+fn found(judgement: &Judgement) -> Option<&Fit> {
+    match judgement.best_hump().filter(|_| judgement.is_novel) {
+        Some(hump) => Some(&hump.fit),
+        None => best_known(judgement)?.fit.as_ref(),
+    }
+}
+
+/// The best single effect of the best known explanation, then that explanation; of a cause without a name, its fit.
+fn rungs<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<Explained<'a>> {
+    if let Some(hump) = judgement.best_hump().filter(|_| judgement.is_novel) {
+        return vec![Explained {
+            name: hump.name().to_string(),
+            fit: &hump.fit,
+            local: Some(&hump.local),
+        }];
+    }
     let known = judgement
         .beliefs
         .iter()
         .find(|b| matches!(b.case, Case::One(_) | Case::Two(..)));
     let Some(known) = known else { return Vec::new() };
     let families = case_families(&known.case);
-    let mut rungs = Vec::new();
+    let mut rungs: Vec<(String, &Explanation)> = Vec::new();
     let singles = families.iter().filter_map(|&family| {
         let (index, explanation) = judgement.best_of(&[family])?;
         Some((index, explanation?))
     });
     if let Some((index, first)) = singles.min_by(|a, b| a.1.q.total_cmp(&b.1.q)) {
         let own = name(baseline, judgement.trial(index).members[0]);
+        rungs.push((own, first));
         if let (2, Some((pair, Some(both)))) = (families.len(), judgement.best_of(&families)) {
             let first_family = judgement.trial(index).families[0];
             let members = &judgement.trial(pair).members;
             let second = members
                 .iter()
                 .find(|k| !judgement.families[first_family].members.contains(k));
-            rungs.push((own, first));
             rungs.extend(second.map(|&k| (name(baseline, k), both)));
-        } else {
-            rungs.push((own, first));
         }
     } else if let Some((index, Some(both))) = judgement.best_of(&families) {
-        let names: Vec<String> = judgement
-            .trial(index)
-            .members
-            .iter()
-            .map(|&k| name(baseline, k))
-            .collect();
+        let members = judgement.trial(index).members.iter();
+        let names: Vec<String> = members.map(|&k| name(baseline, k)).collect();
         rungs.push((names.join(" + "), both));
     }
     rungs
+        .into_iter()
+        .filter_map(|(name, explanation)| {
+            Some(Explained {
+                name,
+                fit: explanation.fit.as_ref()?,
+                local: explanation.local.as_ref(),
+            })
+        })
+        .collect()
 }
 
 fn verdict(
@@ -242,11 +259,9 @@ fn novel(baseline: &Baseline, judgement: &Judgement) -> Result<Novel, DiagnoseEr
     })
 }
 
-fn predictions(baseline: &Baseline, best: Option<&Explanation>) -> Result<Vec<Prediction>, DiagnoseError> {
+fn predictions(baseline: &Baseline, found: Option<&Fit>) -> Result<Vec<Prediction>, DiagnoseError> {
     let (forward, data) = (baseline.forward, &baseline.data);
-    let fit = best
-        .and_then(|explanation| explanation.fit.as_ref())
-        .unwrap_or(&baseline.fit);
+    let fit = found.unwrap_or(&baseline.fit);
     if data.held_out.is_empty() {
         return Ok(Vec::new());
     }
@@ -295,7 +310,7 @@ fn next(
     for belief in judgement.beliefs.iter().filter(|belief| belief.in_set) {
         let fit = match belief.case {
             Case::Nothing => Some(&baseline.fit),
-            Case::Novel => None,
+            Case::Novel => judgement.best_hump().map(|hump| &hump.fit),
             _ => judgement
                 .best_of(&case_families(&belief.case))
                 .and_then(|(_, e)| e?.fit.as_ref()),

@@ -63,7 +63,7 @@ pub struct Diagnosis {
     pub added_variables: Vec<AddedVariable>,
     /// The error from the model as it is to the noise.
     pub ladder: Vec<Rung>,
-    /// What the best known explanation predicts for the held-out observables.
+    /// What the best known explanation, or a cause without a name where that is the verdict, predicts for the held-out observables.
     pub predictions: Vec<Prediction>,
     /// What to measure next; none if no candidates were given.
     pub next_experiment: Option<NextExperiment>,
@@ -270,7 +270,7 @@ pub struct Prediction {
     pub measured: f64,
     /// By the model as it is, calibrated.
     pub calibrated: f64,
-    /// By the model with the best known explanation.
+    /// By the model with the best known explanation, or with the cause without a name that was fitted, where that is the verdict.
     pub explained: f64,
     /// Standard deviation of the latter, noise of the measurement left out.
     pub standard_deviation: f64,
