@@ -51,6 +51,7 @@ struct Run {
   washout blind 290 --output night              150 without anything missing, 60 single, 30 pairs, 30 novel, 20 twins
   washout blind 20 --kind pair --kind twin      ten of each
   washout blind 20 --kind single --detectability 30..60   effects that stand out
+  washout blind 29 --background 0.01..0.03      wings further from their model than the study admits
   washout blind 290 --output night              the same again after an interruption: goes on where it stopped
   washout blind 290 --output night --slurm --partition night --minutes 120 --task-size 2
 

@@ -112,7 +112,11 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline) {
     let linear = judgement.ln_nothing + judgement.weighed.ln_gain;
     for (case, prior, ln_evidence) in [
         (Case::Nothing, prior.nothing, judgement.ln_nothing),
-        (Case::Novel, prior.novel, with_humps(linear, &judgement.humps)),
+        (
+            Case::Novel,
+            prior.novel,
+            with_humps(linear, &judgement.humps.fitted),
+        ),
     ] {
         weights.push(Weight {
             case,

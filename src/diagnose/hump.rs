@@ -34,14 +34,27 @@ pub struct Hump {
     pub size: usize,
 }
 
+/// All that were tried.
+#[derive(Debug, Clone, Default)]
+pub struct Humps {
+    /// Those that were fitted.
+    pub fitted: Vec<Hump>,
+    /// Those whose fit settled nowhere.
+    pub unsettled: Vec<Kind>,
+}
+
 impl Hump {
-    /// What it is called.
-    pub fn name(&self) -> &'static str {
-        match self.kind {
-            Kind::Moment => "unnamed moment",
-            Kind::Spring => "unnamed spring",
-            Kind::Softness => "unnamed softness",
-        }
+    /// Of a fit; none if its size moves no reading.
+    fn new(baseline: &Baseline, kind: Kind, fit: Fit, size: usize) -> Option<Hump> {
+        let local = Local::about(&fit, baseline.forward, &baseline.scatter.noise);
+        let ln_evidence = ln_evidence(baseline, &fit, &local, size)?;
+        Some(Hump {
+            kind,
+            ln_evidence,
+            fit,
+            local,
+            size,
+        })
     }
 
     /// Prior share of its kind among the causes without a name: that of the fields of that kind.
@@ -58,9 +71,9 @@ impl Hump {
 ///
 /// # Errors
 /// If the user asked to stop.
-pub fn humps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Result<Vec<Hump>, DiagnoseError> {
+pub fn humps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Result<Humps, DiagnoseError> {
     let unknowns = baseline.forward.unknowns();
-    let mut found = Vec::new();
+    let mut found = Humps::default();
     for cause in &UNNAMED {
         let is_its =
             |kind: &UnknownKind| matches!(kind, UnknownKind::Unnamed { cause: own } if own == cause.name);
@@ -72,27 +85,24 @@ pub fn humps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Resul
         };
         progress.say(format_args!("fit of a cause without a name: {}", cause.name));
         let free: Vec<usize> = baseline.data.model.iter().chain(&own).copied().collect();
+        let mut settled = None;
         for [at_place, at_size] in STARTS {
             progress.check()?;
             let mut start = baseline.fit.at.clone();
             start[place] = at_place;
             start[size] = at_size * unknowns[size].sigma;
-            let fit = (refits.scatter).fit(baseline.forward, refits.data, &free, &start, refits.footing);
-            match fit {
+            match (refits.scatter).fit(baseline.forward, refits.data, &free, &start, refits.footing) {
                 Ok(fit) => {
-                    let local = Local::about(&fit, baseline.forward, &baseline.scatter.noise);
-                    found.extend(ln_evidence(baseline, &fit, &local, size).map(|ln_evidence| Hump {
-                        kind: cause.kind,
-                        ln_evidence,
-                        fit,
-                        local,
-                        size,
-                    }));
+                    settled = Hump::new(baseline, cause.kind, fit, size);
                     break;
                 }
                 Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),
                 Err(_) => {}
             }
+        }
+        match settled {
+            Some(hump) => found.fitted.push(hump),
+            None => found.unsettled.push(cause.kind),
         }
     }
     Ok(found)

@@ -7,7 +7,7 @@ use super::baseline::Baseline;
 use super::conclude::{conclude, gate};
 use super::error::DiagnoseError;
 use super::foretold::{Foretold, foretold};
-use super::hump::{Hump, humps};
+use super::hump::{Hump, Humps, humps};
 use super::library::{Family, Scales, Trial, families, heaviest};
 use super::novel::{Weighed, weigh};
 use super::null::Significance;
@@ -44,8 +44,8 @@ pub struct Judgement {
     pub ln_evidence: Vec<f64>,
     /// Unnamed fields.
     pub weighed: Weighed,
-    /// Causes without a name that were fitted: none where one effect leaves nothing beyond chance.
-    pub humps: Vec<Hump>,
+    /// Causes without a name that were tried: none where one effect leaves nothing beyond chance.
+    pub humps: Humps,
     /// Hypotheses with probabilities, most probable first.
     pub beliefs: Vec<Belief>,
     /// Significance of what the best single effect leaves.
@@ -80,6 +80,7 @@ impl Judgement {
     pub fn best_hump(&self) -> Option<&Hump> {
         let best = self
             .humps
+            .fitted
             .iter()
             .max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence));
         best.filter(|hump| hump.ln_evidence > self.ln_nothing + self.weighed.ln_gain)
@@ -255,7 +256,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         unsettled: Vec::new(),
         ln_evidence,
         weighed,
-        humps: Vec::new(),
+        humps: Humps::default(),
         beliefs: Vec::new(),
         after_best: None,
         after_known: None,

@@ -53,6 +53,13 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, 
             unsettled.join(", ")
         ));
     }
+    let unnamed: Vec<&str> = judgement.humps.unsettled.iter().map(|kind| kind.name()).collect();
+    if !unnamed.is_empty() {
+        notes.push(format!(
+            "No fit settled with an {}: weighed by linear fields alone.",
+            unnamed.join(", an ")
+        ));
+    }
     let beliefs = judgement.beliefs.iter().filter_map(|belief| match belief.case {
         Case::One(family) => {
             let (index, explanation) = judgement.best_of(&[family])?;

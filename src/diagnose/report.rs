@@ -109,7 +109,7 @@ fn found(judgement: &Judgement) -> Option<&Fit> {
 fn rungs<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<Explained<'a>> {
     if let Some(hump) = judgement.best_hump().filter(|_| judgement.is_novel) {
         return vec![Explained {
-            name: hump.name().to_string(),
+            name: hump.kind.name().to_string(),
             fit: &hump.fit,
             local: Some(&hump.local),
         }];

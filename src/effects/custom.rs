@@ -112,6 +112,18 @@ impl Custom {
         name == "custom" || table.get("kind").is_some()
     }
 
+    /// A table of such an effect, but for its strength and its numbers.
+    pub fn table(acts_on: &str, expression: &str) -> toml::Table {
+        [
+            ("kind", "custom"),
+            ("acts_on", acts_on),
+            ("expression", expression),
+        ]
+        .map(|(key, value)| (key.to_string(), toml::Value::String(value.to_string())))
+        .into_iter()
+        .collect()
+    }
+
     /// Reads its table and tries its formula on the wing.
     ///
     /// # Errors

@@ -60,16 +60,8 @@ pub const ADMITTED: [Admitted; 10] = [
 /// Puts those that can act into a design, at strength 0.
 pub fn admit(design: &mut Design) {
     for error in &ADMITTED {
-        let text = |value: &str| toml::Value::String(value.to_string());
-        let table: toml::Table = [
-            ("kind", text("custom")),
-            ("acts_on", text(error.acts_on)),
-            ("expression", text(error.expression)),
-            ("strength", toml::Value::Float(0.0)),
-        ]
-        .map(|(key, value)| (key.to_string(), value))
-        .into_iter()
-        .collect();
+        let mut table = Custom::table(error.acts_on, error.expression);
+        table.insert("strength".to_string(), toml::Value::Float(0.0));
         if Custom::read(error.name, &table, design).is_ok_and(|(own, _)| is_applicable(&own.card(), design)) {
             design.effects.insert(error.name.to_string(), table);
         }

@@ -184,7 +184,7 @@ impl Targets {
         for cause in &UNNAMED {
             let measures = cases.iter().map(|case| cause.measure(&case.design));
             let measure = measures.fold(0.0, f64::max);
-            for (order, number) in cause.numbers.iter().enumerate() {
+            for (order, number) in cause.all_numbers().enumerate() {
                 let key = cause.key(number);
                 let has = |&index: &usize| cases[index].design.get(&key).is_some();
                 let touched: Vec<usize> = (0..cases.len()).filter(has).collect();

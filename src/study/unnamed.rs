@@ -1,11 +1,13 @@
 //! Causes without a name as a fit may try them: one hump somewhere along the span, of a moment, a spring or a softer stretch.
 //!
 //! They are off, and no part of the model nor of what it is known to lack; only where nothing with a name explains the readings are they
-//! fitted together with the rest. Loads need air, whose pressure tells their size.
+//! fitted together with the rest. They are tried in air only, whose pressure tells how large a load may be: on the bench linear fields
+//! stand alone.
 
 use crate::aero::Flow;
 use crate::effects::custom::Custom;
 use crate::effects::{Effect, is_applicable};
+use crate::geometry::Planform;
 use crate::input::Design;
 
 /// What kind of thing has no name.
@@ -19,6 +21,17 @@ pub enum Kind {
     Softness,
 }
 
+impl Kind {
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Moment => "unnamed moment",
+            Kind::Spring => "unnamed spring",
+            Kind::Softness => "unnamed softness",
+        }
+    }
+}
+
 /// What has no name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unnamed {
@@ -28,13 +41,13 @@ pub struct Unnamed {
     pub kind: Kind,
     /// What the formula acts on.
     pub acts_on: &'static str,
-    /// Formula where the wing flaps.
-    pub flapping: &'static str,
-    /// Formula in a stream.
-    pub steady: &'static str,
+    /// Formula.
+    pub formula: &'static str,
+    /// How it grows with the motion where the wing flaps: a factor, and its numbers.
+    pub growth: Option<(&'static str, &'static [Number])>,
     /// Strength while it is off.
     pub off: f64,
-    /// Its numbers, the first of which is its size.
+    /// Numbers of its formula, the first of which is its size.
     pub numbers: &'static [Number],
 }
 
@@ -87,22 +100,17 @@ pub const UNNAMED: [Unnamed; 3] = [
         name: "unnamed-moment",
         kind: Kind::Moment,
         acts_on: "moment",
-        flapping: "(f / 25)^a * (Phi / 0.6)^b * exp(-((x - place) / 0.15)^2)",
-        steady: "exp(-((x - place) / 0.15)^2)",
+        formula: "exp(-((x - place) / 0.15)^2)",
+        growth: Some(("(f / 25)^a * (Phi / 0.6)^b", &[exponent("a"), exponent("b")])),
         off: 0.0,
-        numbers: &[
-            size("strength", "N m/m", 1.0, [-20.0, 20.0]),
-            PLACE,
-            exponent("a"),
-            exponent("b"),
-        ],
+        numbers: &[size("strength", "N m/m", 1.0, [-20.0, 20.0]), PLACE],
     },
     Unnamed {
         name: "unnamed-spring",
         kind: Kind::Spring,
         acts_on: "moment",
-        flapping: "-twist * exp(-((x - place) / 0.15)^2)",
-        steady: "-twist * exp(-((x - place) / 0.15)^2)",
+        formula: "-twist * exp(-((x - place) / 0.15)^2)",
+        growth: None,
         off: 0.0,
         numbers: &[size("strength", "N m/m/rad", 2.0, [-40.0, 40.0]), PLACE],
     },
@@ -110,14 +118,21 @@ pub const UNNAMED: [Unnamed; 3] = [
         name: "unnamed-softness",
         kind: Kind::Softness,
         acts_on: "torsion",
-        flapping: "exp(-k * exp(-((x - place) / 0.1)^2))",
-        steady: "exp(-k * exp(-((x - place) / 0.1)^2))",
+        formula: "exp(-k * exp(-((x - place) / 0.1)^2))",
+        growth: None,
         off: 1.0,
         numbers: &[size("k", "1", 1.0, [-3.0, 6.0]), PLACE],
     },
 ];
 
 impl Unnamed {
+    /// All its numbers, those of its growth last.
+    pub fn all_numbers(&self) -> impl Iterator<Item = &'static Number> {
+        self.numbers
+            .iter()
+            .chain(self.growth.map_or(&[][..], |(_, numbers)| numbers))
+    }
+
     /// Dotted key of one of its numbers.
     pub fn key(&self, number: &Number) -> String {
         format!("effects.{}.{}", self.name, number.key)
@@ -130,33 +145,28 @@ impl Unnamed {
         }
         let length_m = 1e-3 * design.planform.length_mm.value();
         let speed = Flow::from_design(design).map_or(0.0, |flow| flow.velocity(length_m).norm());
-        let chord_m = 1e-3 * design.get("planform.mean_chord_mm").unwrap_or(250.0 * length_m);
+        // a case that was solved has a planform
+        let chord_m = Planform::from_design(design).map_or(0.0, |planform| planform.mean_chord_m());
         0.5 * design.air.density_kg_m3.value() * (speed * chord_m).powi(2)
     }
 }
 
-/// Puts those that can act into a design, off.
+/// Puts those that can act into a design that meets air, off.
 pub fn place(design: &mut Design) {
+    if design.flapping.is_none() && design.steady.is_none() {
+        return;
+    }
     for cause in &UNNAMED {
-        let formula = match (&design.flapping, &design.steady) {
-            (Some(_), _) => cause.flapping,
-            (None, Some(_)) => cause.steady,
-            (None, None) => continue,
+        let growth = cause.growth.filter(|_| design.flapping.is_some());
+        let (formula, exponents) = match growth {
+            Some((factor, exponents)) => (format!("{factor} * {}", cause.formula), exponents),
+            None => (cause.formula.to_string(), &[][..]),
         };
-        let text = |value: &str| toml::Value::String(value.to_string());
-        let mut table: toml::Table = [
-            ("kind", text("custom")),
-            ("acts_on", text(cause.acts_on)),
-            ("expression", text(formula)),
-            ("strength", toml::Value::Float(cause.off)),
-        ]
-        .map(|(key, value)| (key.to_string(), value))
-        .into_iter()
-        .collect();
-        let is_used = |number: &&Number| formula.contains(number.key) && number.key != "strength";
-        for number in cause.numbers.iter().filter(is_used) {
+        let mut table = Custom::table(cause.acts_on, &formula);
+        for number in cause.numbers.iter().chain(exponents) {
             table.insert(number.key.to_string(), toml::Value::Float(number.mean));
         }
+        table.insert("strength".to_string(), toml::Value::Float(cause.off));
         if Custom::read(cause.name, &table, design).is_ok_and(|(own, _)| is_applicable(&own.card(), design)) {
             design.effects.insert(cause.name.to_string(), table);
         }

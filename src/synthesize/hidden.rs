@@ -40,16 +40,10 @@ impl Hidden {
 
     /// One of the user's own.
     pub fn own(name: &str, acts_on: &str, expression: &str) -> Hidden {
-        let text = |value: &str| toml::Value::String(value.to_string());
-        let table = [
-            ("kind".to_string(), text("custom")),
-            ("acts_on".to_string(), text(acts_on)),
-            ("expression".to_string(), text(expression)),
-        ];
         Hidden {
             name: name.to_string(),
             strength: 1.0,
-            table: table.into_iter().collect(),
+            table: Custom::table(acts_on, expression),
             wing: None,
         }
     }

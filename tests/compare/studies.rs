@@ -59,7 +59,7 @@ fn derivatives_of_a_study_are_those_of_cases_solved_again() {
     let unnamed = campaign.unknowns().iter().filter(unnamed);
     assert_eq!(
         (campaign.unknowns().len(), admitted.count(), unnamed.count()),
-        (20, 10, 4)
+        (22, 10, 6)
     );
     for (k, unknown) in campaign.unknowns().iter().enumerate() {
         // what is admitted has its sigma for a share of 1
