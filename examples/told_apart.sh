@@ -65,7 +65,7 @@ grep -q 'root-flexure.*rod-shear-modulus.*cannot tell apart' $try/first.txt
 grep -q '"best": "near-the-root"' $try/first.txt
 
 echo "With the experiment that it names:"
-{ echo $head; for m in 1 2 3; do rows "m-$m" 10 20 98 99 100; done; } >$try/m.csv
+{ echo $head; for m in 1 2 3; do rows "m-$m" 98 99 100; done; rows m-3 10 20; } >$try/m.csv
 washout synthesize $try/study.toml --effect root-flexure=0.2 --seed 7 --output $try/second
 washout diagnose $try/second/study.toml --output $try/second/out --json | grep -m1 '"sentence"' | tee $try/second.txt
 grep -q "Missing: root-flexure" $try/second.txt

@@ -14,6 +14,8 @@ use crate::synthesize::{Hidden, Recipe};
 /// In the full model less than the first; effects further apart by their slopes than the second are not looked at.
 const TWINS: f64 = 1.0;
 const NEARLY_TWINS: f64 = 2.0;
+/// Scatter over what is stated where that is 30 % too small.
+const QUIET: f64 = 1.0 / 0.7;
 /// Refinements of the wing that is measured over that of the model.
 const MESHES: [f64; 3] = [1.2, 1.3, 0.85];
 
@@ -42,7 +44,7 @@ pub fn recipe(
     let may = |effect: &PlannedEffect| blind.sees(effect) && !is_turned(effect);
     match kind {
         Kind::Null => {}
-        Kind::NullQuiet => recipe.noise = 1.3,
+        Kind::NullQuiet => recipe.noise = QUIET,
         Kind::NullOutlier => recipe.outlier = Some(8.0),
         Kind::Single => {
             let first = pick(&blind.outlook.plan.effects, draws, 0, &may)

@@ -17,27 +17,44 @@ const SOFTEST: f64 = 50.0;
 /// Powers of frequency and amplitude by which a moment grows.
 const LAWS: [[i32; 2]; 6] = [[0, 0], [1, 0], [0, 1], [2, 0], [1, 2], [2, 1]];
 
+/// Where along the span something acts: nobody's cause has the shape of the humps by which a diagnosis looks for it.
+///
+/// A hump, a stretch with blurred ends, a slope from one place to the tip, or two humps, of any width.
+fn shape(draws: Draws, widest: f64) -> String {
+    let place = 0.2 + 0.6 * draws.uniform(5, 0);
+    let width = widest * (0.3 + 0.7 * draws.uniform(5, 5));
+    let hump = |place: f64| format!("exp(-((x - {place:.3}) / {width:.3})^2)");
+    match (draws.uniform(5, 6) * 4.0) as usize {
+        0 => hump(place),
+        1 => format!(
+            "0.5 * (tanh((x - {:.3}) / 0.02) - tanh((x - {:.3}) / 0.02))",
+            place - width,
+            place + width
+        ),
+        2 => format!("max(x - {place:.3}, 0) / {:.3}", 1.0 - place),
+        _ => format!("({} + 0.6 * {})", hump(place), hump(1.0 - 0.5 * place)),
+    }
+}
+
 /// One such cause.
 ///
 /// # Errors
 /// If the wing with it has no solution.
 pub fn novel(blind: &Blind, draws: Draws, progress: &Progress) -> Result<Hidden, BlindError> {
-    let place = 0.25 + 0.5 * draws.uniform(5, 0);
     let sign = if draws.uniform(5, 1) < 0.5 { 1.0 } else { -1.0 };
-    let bump = |width: f64| format!("exp(-((x - {place:.3}) / {width})^2)");
     let flaps = (blind.study.cases.iter()).any(|case| case.loaded.design.flapping.is_some());
     let (acts_on, formula) = match (draws.uniform(5, 2) * 5.0) as usize {
-        0..=2 if !flaps => ("moment", bump(0.12)),
+        0..=2 if !flaps => ("moment", shape(draws, 0.25)),
         0 | 1 => {
             let [a, b] = LAWS[(draws.uniform(5, 3) * LAWS.len() as f64) as usize];
             (
                 "moment",
-                format!("(f / 25)^{a} * (Phi / 0.6)^{b} * {}", bump(0.12)),
+                format!("(f / 25)^{a} * (Phi / 0.6)^{b} * {}", shape(draws, 0.25)),
             )
         }
-        2 => ("moment", format!("max(f - 20, 0) / 5 * {}", bump(0.12))),
-        3 => ("moment", format!("-twist * {}", bump(0.15))),
-        _ => ("torsion", bump(0.05)),
+        2 => ("moment", format!("max(f - 20, 0) / 5 * {}", shape(draws, 0.25))),
+        3 => ("moment", format!("-twist * {}", shape(draws, 0.3))),
+        _ => ("torsion", shape(draws, 0.15)),
     };
     // a first size, and the size that makes the misfit that is wanted
     let target = MISFIT[0] + (MISFIT[1] - MISFIT[0]) * draws.uniform(5, 4);

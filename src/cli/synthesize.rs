@@ -73,6 +73,8 @@ pub struct SynthesizeReport {
     pub numbers: usize,
     /// Rows that the wing could not be asked for; they were left out.
     pub unread: Vec<String>,
+    /// Hidden effects that act by the formula that the diagnosis has.
+    pub same_formula: Vec<String>,
 }
 
 impl Synthesize {
@@ -217,6 +219,10 @@ fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeRepo
         answer,
         numbers,
         unread: made.answer.unread.clone(),
+        same_formula: (made.answer.acted.iter())
+            .filter(|acted| !acted.is_other)
+            .map(|acted| acted.asked.clone())
+            .collect(),
     })
 }
 
@@ -287,6 +293,12 @@ fn page(report: &SynthesizeReport) -> String {
     );
     for row in &report.unread {
         page += &format!("  left out, for the wing cannot be asked for it: {row}\n");
+    }
+    if !report.same_formula.is_empty() {
+        page += &format!(
+            "  by the formula that the diagnosis has too: {} (meshes, inputs and background differ)\n",
+            report.same_formula.join(", ")
+        );
     }
     page + &format!("Look for it with: washout diagnose {study}\n")
 }

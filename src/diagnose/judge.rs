@@ -16,6 +16,7 @@ use super::posterior::{Belief, Case};
 use super::refit::{Explanation, Refits};
 use super::screening::{is_one_sided, whole_strength};
 use super::second_look::{HALF, HALF_AND_WHOLE, second_look};
+use super::strength_error::widen;
 
 /// Explanations this much below the best in ln(prior × evidence) of the linear model are not fitted anew.
 const HOPELESS: f64 = 25.0;
@@ -290,6 +291,9 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         if judgement.is_foretold() {
             gate(&mut judgement, baseline)?;
         }
+    }
+    if !is_null || judgement.is_foretold() {
+        widen(&mut judgement, baseline, progress)?;
     }
     Ok(judgement)
 }

@@ -64,6 +64,8 @@ pub mod second_look;
 
 pub mod settings;
 
+pub mod strength_error;
+
 pub mod verdict;
 
 pub mod whitened;

@@ -5,6 +5,7 @@ use crate::effects::{Need, named};
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
 use super::judge::Judgement;
+use super::ladder::held_out_sigma;
 use super::posterior::{Case, SEPARATE};
 use super::refit::Explanation;
 use super::robust::stability;
@@ -38,12 +39,23 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, 
     }
     if let Some(foretold) = judgement.foretold.filter(|_| judgement.is_foretold()) {
         let observable = &baseline.forward.observables()[foretold.row];
+        let odds = if foretold.odds < 1e6 {
+            format!("{:.0} to 1", foretold.odds)
+        } else {
+            "more than a million to 1".to_owned()
+        };
         notes.push(format!(
             "One reading carries this ({}, {}). It lies where an effect says that has nothing to be fitted; odds against a slip that fell \
-             there: {:.0} to 1.",
+             there: {odds}.",
             baseline.forward.conditions()[observable.condition].name,
             observable.channel.name(),
-            foretold.odds
+        ));
+    }
+    if let Some([without, with]) =
+        held_out_worse(baseline, judgement).filter(|_| !is_null || judgement.is_foretold())
+    {
+        notes.push(format!(
+            "What was held out is met worse with the first of these, by {with:.1} sigma instead of {without:.1}."
         ));
     }
     let unsettled = unsettled(judgement);
@@ -85,6 +97,23 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, 
         }
     }
     Ok(notes)
+}
+
+/// Error of what was held out without and with the most probable known effect, sigma, if that makes it larger.
+fn held_out_worse(baseline: &Baseline, judgement: &Judgement) -> Option<[f64; 2]> {
+    let families = match judgement.beliefs.first()?.case {
+        Case::One(family) => vec![family],
+        Case::Two(first, second) => vec![first, second],
+        Case::Nothing | Case::Novel => return None,
+    };
+    let (_, found) = judgement.best_of(&families)?;
+    let fit = found?.fit.as_ref();
+    let both =
+        [&baseline.fit.predicted, &fit?.predicted].map(|predicted| held_out_sigma(baseline, predicted));
+    match both {
+        [Some(without), Some(with)] if with > without => Some([without, with]),
+        _ => None,
+    }
 }
 
 /// Names of the explanations whose fit settled nowhere, while no other form of theirs was fitted.

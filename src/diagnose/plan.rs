@@ -12,11 +12,15 @@ use super::data::{Data, Scatter, start};
 use super::error::DiagnoseError;
 use super::posterior::SEPARATE;
 use super::screening::{
-    Directions, ENOUGH_POWER, Slopes, effect_of, family_wise, is_one_sided, slopes_of_missing,
+    Directions, ENOUGH_POWER, Slopes, effect_of, family_wise, is_one_sided, power_at_distance,
+    slopes_of_missing,
 };
 use super::settings::Settings;
 use super::verdict::LookAlike;
 use super::whitened::Whitened;
+
+/// An effect whose plausible size lies further out by its derivative than this, sigma, is looked at in the full model: it may saturate.
+const STRAIGHT: f64 = 100.0;
 
 /// What a planned campaign could tell.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -114,19 +118,31 @@ impl Outlook {
             .noise
             .whiten_columns(&slopes.select_rows(data.rows.iter()));
         let level = family_wise(settings.significance, data.missing.len());
+        let seen_at = |i: usize, strength: f64| {
+            let mut there = start.clone();
+            there[i] = strength;
+            let moved = forward.predict(&there).ok()? - &linear.value;
+            let moved = DMatrix::from_column_slice(moved.len(), 1, moved.as_slice());
+            Some(whitened.directions(&moved).norm())
+        };
         let mut effects: Vec<PlannedEffect> = (0..data.missing.len())
             .filter_map(|k| {
                 let unknown = &unknowns[data.missing[k]];
-                let (effect, family, scale, _) = effect_of(unknown)?;
+                let (effect, family, scale, one_sided) = effect_of(unknown)?;
                 let (length, whole) = (directions.lengths[k], before.column(k).norm());
+                let by_slope = scale / unknown.sigma * length;
+                let detectability = match by_slope > STRAIGHT {
+                    true => seen_at(data.missing[k], scale).unwrap_or(by_slope),
+                    false => by_slope,
+                };
                 Some(PlannedEffect {
                     effect: effect.to_string(),
                     family: family.to_string(),
                     scale,
                     unit: unknown.unit.clone(),
                     standard_error: unknown.sigma / length.max(1e-9),
-                    detectability: scale / unknown.sigma * length,
-                    power: directions.power(k, unknown, level),
+                    detectability,
+                    power: power_at_distance(detectability, one_sided, level),
                     absorbed: if whole > 0.0 {
                         1.0 - (length / whole).min(1.0)
                     } else {

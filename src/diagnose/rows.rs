@@ -73,10 +73,12 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
             let linear_error = own.sigma / (1.0 + length * length).sqrt();
             let error = explanation.map_or(linear_error, |e| e.standard_error[position]);
             plausible &= is_plausible(own, value, error);
+            let [low, high] = own.range;
             strengths.push(Strength {
                 effect: name(baseline, k),
                 unknown: own.name.clone(),
-                value,
+                // a derivative knows no end
+                value: value.clamp(low, high),
                 standard_error: error,
                 unit: own.unit.clone(),
                 place: place(baseline, k, explanation.and_then(|e| e.places[position])),

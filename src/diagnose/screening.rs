@@ -17,6 +17,9 @@ pub const ENOUGH_POWER: f64 = 0.8;
 /// Share of its plausible size from which on an effect must have been seen to be called absent.
 const MATTERS: f64 = 1.0 / 3.0;
 
+/// An effect whose plausible size moves no reading by more than this share of the largest, by its derivative, has none.
+const FLAT: f64 = 1e-9;
+
 /// Level of one score when any of `count` effects, or either of two other tests, may raise the alarm.
 pub fn family_wise(level: f64, count: usize) -> f64 {
     level / (3 * count.max(1)) as f64
@@ -118,7 +121,8 @@ pub struct Slopes {
 
 /// Derivatives of all observables with the missing effects at `at`, one column each, per prior standard deviation.
 ///
-/// An effect with a kink at zero is seen from a step. Besides, the responses to what is admitted of the model, per standard
+/// An effect with a kink at zero is seen from a step, and so is one that has no derivative there but acts (a lag at mid-stroke): from its
+/// plausible size. Besides, the responses to what is admitted of the model, per standard
 /// deviation, and what the model leaves there; `footing`: what it left nearby.
 ///
 /// # Errors
@@ -145,6 +149,16 @@ pub fn slopes_of_missing(
             stepped[i] += share * scale;
             let moved = forward.predict(&stepped)?;
             slopes.set_column(k, &((moved - &linear.value) / (share * scale)));
+        }
+        if let Some((_, _, scale, _)) = effect_of(&unknowns[i])
+            && slopes.column(k).amax() * scale <= FLAT * linear.value.amax()
+        {
+            let mut stepped = at.to_vec();
+            stepped[i] += scale;
+            // of what has no solution at that size, the derivative is all that there is
+            if let Ok((moved, _)) = forward.linearize_from(footing, &stepped, &|_| false) {
+                slopes.set_column(k, &((moved.value - &linear.value) / scale));
+            }
         }
         let mut column = slopes.column_mut(k);
         column *= unknowns[i].sigma;

@@ -1,8 +1,7 @@
 //! Inertia of the air that moves with the wing.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::Loads;
 
 /// See the module.
@@ -27,7 +26,7 @@ const CARD: Card = Card {
         range: [-2.0, 3.0],
         plausible: [0.0, 1.3],
     }],
-    channels: &[Channel::Twist, Channel::TwistRate, Channel::Deflection],
+    channels: WING_CHANNELS,
     needs: &[Need::Motion],
     has_switch: false,
 };

@@ -1,6 +1,6 @@
 //! Air denser or thinner than the design says: weather, altitude, another gas.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 
@@ -26,7 +26,7 @@ const CARD: Card = Card {
         range: [-1.0, 10.0],
         plausible: [-0.08, 0.05],
     }],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flow],
     has_switch: false,
 };

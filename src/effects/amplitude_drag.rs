@@ -1,6 +1,6 @@
 //! A driven wing of less drag sweeps further: its amplitude is not that of the rigid wing.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::SectionAir;
 
@@ -26,7 +26,7 @@ const CARD: Card = Card {
         range: [-2.0, 2.0],
         plausible: [0.0, 0.6],
     }],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Motion],
     has_switch: false,
 };

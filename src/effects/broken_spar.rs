@@ -1,8 +1,7 @@
 //! A spar that is cracked or broken at one place.
 
-use super::card::{Card, Need, Parameter, Places, Seam};
+use super::card::{Card, Need, Parameter, Places, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::StructureError;
 
 /// Length over which the hinge is spread, as a fraction of the spar's.
@@ -48,14 +47,7 @@ const CARD: Card = Card {
             plausible: [0.05, 0.95],
         },
     ],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[Need::Spars],
     has_switch: false,
 };

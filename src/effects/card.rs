@@ -78,13 +78,25 @@ pub struct Places {
     pub spar: Option<usize>,
 }
 
-/// What a change of the air load changes in a coupled wing.
-pub const AIR_CHANNELS: &[Channel] = &[
+/// What every effect changes in a coupled wing: its shape follows the load, and the load its shape.
+pub const WING_CHANNELS: &[Channel] = &[
     Channel::Twist,
     Channel::TwistRate,
+    Channel::Deflection,
     Channel::Lift,
     Channel::Drag,
     Channel::Power,
+];
+
+/// What one of stiffness or mass changes: natural frequencies too.
+pub const STRUCTURE_CHANNELS: &[Channel] = &[
+    Channel::Twist,
+    Channel::TwistRate,
+    Channel::Deflection,
+    Channel::Lift,
+    Channel::Drag,
+    Channel::Power,
+    Channel::Frequency,
 ];
 
 /// Where an effect acts.

@@ -1,9 +1,8 @@
 //! A centre of pressure that lies further aft (or forward) than the law says.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
-use crate::input::measurement::Channel;
 
 /// See the module.
 #[derive(Debug)]
@@ -27,13 +26,7 @@ const CARD: Card = Card {
         range: [-0.3, 0.5],
         plausible: [-0.08, 0.08],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: WING_CHANNELS,
     needs: &[Need::Flow],
     has_switch: false,
 };

@@ -2,10 +2,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Effect, Structure, Values};
 use crate::aero::Flow;
-use crate::input::measurement::Channel;
 use crate::structure::{LinearForce, Loads};
 
 /// See the module.
@@ -30,7 +29,7 @@ const CARD: Card = Card {
         range: [0.0, 5.0],
         plausible: [0.0, 1.2],
     }],
-    channels: &[Channel::Twist, Channel::TwistRate, Channel::Deflection],
+    channels: WING_CHANNELS,
     needs: &[Need::Flapping],
     has_switch: false,
 };

@@ -1,6 +1,6 @@
 //! Lift and drag coefficients larger or smaller than the law, in proportion: another Reynolds number, another leading edge.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 
@@ -26,7 +26,7 @@ const CARD: Card = Card {
         range: [-0.9, 4.0],
         plausible: [-0.2, 0.2],
     }],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flow],
     has_switch: false,
 };

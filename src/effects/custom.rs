@@ -10,36 +10,23 @@
 //! units = { k = "1" }
 //! ```
 
+mod target;
+
+pub use target::VARIABLES;
+
 use num_dual::DualNum;
 
+use target::{ALONG, CHORD, TARGETS, TWIST_RATE, Target};
+
 use super::bind::number;
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, EffectError, StripPlace, Structure, Values};
 use crate::aero::{Flow, SectionAir, SectionCoefficients};
+use crate::geometry::Planform;
 use crate::input::Expression;
 use crate::input::design::Design;
-use crate::mesh::BeamPart;
 use crate::structure::StructureError;
 
-/// What a formula may name besides its own numbers: x (r/R), r and chord (m), alpha, twist and phase (rad),
-/// twist_rate (rad/s), U (m/s), q (½ρU², Pa), rho (kg/m³), f (Hz), Phi (half amplitude, rad).
-pub const VARIABLES: [&str; 12] = [
-    "x",
-    "r",
-    "chord",
-    "alpha",
-    "twist",
-    "twist_rate",
-    "U",
-    "q",
-    "rho",
-    "f",
-    "Phi",
-    "phase",
-];
-const TWIST_RATE: usize = 5;
-/// Those that a rod knows too.
-const OF_A_ROD: [&str; 6] = ["x", "r", "rho", "f", "Phi", "phase"];
 /// Keys of its table that are no numbers of the formula.
 const KEYS: [&str; 6] = ["kind", "acts_on", "expression", "strength", "units", "summary"];
 
@@ -53,49 +40,6 @@ pub struct Custom {
     /// Numbers of the formula, behind [`VARIABLES`].
     numbers: Vec<f64>,
 }
-
-/// What the formula stands for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Target {
-    Moment,
-    Force,
-    Lift,
-    Drag,
-    CentreOfPressure,
-    Torsion,
-    Bending,
-}
-
-/// Words for [`Target`], and what the formula then gives.
-const TARGETS: [(&str, Target, &str); 7] = [
-    (
-        "moment",
-        Target::Moment,
-        "moment about the span that is added, N·m per m, positive: washout",
-    ),
-    (
-        "force",
-        Target::Force,
-        "force across the chord that is added, N per m, positive: along the load",
-    ),
-    ("lift", Target::Lift, "factor of the lift coefficient"),
-    ("drag", Target::Drag, "factor of the drag coefficient"),
-    (
-        "centre-of-pressure",
-        Target::CentreOfPressure,
-        "shift of the centre of pressure toward the trailing edge, chords",
-    ),
-    (
-        "torsion",
-        Target::Torsion,
-        "factor of the rods' torsional stiffness",
-    ),
-    (
-        "bending",
-        Target::Bending,
-        "factor of the rods' bending stiffness",
-    ),
-];
 
 const STRENGTH: &[Parameter] = &[Parameter {
     name: "strength",
@@ -193,13 +137,13 @@ impl Custom {
                 cure,
             ));
         }
-        let rods = matches!(target, Target::Torsion | Target::Bending);
-        let stranger = |place: &usize| rods && formula.uses(*place) && !OF_A_ROD.contains(&VARIABLES[*place]);
+        let (part, known) = target.knows();
+        let stranger = |place: &usize| formula.uses(*place) && !known.contains(&VARIABLES[*place]);
         if let Some(place) = (0..VARIABLES.len()).find(stranger) {
-            let cure = format!("a stiffness may depend on {}", OF_A_ROD.join(", "));
+            let cure = format!("the formula of a {part} may depend on {}", known.join(", "));
             return Err(fail(
                 "expression",
-                format!("a rod has no {}", VARIABLES[place]),
+                format!("a {part} has no {}", VARIABLES[place]),
                 cure,
             ));
         }
@@ -240,19 +184,20 @@ impl Custom {
                 for speed in [0.1, 5.0, 20.0] {
                     let alpha = f64::to_radians(degrees);
                     let mut at = self.constants(design, x * length_m);
-                    at[2] = 0.2 * length_m;
+                    at[CHORD] = 0.2 * length_m;
                     (at[3], at[4], at[6]) = (alpha, root_angle(design) - alpha, speed);
                     at[7] = 0.5 * at[8] * speed * speed;
+                    at[ALONG] = (f64::to_radians(degrees).sin() + 1.0) / 2.0;
                     let value = self.formula.value(&at);
-                    let rods = matches!(self.target, Target::Torsion | Target::Bending);
-                    if !value.is_finite() || (rods && 1.0 + strength * (value - 1.0) <= 0.0) {
+                    let is_stiffness = self.target.is_stiffness();
+                    if !value.is_finite() || (is_stiffness && 1.0 + strength * (value - 1.0) <= 0.0) {
                         return Err(EffectError::Own {
                             name: self.name.clone(),
                             key: "expression".to_string(),
                             problem: format!(
                                 "it is {value} at x = {x:.2}, alpha = {degrees} deg, U = {speed} m/s"
                             ),
-                            cure: if rods {
+                            cure: if is_stiffness {
                                 "write a factor that stays positive from base to tip".to_string()
                             } else {
                                 "write a formula that stays finite on the whole wing, e.g. with max(…, 1e-6)"
@@ -261,6 +206,45 @@ impl Custom {
                         });
                     }
                 }
+            }
+        }
+        Ok(())
+    }
+
+    /// The outline, if the formula asks for its chord.
+    fn planform(&self, design: &Design) -> Option<Planform> {
+        self.formula
+            .uses(CHORD)
+            .then(|| Planform::from_design(design).ok())?
+    }
+
+    /// Factor of a beam's stiffness in its middle; of a spar `along` it.
+    fn factor(
+        &self,
+        wing: &Structure,
+        beam: usize,
+        planform: Option<&Planform>,
+        along: f64,
+        strength: f64,
+    ) -> f64 {
+        let ends = wing.mesh.beams[beam].nodes;
+        let middle_m = 0.5 * ends.iter().map(|&node| wing.mesh.nodes[node][0]).sum::<f64>();
+        let mut at = self.constants(wing.design, middle_m);
+        at[CHORD] = planform.map_or(0.0, |planform| planform.chord_m(middle_m));
+        at[ALONG] = along;
+        1.0 + strength * (self.formula.value(&at) - 1.0)
+    }
+
+    fn change_spars(&self, strength: f64, wing: &mut Structure) -> Result<(), StructureError> {
+        let planform = self.planform(wing.design);
+        for spar in 0..wing.mesh.spar_count() {
+            let elements = wing.spar_elements(spar);
+            let length_m = elements.last().map_or(0.0, |(_, [_, end_m])| *end_m);
+            for (beam, [from_m, to_m]) in elements {
+                let along = 0.5 * (from_m + to_m) / length_m;
+                let factor = self.factor(wing, beam, planform.as_ref(), along, strength);
+                wing.model
+                    .change_section(beam, |section| section.soften(1.0 / factor - 1.0))?;
             }
         }
         Ok(())
@@ -319,13 +303,14 @@ impl Effect for Custom {
             gets_wrong: "whatever its author overlooked",
             case: "a_formula_of_ones_own_does_what_it_says",
             seam: match self.target {
-                Target::Torsion | Target::Bending => Seam::Structure,
+                target if target.is_stiffness() => Seam::Structure,
                 _ => Seam::Air,
             },
             parameters: STRENGTH,
-            channels: AIR_CHANNELS,
+            channels: WING_CHANNELS,
             needs: match self.target {
                 Target::Torsion | Target::Bending => &[],
+                Target::Spars => &[Need::Spars],
                 _ if self.formula.uses(TWIST_RATE) => &[Need::Motion],
                 Target::Lift | Target::Drag | Target::CentreOfPressure => &[Need::Flow],
                 _ => &[],
@@ -335,28 +320,20 @@ impl Effect for Custom {
     }
 
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
-        let twisting = match self.target {
+        let parts = match self.target {
             Target::Torsion => 3..4,
             Target::Bending => 4..6,
+            Target::Spars => return self.change_spars(values.strength(), wing),
             _ => return Ok(()),
         };
-        for (index, beam) in wing.mesh.beams.iter().enumerate() {
-            if !matches!(beam.part, BeamPart::Rod(_)) {
-                continue;
-            }
-            let middle = 0.5
-                * beam
-                    .nodes
-                    .iter()
-                    .map(|&node| wing.mesh.nodes[node][0])
-                    .sum::<f64>();
-            let factor = self.formula.value(&self.constants(wing.design, middle));
-            let factor = (1.0 + values.strength() * (factor - 1.0)).powf(-0.5);
-            wing.model.change_section(index, |section| {
-                for part in twisting.clone() {
+        let planform = self.planform(wing.design);
+        for (beam, _) in wing.rod_elements() {
+            let factor = self.factor(wing, beam, planform.as_ref(), 0.0, values.strength());
+            wing.model.change_section(beam, |section| {
+                for part in parts.clone() {
                     for k in 0..6 {
-                        section.compliance[(part, k)] *= factor;
-                        section.compliance[(k, part)] *= factor;
+                        section.compliance[(part, k)] *= factor.powf(-0.5);
+                        section.compliance[(k, part)] *= factor.powf(-0.5);
                     }
                 }
             })?;
@@ -376,7 +353,7 @@ impl Effect for Custom {
             .into_iter()
             .map(Dual::from)
             .collect();
-        at[2] = Dual::from(place.chord_m);
+        at[CHORD] = Dual::from(place.chord_m);
         at[5] = Dual::from(place.twist_rate_rad_s());
         at[3] = air.alpha;
         at[4] = -air.alpha + place.root_angle_rad;
@@ -399,7 +376,7 @@ impl Effect for Custom {
                     _ => moved,
                 };
             }
-            Target::Torsion | Target::Bending => {}
+            Target::Torsion | Target::Bending | Target::Spars => {}
         }
     }
 }

@@ -1,8 +1,7 @@
 //! A wing that is heavier than its design: glue, paint, moisture, thicker plies.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::StructureError;
 
 /// See the module.
@@ -27,12 +26,7 @@ const CARD: Card = Card {
         range: [-0.9, 50.0],
         plausible: [-0.1, 0.3],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Frequency,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[Need::Gravity],
     has_switch: false,
 };

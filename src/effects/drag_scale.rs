@@ -1,6 +1,6 @@
 //! A drag coefficient larger or smaller than the law at the same lift.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 
@@ -26,7 +26,7 @@ const CARD: Card = Card {
         range: [-0.9, 4.0],
         plausible: [-0.2, 0.3],
     }],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flow],
     has_switch: false,
 };

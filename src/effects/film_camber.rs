@@ -1,6 +1,6 @@
 //! Camber of the film between its spars, as an airfoil would feel it: more lift, and a load at half the chord.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 use num_dual::DualNum;
@@ -27,7 +27,7 @@ const CARD: Card = Card {
         range: [-0.2, 0.2],
         plausible: [-0.05, 0.08],
     }],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flow],
     has_switch: false,
 };

@@ -1,8 +1,7 @@
 //! Tension that cooling from the cure leaves in the film, beyond what the design states.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::StructureError;
 
 /// See the module.
@@ -27,14 +26,7 @@ const CARD: Card = Card {
         range: [0.0, 1000.0],
         plausible: [0.0, 74.0],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: WING_CHANNELS,
     needs: &[Need::Film],
     has_switch: false,
 };

@@ -1,8 +1,7 @@
 //! A film that is longer than its frame: it hangs loose until it is stretched.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::{Compression, StructureError};
 
 /// See the module.
@@ -27,14 +26,7 @@ const CARD: Card = Card {
         range: [0.0, 0.1],
         plausible: [0.0, 0.005],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: WING_CHANNELS,
     needs: &[Need::WrinklingFilm],
     has_switch: true,
 };

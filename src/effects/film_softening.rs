@@ -1,8 +1,7 @@
 //! A film that is softer than its data sheet: warm, damp or creeping.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::StructureError;
 
 /// See the module.
@@ -27,14 +26,7 @@ const CARD: Card = Card {
         range: [-0.9, 50.0],
         plausible: [-0.2, 0.4],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[Need::Film],
     has_switch: false,
 };

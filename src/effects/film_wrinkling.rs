@@ -1,8 +1,7 @@
 //! A film that gives way in wrinkles instead of carrying compression.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::{Compression, StructureError};
 
 /// Share of compression that a tension field keeps, for the solver's sake.
@@ -30,14 +29,7 @@ const CARD: Card = Card {
         range: [0.0, 1.0],
         plausible: [0.0, 1.0],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: WING_CHANNELS,
     needs: &[Need::CarryingFilm],
     has_switch: false,
 };

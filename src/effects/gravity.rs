@@ -1,10 +1,9 @@
 //! Weight of the wing, for models that leave it out.
 
-use super::card::{Card, Parameter, Seam};
+use super::card::{Card, Parameter, Seam, WING_CHANNELS};
 use nalgebra::Vector3;
 
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::{Loads, weigh};
 
 /// Standard acceleration of free fall, m/s².
@@ -50,14 +49,7 @@ const CARD: Card = Card {
             plausible: [-90.0, 90.0],
         },
     ],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: WING_CHANNELS,
     needs: &[],
     has_switch: false,
 };

@@ -1,8 +1,7 @@
 //! A shear centre of the half-round rod that lies further off than the ideal section's.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::StructureError;
 
 /// See the module.
@@ -27,14 +26,7 @@ const CARD: Card = Card {
         range: [-20.0, 20.0],
         plausible: [-1.0, 5.0],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[Need::HalfRound],
     has_switch: false,
 };

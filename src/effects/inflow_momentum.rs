@@ -2,7 +2,7 @@
 
 use num_dual::{Dual64, DualNum};
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{CoefficientLaw, Flow, SectionAir};
 
@@ -28,7 +28,7 @@ const CARD: Card = Card {
         range: [0.0, 2.0],
         plausible: [0.0, 1.2],
     }],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flapping],
     has_switch: false,
 };

@@ -1,8 +1,7 @@
 //! Large rotation, for models that are run linear.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Effect, Values};
-use crate::input::measurement::Channel;
 
 /// See the module.
 #[derive(Debug)]
@@ -26,14 +25,7 @@ const CARD: Card = Card {
         range: [0.0, 1.0],
         plausible: [0.0, 1.0],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: WING_CHANNELS,
     needs: &[Need::Linear],
     has_switch: false,
 };

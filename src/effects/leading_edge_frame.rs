@@ -1,8 +1,7 @@
 //! A strip of prepreg along the leading edge that works with the rod.
 
-use super::card::{Card, Parameter, Seam};
+use super::card::{Card, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::section::BeamMaterial;
 use crate::structure::{Section, StructureError};
 
@@ -56,14 +55,7 @@ const CARD: Card = Card {
             plausible: [1.0, 4.0],
         },
     ],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[],
     has_switch: false,
 };

@@ -1,6 +1,6 @@
 //! The leading-edge vortex does not stay attached beyond some chords from the axis, and lift falls there.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{Flow, SectionAir, SectionCoefficients};
 
@@ -36,7 +36,7 @@ const CARD: Card = Card {
             plausible: [3.0, 5.5],
         },
     ],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flapping],
     has_switch: false,
 };

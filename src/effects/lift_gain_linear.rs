@@ -1,6 +1,6 @@
 //! Lift coefficient that grows with the local twist, in proportion: the paper's shape factor in its plainest form.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 
@@ -26,7 +26,7 @@ const CARD: Card = Card {
         range: [-1.5, 6.0],
         plausible: [0.0, 2.0],
     }],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flow],
     has_switch: false,
 };

@@ -1,6 +1,6 @@
 //! Lift coefficient that grows with the local twist up to a bound: a rival form of the paper's shape factor.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 use num_dual::DualNum;
@@ -37,7 +37,7 @@ const CARD: Card = Card {
             plausible: [5.0, 40.0],
         },
     ],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flow],
     has_switch: false,
 };

@@ -1,6 +1,6 @@
 //! The air load of an earlier stroke phase: circulation, or a creeping wing, follows the stroke late.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{Flow, SectionAir};
 
@@ -26,7 +26,7 @@ const CARD: Card = Card {
         range: [-60.0, 60.0],
         plausible: [0.0, 25.0],
     }],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flapping],
     has_switch: false,
 };

@@ -1,8 +1,7 @@
 //! A rod that ends, or is much thinner, before the tip.
 
-use super::card::{Card, Parameter, Places, Seam};
+use super::card::{Card, Parameter, Places, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::StructureError;
 
 /// See the module.
@@ -37,14 +36,7 @@ const CARD: Card = Card {
             plausible: [0.3, 0.95],
         },
     ],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[],
     has_switch: false,
 };

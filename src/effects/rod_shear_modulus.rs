@@ -1,8 +1,7 @@
 //! A rod whose shear modulus is not the assumed one: resin-rich, damp, or of another maker.
 
-use super::card::{Card, Parameter, Seam};
+use super::card::{Card, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::StructureError;
 
 /// See the module.
@@ -27,7 +26,7 @@ const CARD: Card = Card {
         range: [-0.9, 20.0],
         plausible: [-0.35, 0.35],
     }],
-    channels: &[Channel::Twist, Channel::TwistRate, Channel::Deflection],
+    channels: STRUCTURE_CHANNELS,
     needs: &[],
     has_switch: false,
 };

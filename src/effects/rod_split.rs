@@ -2,9 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::card::{Card, Parameter, Places, Seam};
+use super::card::{Card, Parameter, Places, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::StructureError;
 
 /// What two sliding halves add to the compliance of a round rod in bending, over its own: I of the whole over twice
@@ -46,14 +45,7 @@ const CARD: Card = Card {
             plausible: [0.0, 0.95],
         },
     ],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[],
     has_switch: false,
 };

@@ -1,8 +1,7 @@
 //! A root edge of the film that is glued or tied instead of free.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::{Spring, StructureError};
 
 /// See the module.
@@ -27,14 +26,7 @@ const CARD: Card = Card {
         range: [0.0, 1000000.0],
         plausible: [0.0, 10.0],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[Need::Film],
     has_switch: false,
 };

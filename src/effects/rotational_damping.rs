@@ -1,6 +1,6 @@
 //! Drag of a section against its own turning, with the square of the rate.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 
@@ -36,7 +36,7 @@ const CARD: Card = Card {
             plausible: [2.0, 8.0],
         },
     ],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Motion],
     has_switch: false,
 };

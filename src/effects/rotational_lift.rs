@@ -2,7 +2,7 @@
 
 use num_dual::DualNum;
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 
@@ -38,7 +38,7 @@ const CARD: Card = Card {
             plausible: [0.0, 0.3],
         },
     ],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Motion],
     has_switch: false,
 };

@@ -1,8 +1,7 @@
 //! A skin or coating that helps the rod to bend out of the wing's plane until it gives way.
 
-use super::card::{Card, Parameter, Places, Seam};
+use super::card::{Card, Parameter, Places, Seam, WING_CHANNELS};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::{Skin, StructureError};
 
 /// See the module.
@@ -49,14 +48,7 @@ const CARD: Card = Card {
             plausible: [0.0, 0.5],
         },
     ],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: WING_CHANNELS,
     needs: &[],
     has_switch: false,
 };

@@ -1,8 +1,7 @@
 //! Spars that bend and twist more or less easily than stated.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::StructureError;
 
 /// See the module.
@@ -27,14 +26,7 @@ const CARD: Card = Card {
         range: [-0.95, 1000.0],
         plausible: [-0.4, 0.6],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[Need::Spars],
     has_switch: false,
 };

@@ -1,6 +1,6 @@
 //! The angle of the largest lift moved: stall comes later or earlier than the law says.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 
@@ -26,7 +26,7 @@ const CARD: Card = Card {
         range: [-25.0, 25.0],
         plausible: [-8.0, 8.0],
     }],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flow],
     has_switch: false,
 };

@@ -1,9 +1,8 @@
 //! Play of the pitch stop: the root turns freely until the stop is met.
 
-use super::card::{Card, Parameter, Seam};
+use super::card::{Card, Parameter, Seam, WING_CHANNELS};
 use super::{Effect, Structure, Values};
 use crate::aero::Flow;
-use crate::input::measurement::Channel;
 use crate::structure::{BeamTwist, Loads};
 
 /// See the module.
@@ -28,14 +27,7 @@ const CARD: Card = Card {
         range: [0.0, 45.0],
         plausible: [0.0, 5.0],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: WING_CHANNELS,
     needs: &[],
     has_switch: true,
 };

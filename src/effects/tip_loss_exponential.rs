@@ -1,6 +1,6 @@
 //! Tip loss that fades inward within a stated part of the chord: the rival of Prandtl's factor.
 
-use super::card::{AIR_CHANNELS, Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 
@@ -36,7 +36,7 @@ const CARD: Card = Card {
             plausible: [0.2, 1.0],
         },
     ],
-    channels: AIR_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::Flow],
     has_switch: false,
 };

@@ -1,9 +1,8 @@
 //! Tip loss by Prandtl's factor: the load falls to nothing at the tip, where the air flows around it.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
 use super::{Dual, Effect, StripPlace, Values};
 use crate::aero::{Flow, SectionAir, SectionCoefficients};
-use crate::input::measurement::Channel;
 
 /// See the module.
 #[derive(Debug)]
@@ -27,13 +26,7 @@ const CARD: Card = Card {
         range: [0.0, 1.0],
         plausible: [0.0, 1.0],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: WING_CHANNELS,
     needs: &[Need::Flow],
     has_switch: false,
 };

@@ -1,11 +1,10 @@
 //! A mass at the tip that the model does not know: glue, a marker, a sensor.
 
-use super::card::{Card, Need, Parameter, Seam};
+use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam};
 use nalgebra::Vector3;
 
 use super::{Effect, Structure, Values};
 use crate::geometry::Planform;
-use crate::input::measurement::Channel;
 use crate::structure::{PointMass, StructureError};
 
 /// See the module.
@@ -40,12 +39,7 @@ const CARD: Card = Card {
             plausible: [0.0, 1.0],
         },
     ],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Frequency,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[Need::Gravity],
     has_switch: false,
 };

@@ -1,8 +1,7 @@
 //! A rod whose clamped end cannot warp, and therefore hardly twists near it.
 
-use super::card::{Card, Parameter, Seam};
+use super::card::{Card, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::input::measurement::Channel;
 use crate::structure::StructureError;
 
 /// See the module.
@@ -27,14 +26,7 @@ const CARD: Card = Card {
         range: [0.0, 1000.0],
         plausible: [0.0, 3.0],
     }],
-    channels: &[
-        Channel::Twist,
-        Channel::TwistRate,
-        Channel::Deflection,
-        Channel::Lift,
-        Channel::Drag,
-        Channel::Power,
-    ],
+    channels: STRUCTURE_CHANNELS,
     needs: &[],
     has_switch: false,
 };

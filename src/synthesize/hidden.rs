@@ -128,37 +128,24 @@ fn hide_known(
         )));
     }
     let other = match formulas {
-        // numbers of its own are numbers of its own formula
-        Formulas::Other if effect.table.is_empty() => rival(&effect.name, effect.strength),
-        _ => None,
+        Formulas::Other => rival(effect),
+        Formulas::Same => None,
     };
-    let (name, table, formula, strength) = match other {
-        Some(Rival::Known(name, strength)) => (
-            name.to_string(),
-            with_strength(&effect.table, strength),
-            name.to_string(),
-            strength,
-        ),
-        Some(Rival::Own(own)) => {
-            let formula = own.table["expression"].as_str().unwrap_or_default().to_string();
-            (
-                own.name.clone(),
-                with_strength(&own.table, own.strength),
-                formula,
-                own.strength,
-            )
+    let is_other = other.is_some();
+    let parts: Vec<(String, toml::Table)> = match other {
+        Some(Rival::Known(name, strength)) => {
+            vec![(name.to_string(), with_strength(&effect.table, strength))]
         }
-        None => (
-            effect.name.clone(),
-            with_strength(&effect.table, effect.strength),
-            effect.name.clone(),
-            effect.strength,
-        ),
+        Some(Rival::Own(parts)) => parts
+            .into_iter()
+            .map(|own| (own.name, with_strength(&own.table, own.strength)))
+            .collect(),
+        None => vec![(effect.name.clone(), with_strength(&effect.table, effect.strength))],
     };
     let mut touched = 0;
     for case in &mut study.cases {
         if effect.is_on(&case.loaded.design) && is_applicable(card, &case.loaded.design) {
-            case.loaded.design.effects.insert(name.clone(), table.clone());
+            case.loaded.design.effects.extend(parts.iter().cloned());
             touched += 1;
         }
     }
@@ -170,8 +157,13 @@ fn hide_known(
         asked: effect.name.clone(),
         family: card.family.to_string(),
         strength: effect.strength,
-        formula,
-        formula_strength: strength,
+        formula: parts
+            .iter()
+            .map(|(name, table)| formula(name, table))
+            .collect::<Vec<_>>()
+            .join("; "),
+        formula_strength: parts[0].1["strength"].as_float().unwrap_or(effect.strength),
+        is_other,
     })
 }
 
@@ -194,9 +186,18 @@ fn hide_own(study: &mut LoadedStudy, effect: &Hidden) -> Result<Acted, Synthesiz
         asked: effect.name.clone(),
         family: "user's own".to_string(),
         strength: effect.strength,
-        formula: table["expression"].as_str().unwrap_or_default().to_string(),
+        formula: formula(&effect.name, &table),
         formula_strength: effect.strength,
+        is_other: true,
     })
+}
+
+/// What acts: an effect by its name, or a formula.
+fn formula(name: &str, table: &toml::Table) -> String {
+    match (table.get("acts_on"), table.get("expression")) {
+        (Some(toml::Value::String(acts_on)), Some(toml::Value::String(text))) => format!("{acts_on}: {text}"),
+        _ => name.to_string(),
+    }
 }
 
 fn with_strength(table: &toml::Table, strength: f64) -> toml::Table {

@@ -84,6 +84,9 @@ pub struct Acted {
     pub formula: String,
     /// The strength with which that acted.
     pub formula_strength: f64,
+    /// Whether that is another formula than the diagnosis has; some effects have but one.
+    #[serde(default)]
+    pub is_other: bool,
 }
 
 /// A value that was drawn from its prior.

@@ -170,6 +170,9 @@ fn what_was_hidden_is_found_and_data_of_the_same_making_are_refused() {
     let answer: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(folder.path().join("try/answer.json")).unwrap()).unwrap();
     assert_eq!(answer["acted"][0]["asked"], "root-flexure");
+    // of a soft root there is no other formula, and that is said
+    assert_eq!(answer["acted"][0]["is_other"], false);
+    assert_eq!(made["same_formula"][0], "root-flexure");
     let recipe = &answer["recipe"]["made"];
     assert!(
         recipe["mesh"] != 1.0 && recipe["seed"] != 1 && recipe["formulas"] == "other",
@@ -195,6 +198,70 @@ fn what_was_hidden_is_found_and_data_of_the_same_making_are_refused() {
         refused.err
     );
     json(&run(&["diagnose", "try/study.toml", "--own-data", "--json"]));
+}
+
+#[test]
+fn effects_that_have_a_rival_are_hidden_by_it_and_two_of_them_do_not_displace_each_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = concat!(env!("CARGO_MANIFEST_DIR"), "/studies/three-rods.toml");
+    let hidden = [
+        "coefficient-scale=-0.2",
+        "skin-torsion=0.2",
+        "tip-loss-prandtl=0.5",
+        "spar-stiffness=0.3",
+        "rod-ends-early=0.3",
+    ];
+    let effects: Vec<&str> = hidden.iter().flat_map(|effect| ["--effect", effect]).collect();
+    let made = json(&washout(
+        folder.path(),
+        &[&["synthesize", study, "--output", "try", "--json"][..], &effects].concat(),
+    ));
+    assert_eq!(made["same_formula"].as_array().map(Vec::len), Some(0), "{made}");
+    let answer: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(folder.path().join("try/answer.json")).unwrap()).unwrap();
+    let acted = answer["acted"].as_array().unwrap();
+    assert_eq!(acted.len(), hidden.len());
+    for acted in acted {
+        assert!(
+            acted["is_other"] == true && acted["formula"] != acted["asked"],
+            "{acted}"
+        );
+    }
+    // what all of them do is not what any one does
+    let read = |name: &str, effects: &[&str]| {
+        let made = [
+            &[
+                "synthesize",
+                study,
+                "--output",
+                name,
+                "--background",
+                "0",
+                "--noise",
+                "0",
+            ][..],
+            effects,
+        ];
+        let said = washout(folder.path(), &made.concat());
+        assert_eq!(said.code, Some(0), "{}", said.err);
+        let written = fs::read_dir(folder.path().join(name)).unwrap();
+        let csv = written
+            .map(|file| file.unwrap().path())
+            .find(|file| file.extension().is_some_and(|end| end == "csv"));
+        fs::read_to_string(csv.unwrap()).unwrap()
+    };
+    let both = read(
+        "both",
+        &[
+            "--effect",
+            "skin-torsion=0.2",
+            "--effect",
+            "coefficient-scale=-0.2",
+        ],
+    );
+    for (name, one) in [("skin", "skin-torsion=0.2"), ("air", "coefficient-scale=-0.2")] {
+        assert_ne!(both, read(name, &["--effect", one]), "{one}");
+    }
 }
 
 #[test]

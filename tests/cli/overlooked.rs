@@ -62,6 +62,24 @@ fn a_moment_that_calibration_has_taken_up_is_found_in_its_place_with_its_powers(
         let [value, error] = [0, 1].map(|k| found[k].as_f64().unwrap());
         assert!((value - power).abs() < error, "{of}: {value} ± {error}");
     }
+    // the table that it writes is an effect: it joins the model as it stands
+    let draft = novel["draft"]["effect"].as_str().unwrap();
+    fs::write(folder.path().join("missing.toml"), draft).unwrap();
+    let add = [
+        "add",
+        "missing",
+        "--own",
+        "missing.toml",
+        "--to",
+        "s/three-rods.toml",
+        "--output",
+        "with.toml",
+    ];
+    let added = json(&washout(folder.path(), &[&add[..], &["--json", "-q"]].concat()));
+    let strength = added["strength"][0].as_f64().unwrap();
+    assert!((strength - 1.0).abs() < 0.2, "{strength}");
+    let [before, after] = [1, 2].map(|rung| added["ladder"][rung]["held_out_sigma"].as_f64().unwrap());
+    assert!(after < 0.25 * before, "{before} σ, {after} σ with the table");
 }
 
 /// What is off changes no bit of a prediction, and every number of what is on has the derivative that differences of solves have.

@@ -1,9 +1,15 @@
 //! The picture on every card: what the effect does to the wing of `washout init`.
 
+use crate::{base, mesh, with};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use washout::coupling::wing::Wing;
 use washout::effects::{Card, all, named};
 use washout::explore::signature;
+use washout::input::design::Design;
+use washout::input::measurement::Channel;
 use washout::progress::Progress;
+use washout::structure::state::State;
+use washout::structure::{Equilibrium, Loads, Vibration, lowest_modes};
 
 #[test]
 fn every_effect_moves_the_example_wing() {
@@ -17,7 +23,14 @@ fn every_effect_moves_the_example_wing() {
                 Ok(found) => {
                     let twist = found.stations.iter().map(|station| station.change_deg);
                     let all: Vec<f64> = twist.chain([found.tip_deflection_mm, found.lift_mn]).collect();
-                    let is_seen = all.iter().any(|change| *change != 0.0);
+                    let twists = all[..all.len() - 2].iter().any(|change| *change != 0.0);
+                    let [deflects, lifts] = [all.len() - 2, all.len() - 1].map(|place| all[place] != 0.0);
+                    // drag and power follow the twist
+                    let is_seen = card.channels.iter().all(|channel| match channel {
+                        Channel::Deflection => deflects,
+                        Channel::Lift => lifts,
+                        _ => twists,
+                    });
                     let is_finite = all.iter().all(|change| change.is_finite());
                     (!is_seen || !is_finite || found.stations.len() != 5).then(|| format!("{name}: {all:?}"))
                 }
@@ -38,4 +51,44 @@ fn a_soft_root_turns_the_whole_example_wing_the_most_at_its_root() {
         "{change:?}"
     );
     assert!(found.lift_mn < 0.0, "{}", found.lift_mn);
+}
+
+/// Of the wing at rest and in a vacuum, Hz.
+fn frequencies(design: &Design) -> Vec<f64> {
+    let (_, mesh) = mesh(design);
+    let wing = Wing::new(design, &mesh, None).unwrap();
+    let mut equilibrium = Equilibrium::new(&wing.model).unwrap();
+    let rest = State::at_rest(mesh.nodes.len());
+    let found = lowest_modes(
+        &mut equilibrium,
+        &rest,
+        &Loads::none(mesh.nodes.len()),
+        &[],
+        12,
+        &Progress::quiet(),
+    );
+    match found.unwrap() {
+        Vibration::Stable(modes) => modes.iter().map(|mode| mode.frequency_hz).collect(),
+        Vibration::Unstable { .. } => panic!("{} is unstable at rest", design.name),
+    }
+}
+
+#[test]
+fn natural_frequencies_change_with_the_effects_whose_cards_say_so() {
+    for effect in all() {
+        let card = effect.card();
+        if card.channels.contains(&Channel::Frequency) {
+            let (base, _) = base(&card);
+            let on = with(&base, &card, 0.5 * card.parameters[0].scale());
+            let [before, now] = [&base, &on].map(frequencies);
+            let moved = before
+                .iter()
+                .zip(&now)
+                .map(|(a, b)| (b / a - 1.0).abs())
+                .fold(0.0, f64::max);
+            println!("{:24} {moved:.1e}", card.name);
+            // modes are good to 1e-8
+            assert!(moved > 1e-6, "{}: {before:?} {now:?}", card.name);
+        }
+    }
 }

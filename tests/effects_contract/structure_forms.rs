@@ -2,6 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use washout::coupling::wing::Wing;
+use washout::effects::custom::Custom;
 use washout::input::design::{Design, Flat, Section};
 use washout::mesh::{BeamPart, Mesh, for_design};
 use washout::progress::Progress;
@@ -342,6 +343,17 @@ fn a_spar_cracked_in_the_middle_hinges_there() {
 fn a_spar_of_half_the_stiffness_bends_twice_as_far() {
     let (found, _) = spar_deflection(&with(with_spar(), "spar-stiffness", 1.0));
     assert_near(found, 2.0 / 3.0, 1e-3);
+}
+
+/// A formula of one's own on the spars, EI' = EI / (1 + x/L): ∫ (1 + ξ)(1 − ξ)² dξ = 5/12.
+#[test]
+fn a_spar_that_tapers_by_a_formula_of_ones_own_bends_by_its_integral() {
+    let mut design = with_spar();
+    let mut table = Custom::table("spars", "1 / (1 + along)");
+    table.insert("strength".to_string(), toml::Value::Float(1.0));
+    design.effects.insert("taper".to_string(), table);
+    let (found, _) = spar_deflection(&design);
+    assert_near(found, 5.0 / 12.0, 2e-3);
 }
 
 #[test]
