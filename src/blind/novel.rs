@@ -17,9 +17,9 @@ const SOFTEST: f64 = 50.0;
 /// Powers of frequency and amplitude by which a moment grows.
 const LAWS: [[i32; 2]; 6] = [[0, 0], [1, 0], [0, 1], [2, 0], [1, 2], [2, 1]];
 
-/// Where along the span something acts: nobody's cause has the shape of the humps by which a diagnosis looks for it.
+/// Where along the span something acts: a hump, a stretch with blurred ends, a slope from one place to the tip, or two humps, of any width.
 ///
-/// A hump, a stretch with blurred ends, a slope from one place to the tip, or two humps, of any width.
+/// A diagnosis fits one hump of one width; a cause of nobody's library has that by chance at most.
 fn shape(draws: Draws, widest: f64) -> String {
     let place = 0.2 + 0.6 * draws.uniform(5, 0);
     let width = widest * (0.3 + 0.7 * draws.uniform(5, 5));

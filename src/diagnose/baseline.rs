@@ -64,6 +64,8 @@ pub struct Baseline<'a> {
     pub screening: Work,
     /// What the model left at the first fit, with all derivatives.
     pub footing: Option<Footing>,
+    /// Missing effects (positions) of which nothing is known: no derivative, and no solution at their plausible size.
+    pub unanswered: Vec<usize>,
 }
 
 impl<'a> Baseline<'a> {
@@ -100,6 +102,7 @@ impl<'a> Baseline<'a> {
                     missing: slopes,
                     mut admitted,
                     footing,
+                    unanswered,
                 },
             mut moment,
         } = match shared {
@@ -158,6 +161,7 @@ impl<'a> Baseline<'a> {
             likelihood,
             screening,
             footing,
+            unanswered,
         })
     }
 
@@ -210,6 +214,7 @@ impl<'a> Baseline<'a> {
             likelihood: self.likelihood,
             screening: self.screening,
             footing: self.footing.clone(),
+            unanswered: self.unanswered.clone(),
             admitted,
             scatter,
             fit,

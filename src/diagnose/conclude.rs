@@ -7,6 +7,8 @@ use super::hump::Hump;
 use super::judge::Judgement;
 use super::library::Trial;
 use super::posterior::{Case, Weight, beliefs, class_around, fold, level_class, refuted};
+use super::prior::StrengthPrior;
+use super::rows::{strength_of, unknown};
 use super::screening::Directions;
 use super::whitened::Whitened;
 
@@ -100,12 +102,11 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline) {
                     seconds: Vec::new(),
                 });
             } else {
-                fold(
-                    &mut weights,
-                    shown,
-                    Some(other).filter(|&k| would_show(k)),
-                    ln_weight,
-                );
+                fold(&mut weights, shown, ln_weight);
+                if would_show(other) {
+                    let told = ln_told(judgement, baseline, [a, b], other);
+                    weights[shown].seconds.push((other, told));
+                }
             }
         }
     }
@@ -128,6 +129,34 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline) {
     judgement.beliefs = beliefs(&weights, baseline.settings.tempering);
     let novel = judgement.beliefs.iter().find(|belief| belief.case == Case::Novel);
     judgement.novel_as_weighed = novel.map_or(0.0, |belief| belief.probability);
+}
+
+/// ln of the weight of a pair with strengths of its `second` that these data tell from none: what they cannot tell is the first alone.
+fn ln_told(judgement: &Judgement, baseline: &Baseline, pair: [usize; 2], second: usize) -> f64 {
+    let first = judgement.singles.len();
+    let own = judgement.pairs.iter().enumerate();
+    let own = own
+        .filter(|(_, trial)| trial.families == pair)
+        .map(|(place, trial)| {
+            let explanation = judgement.refits.iter().find(|(index, _)| *index == first + place);
+            let explanation = explanation.map(|(_, explanation)| explanation);
+            let members = explanation.map_or(&trial.members, |explanation| &explanation.members);
+            let seconds = &judgement.families[second].members;
+            let told = (members.iter().enumerate())
+                .filter(|(_, k)| seconds.contains(k))
+                .map(|(position, &k)| {
+                    let unknown = unknown(baseline, k);
+                    let [value, error] = strength_of(baseline, trial, explanation, position);
+                    match StrengthPrior::of(unknown).filter(|_| error > 0.0) {
+                        Some(prior) => prior.share_told(value / unknown.sigma, error / unknown.sigma),
+                        // what is all or none is all
+                        None => 1.0,
+                    }
+                })
+                .fold(0.0, f64::max);
+            judgement.weight(first + place) + told.ln()
+        });
+    ln_sum(own.collect::<Vec<f64>>().into_iter())
 }
 
 /// Evidence of none that is known: half for fields that may be anything, half for one hump, each kind as much as its fields.

@@ -51,3 +51,15 @@ impl From<StudyError> for DiagnoseError {
         }
     }
 }
+
+/// An answer of the model where it may have no solution: none there.
+///
+/// # Errors
+/// If the user asked to stop.
+pub fn where_solved<T>(answer: Result<T, StudyError>) -> Result<Option<T>, Cancelled> {
+    match answer {
+        Ok(answer) => Ok(Some(answer)),
+        Err(StudyError::Cancelled(cancelled)) => Err(cancelled),
+        Err(_) => Ok(None),
+    }
+}

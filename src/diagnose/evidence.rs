@@ -56,6 +56,8 @@ pub struct LinearEvidence {
     pub q: f64,
     /// Estimates in prior standard deviations.
     pub estimate: [f64; 2],
+    /// Their standard errors.
+    pub error: [f64; 2],
 }
 
 /// Evidence of one more direction `a` (length per prior standard deviation, free of the fit) with `dot` = a·e; `prior` of its strength, if
@@ -71,13 +73,15 @@ pub fn of_one(
     let estimate = dot / curvature;
     let q = q0 - dot * estimate;
     let mut ln_gain = -0.5 * curvature.ln() + likelihood.ln(q) - likelihood.ln(q0);
+    let error = (likelihood.variance(q) / curvature).sqrt();
     if let Some(prior) = prior {
-        ln_gain += prior.ln_factor(estimate, (likelihood.variance(q) / curvature).sqrt());
+        ln_gain += prior.ln_factor(estimate, error);
     }
     LinearEvidence {
         ln_gain,
         q,
         estimate: [estimate, 0.0],
+        error: [error, 0.0],
     }
 }
 
@@ -98,12 +102,18 @@ pub fn of_two(
     let q = (q0 - dot[0] * estimate[0] - dot[1] * estimate[1]).max(0.0);
     let mut ln_gain = -0.5 * determinant.ln() + likelihood.ln(q) - likelihood.ln(q0);
     let variance = likelihood.variance(q);
-    for (k, other) in [(0, b), (1, a)] {
+    let error = [b, a].map(|other| (variance * other / determinant).sqrt());
+    for k in 0..2 {
         if let Some(prior) = priors[k] {
-            ln_gain += prior.ln_factor(estimate[k], (variance * other / determinant).sqrt());
+            ln_gain += prior.ln_factor(estimate[k], error[k]);
         }
     }
-    LinearEvidence { ln_gain, q, estimate }
+    LinearEvidence {
+        ln_gain,
+        q,
+        estimate,
+        error,
+    }
 }
 
 /// A linear field `a` X v with v ~ N(0, I): evidence against none, by the singular value decomposition of X.

@@ -41,6 +41,8 @@ pub struct Judgement {
     pub refits: Vec<(usize, Explanation)>,
     /// Trials whose fit settled nowhere.
     pub unsettled: Vec<usize>,
+    /// Trials whose standard errors do not hold what a percent of the model moves with their effects.
+    pub narrow: Vec<usize>,
     /// Evidence of each trial (singles, then pairs), with refits where there are.
     pub ln_evidence: Vec<f64>,
     /// Unnamed fields.
@@ -255,6 +257,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         pairs,
         refits: Vec::new(),
         unsettled: Vec::new(),
+        narrow: Vec::new(),
         ln_evidence,
         weighed,
         humps: Humps::default(),

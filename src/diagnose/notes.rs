@@ -9,6 +9,7 @@ use super::ladder::held_out_sigma;
 use super::posterior::{Case, SEPARATE};
 use super::refit::Explanation;
 use super::robust::stability;
+use super::rows::name;
 use super::screening::effect_of;
 
 /// The notes of a diagnosis.
@@ -56,6 +57,26 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, 
     {
         notes.push(format!(
             "What was held out is met worse with the first of these, by {with:.1} sigma instead of {without:.1}."
+        ));
+    }
+    let unanswered = baseline.unanswered.iter().map(|&k| name(baseline, k));
+    let unanswered: Vec<String> = unanswered.collect();
+    if !unanswered.is_empty() {
+        notes.push(format!(
+            "{}: no derivative at none, and no equilibrium at the plausible size; these were not looked at.",
+            unanswered.join(", ")
+        ));
+    }
+    let narrow = judgement
+        .narrow
+        .iter()
+        .flat_map(|&index| &judgement.trial(index).members);
+    let narrow: Vec<String> = narrow.map(|&k| name(baseline, k)).collect();
+    if !narrow.is_empty() {
+        notes.push(format!(
+            "Standard errors with {} do not hold what a percent of chord, stiffness or air moves with the effect: the model has no \
+             derivatives there.",
+            narrow.join(", ")
         ));
     }
     let unsettled = unsettled(judgement);

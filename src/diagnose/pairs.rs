@@ -8,16 +8,13 @@ use super::error::DiagnoseError;
 use super::evidence::{LinearEvidence, of_one};
 use super::judge::Judgement;
 use super::library::{Trial, heaviest};
-use super::prior::StrengthPrior;
+use super::prior::{NOTHING, StrengthPrior};
 use super::refit::{Explanation, Refits};
 use super::screening::{Directions, slopes_of_missing};
 use super::whitened::Whitened;
 
 /// Pairs are fitted anew only if the linear model puts one this close to the best explanation.
 const PAIR_CHANCE: f64 = 8.0;
-
-/// A strength within this many standard errors of zero is as good as nothing.
-const NOTHING: f64 = 2.0;
 
 /// Pairs with where their fit is to start: members, and strengths in prior standard deviations.
 type Starts = Vec<Option<(Vec<usize>, Vec<f64>)>>;
@@ -55,6 +52,9 @@ pub fn refit_pairs(
             let gain = gain_of(baseline, &directions, whitened.q(), second);
             judgement.ln_evidence[first + pair] = explanation.ln_evidence + gain.ln_gain;
             *start = Some(joined(baseline, &explanation, second, gain.estimate[0]));
+            let trial = &mut judgement.pairs[pair];
+            let place = usize::from(trial.members[1] == second);
+            (trial.linear.estimate[place], trial.linear.error[place]) = (gain.estimate[0], gain.error[0]);
         }
     }
     let count = settings.pair_refits;

@@ -9,7 +9,7 @@ use crate::study::Forward;
 use crate::study::left_out::Local;
 
 use super::data::{Data, Scatter, start};
-use super::error::DiagnoseError;
+use super::error::{DiagnoseError, where_solved};
 use super::posterior::SEPARATE;
 use super::screening::{
     Directions, ENOUGH_POWER, Slopes, effect_of, family_wise, is_one_sided, power_at_distance,
@@ -48,6 +48,8 @@ pub struct PlannedEffect {
     pub standard_error: f64,
     /// Distance from none, in standard deviations, at its plausible size.
     pub detectability: f64,
+    /// Whether the model has no solution at that size: the distance is what the derivative says.
+    pub has_no_solution: bool,
     /// Probability to see it at its plausible size.
     pub power: f64,
     /// Share of its signature that the model's own unknowns would absorb.
@@ -98,6 +100,7 @@ impl Outlook {
         let Slopes {
             missing: slopes,
             admitted,
+            unanswered,
             ..
         } = slopes_of_missing(forward, &data, &start, settings, None)?;
         let size = data.rows.len();
@@ -118,40 +121,45 @@ impl Outlook {
             .noise
             .whiten_columns(&slopes.select_rows(data.rows.iter()));
         let level = family_wise(settings.significance, data.missing.len());
-        let seen_at = |i: usize, strength: f64| {
+        let seen_at = |i: usize, strength: f64| -> Result<Option<f64>, DiagnoseError> {
             let mut there = start.clone();
             there[i] = strength;
-            let moved = forward.predict(&there).ok()? - &linear.value;
-            let moved = DMatrix::from_column_slice(moved.len(), 1, moved.as_slice());
-            Some(whitened.directions(&moved).norm())
+            let moved = where_solved(forward.predict(&there))?.map(|moved| moved - &linear.value);
+            Ok(moved.map(|moved| {
+                let moved = DMatrix::from_column_slice(moved.len(), 1, moved.as_slice());
+                whitened.directions(&moved).norm()
+            }))
         };
-        let mut effects: Vec<PlannedEffect> = (0..data.missing.len())
-            .filter_map(|k| {
-                let unknown = &unknowns[data.missing[k]];
-                let (effect, family, scale, one_sided) = effect_of(unknown)?;
-                let (length, whole) = (directions.lengths[k], before.column(k).norm());
-                let by_slope = scale / unknown.sigma * length;
-                let detectability = match by_slope > STRAIGHT {
-                    true => seen_at(data.missing[k], scale).unwrap_or(by_slope),
-                    false => by_slope,
-                };
-                Some(PlannedEffect {
-                    effect: effect.to_string(),
-                    family: family.to_string(),
-                    scale,
-                    unit: unknown.unit.clone(),
-                    standard_error: unknown.sigma / length.max(1e-9),
-                    detectability,
-                    power: power_at_distance(detectability, one_sided, level),
-                    absorbed: if whole > 0.0 {
-                        1.0 - (length / whole).min(1.0)
-                    } else {
-                        0.0
-                    },
-                    confused_with: confused(forward, &data, &directions, k),
-                })
-            })
-            .collect();
+        let mut effects: Vec<PlannedEffect> = Vec::new();
+        for k in 0..data.missing.len() {
+            let unknown = &unknowns[data.missing[k]];
+            let Some((effect, family, scale, one_sided)) = effect_of(unknown) else {
+                continue;
+            };
+            let (length, whole) = (directions.lengths[k], before.column(k).norm());
+            let by_slope = scale / unknown.sigma * length;
+            let by_model = match by_slope > STRAIGHT {
+                true => seen_at(data.missing[k], scale)?,
+                false => Some(by_slope).filter(|_| !unanswered.contains(&k)),
+            };
+            let detectability = by_model.unwrap_or(by_slope);
+            effects.push(PlannedEffect {
+                effect: effect.to_string(),
+                family: family.to_string(),
+                scale,
+                unit: unknown.unit.clone(),
+                standard_error: unknown.sigma / length.max(1e-9),
+                detectability,
+                has_no_solution: by_model.is_none(),
+                power: power_at_distance(detectability, one_sided, level),
+                absorbed: if whole > 0.0 {
+                    1.0 - (length / whole).min(1.0)
+                } else {
+                    0.0
+                },
+                confused_with: confused(forward, &data, &directions, k),
+            });
+        }
         effects.sort_by(|a, b| b.detectability.total_cmp(&a.detectability));
         // of an effect that may sit anywhere, its most visible place
         let mut names: Vec<String> = Vec::new();

@@ -29,7 +29,7 @@ pub struct Weight {
     pub ln_weight: f64,
     /// Logarithm of the likelihood of its best fit alone, prices of priors included.
     pub ln_likelihood: f64,
-    /// Families that may be missing besides without the data telling, with their part of the weight (logarithms).
+    /// Families that may be missing besides, with strengths that the data would show; their parts of the weight (logarithms).
     pub seconds: Vec<(usize, f64)>,
 }
 
@@ -42,7 +42,7 @@ pub struct Belief {
     pub probability: f64,
     /// Whether it belongs to the smallest set that holds the truth with 95 %.
     pub in_set: bool,
-    /// Families that may be missing besides without the data telling, with their part of the probability.
+    /// Families that may be missing besides, with strengths that the data would show; their parts of the probability.
     pub seconds: Vec<(usize, f64)>,
     /// Whether the data show all of it; a second family may be one that they merely allow.
     pub is_shown: bool,
@@ -137,14 +137,9 @@ fn seconds(weight: &Weight) -> Vec<(usize, f64)> {
     parts
 }
 
-/// Adds the weight of a pair to that of the one of it that the data show: the other may be there or not; `second` if it is one that
-/// data like these would show as a rule.
-pub fn fold(weights: &mut [Weight], into: usize, second: Option<usize>, ln_weight: f64) {
-    let total = ln_sum([weights[into].ln_weight, ln_weight].into_iter());
-    weights[into].ln_weight = total;
-    weights[into]
-        .seconds
-        .extend(second.map(|second| (second, ln_weight)));
+/// Adds the weight of a pair to that of the one of it that the data show: the other may be there or not.
+pub fn fold(weights: &mut [Weight], into: usize, ln_weight: f64) {
+    weights[into].ln_weight = ln_sum([weights[into].ln_weight, ln_weight].into_iter());
 }
 
 /// Shares the probability of explanations that the data cannot tell apart (`class`: positions in `weights`) by how
@@ -242,9 +237,10 @@ mod tests {
             weight(Case::One(1), 0.1f64.ln()),
             weight(Case::Nothing, 0.02f64.ln()),
         ];
-        fold(&mut weights, 0, Some(1), 0.15f64.ln());
-        fold(&mut weights, 0, None, 0.05f64.ln());
-        fold(&mut weights, 0, Some(2), 0.08f64.ln());
+        for share in [0.15f64, 0.05, 0.08] {
+            fold(&mut weights, 0, share.ln());
+        }
+        weights[0].seconds = vec![(1, 0.15f64.ln()), (2, 0.08f64.ln())];
         let folded = beliefs(&weights, 1.0);
         assert!((folded[0].probability - 0.88).abs() < 1e-12 && folded[0].is_shown);
         let all = unfolded(&folded);

@@ -7,8 +7,14 @@ use crate::study::{Unknown, UnknownKind};
 /// Probability before the data that an effect is stronger than its card calls plausible.
 const BEYOND: f64 = 0.02;
 
+/// A strength within this many standard errors of zero is as good as nothing.
+pub const NOTHING: f64 = 2.0;
+
 /// A plausible size this near to the end of what is accepted, over the largest plausible one, is as large as it can be.
 const NEAR: f64 = 0.1;
+
+/// All strengths.
+const ANYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// From so many standard errors below none on, what is left above it is exponential.
 const FAR: f64 = -8.0;
@@ -58,34 +64,60 @@ impl StrengthPrior {
         }
     }
 
-    /// What it adds to the logarithm of the evidence of a fit that took a normal prior of both signs, if the data and that leave the
-    /// strength at `estimate` ± `error`.
-    pub fn ln_factor(&self, estimate: f64, error: f64) -> f64 {
+    /// Share of what the prior and the data leave of a strength, `estimate` ± `error`, that is not as good as nothing.
+    pub fn share_told(&self, estimate: f64, error: f64) -> f64 {
+        if self.is_one_sided && estimate < FAR * error {
+            return 0.0;
+        }
+        let none = NOTHING * error;
+        let told = 1.0 - self.mass([-none, none], estimate, error) / self.mass(ANYWHERE, estimate, error);
+        told.clamp(0.0, 1.0)
+    }
+
+    /// Integral of the prior over the normal one of both signs, times what the data leave, over the strengths between two ends.
+    fn mass(&self, [from, to]: [f64; 2], estimate: f64, error: f64) -> f64 {
         let normal = Normal::standard();
+        let none = if self.is_one_sided { 0.0 } else { f64::NEG_INFINITY };
+        let below = |end: f64| normal.cdf((end - estimate) / error);
+        let between = |low: f64, high: f64| {
+            let (low, high) = (low.max(from).max(none), high.min(to));
+            if high > low { below(high) - below(low) } else { 0.0 }
+        };
+        let signs = if self.is_one_sided { 2.0 } else { 1.0 };
         let [low, high] = self.plausible;
-        let inside = [if self.is_one_sided { low.max(0.0) } else { low }, high];
-        let before = normal.cdf(inside[1]) - normal.cdf(inside[0]);
-        // of a direction in which nothing is plausible
-        let density = if before > 0.0 {
+        BEYOND * signs * between(f64::NEG_INFINITY, f64::INFINITY) + self.density() * between(low, high)
+    }
+
+    /// Prior of plausible strengths over the normal one of both signs; none where nothing is plausible.
+    fn density(&self) -> f64 {
+        let normal = Normal::standard();
+        let [low, high] = self.inside();
+        let before = normal.cdf(high) - normal.cdf(low);
+        if before > 0.0 {
             (1.0 - BEYOND) / before
         } else {
             0.0
-        };
+        }
+    }
+
+    /// Plausible strengths of the sign that it can have.
+    fn inside(&self) -> [f64; 2] {
+        let [low, high] = self.plausible;
+        [if self.is_one_sided { low.max(0.0) } else { low }, high]
+    }
+
+    /// What it adds to the logarithm of the evidence of a fit that took a normal prior of both signs, if the data and that leave the
+    /// strength at `estimate` ± `error`.
+    pub fn ln_factor(&self, estimate: f64, error: f64) -> f64 {
         let t = estimate / error;
         if self.is_one_sided && t < FAR {
             // Φ(t) ≈ φ(t)/|t|, and beyond none it falls like exp(−|t| ψ/error)
             let sign = -0.5 * t * t - (-t).ln() - 0.5 * (2.0 * std::f64::consts::PI).ln();
-            let share = (t * inside[0] / error).exp() - (t * inside[1] / error).exp();
-            return sign + (2.0 * BEYOND + density * share).ln();
+            let [low, high] = self.inside();
+            let share = (t * low / error).exp() - (t * high / error).exp();
+            return sign + (2.0 * BEYOND + self.density() * share).ln();
         }
-        let below = |end: f64| normal.cdf((end - estimate) / error);
-        let after = below(inside[1]) - below(inside[0]);
-        let anywhere = if self.is_one_sided {
-            2.0 * normal.cdf(t)
-        } else {
-            1.0
-        };
-        (BEYOND * anywhere + density * after).ln()
+        self.mass(ANYWHERE, estimate, error).ln()
     }
 }
 
@@ -152,6 +184,33 @@ mod tests {
                 "{prior:?} {estimate} {error}: {found} {sum}"
             );
         }
+    }
+
+    #[test]
+    fn a_strength_is_told_by_as_much_as_lies_beyond_two_errors_from_none() {
+        let of = |is_one_sided| StrengthPrior {
+            plausible: [-5.0, 5.0],
+            is_one_sided,
+        };
+        // Φ(−2) = 0.02275 on either side; at three errors Φ(1) = 0.8413
+        for is_one_sided in [true, false] {
+            let told = of(is_one_sided).share_told(0.0, 0.1);
+            assert!((told - 0.0455).abs() < 1e-4, "{told}");
+            let told = of(is_one_sided).share_told(0.3, 0.1);
+            assert!((told - 0.8413).abs() < 2e-3, "{told}");
+        }
+        assert!(of(true).share_told(-0.5, 0.1) < 1e-3 && of(true).share_told(-2.0, 0.1) == 0.0);
+        assert!(of(false).share_told(-0.5, 0.1) > 0.99);
+        // what is implausible beyond two errors is not told by the tail that it has there
+        let small = StrengthPrior {
+            plausible: [0.0, 0.15],
+            is_one_sided: true,
+        };
+        assert!(
+            small.share_told(0.1, 0.1) < 0.02,
+            "{}",
+            small.share_told(0.1, 0.1)
+        );
     }
 
     #[test]

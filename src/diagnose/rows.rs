@@ -6,6 +6,7 @@ use crate::study::{Unknown, UnknownKind};
 use super::baseline::Baseline;
 use super::judge::{Judgement, distance_of_fits};
 use super::ladder::held_out_sigma;
+use super::library::Trial;
 use super::posterior::{Belief, Case};
 use super::refit::Explanation;
 use super::screening::{
@@ -67,11 +68,7 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
         ordered.sort_by_key(|&(_, k)| family_of(k));
         for (position, k) in ordered {
             let own = unknown(baseline, k);
-            let linear = trial.linear.estimate.get(position).copied().unwrap_or(0.0);
-            let value = explanation.map_or(linear * own.sigma, |e| e.strength[position]);
-            let length = baseline.directions.lengths[k];
-            let linear_error = own.sigma / (1.0 + length * length).sqrt();
-            let error = explanation.map_or(linear_error, |e| e.standard_error[position]);
+            let [value, error] = strength_of(baseline, trial, explanation, position);
             plausible &= is_plausible(own, value, error);
             let [low, high] = own.range;
             strengths.push(Strength {
@@ -79,6 +76,7 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
                 unknown: own.name.clone(),
                 // a derivative knows no end
                 value: value.clamp(low, high),
+                at_end: (low != 0.0 && value <= low) || (high != 0.0 && value >= high),
                 standard_error: error,
                 unit: own.unit.clone(),
                 place: place(baseline, k, explanation.and_then(|e| e.places[position])),
@@ -118,6 +116,22 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
         refitted: found.is_some_and(|(_, explanation)| explanation.is_some()),
         gain_left_out_conditions: local.and_then(|local| gains.conditions.with(local)),
         gain_left_out_wings: local.and_then(|local| gains.wings.with(local)),
+    }
+}
+
+/// Strength of a member of an explanation and its standard error: as fitted, else by the linear model.
+pub fn strength_of(
+    baseline: &Baseline,
+    trial: &Trial,
+    explanation: Option<&Explanation>,
+    position: usize,
+) -> [f64; 2] {
+    match explanation {
+        Some(fitted) => [fitted.strength[position], fitted.standard_error[position]],
+        None => {
+            let sigma = unknown(baseline, trial.members[position]).sigma;
+            [trial.linear.estimate[position], trial.linear.error[position]].map(|value| value * sigma)
+        }
     }
 }
 
@@ -162,18 +176,20 @@ fn is_plausible(unknown: &Unknown, value: f64, error: f64) -> bool {
 /// at all.
 pub fn is_possible(baseline: &Baseline, hypothesis: &Hypothesis) -> bool {
     let unknowns = baseline.forward.unknowns();
-    hypothesis
-        .strengths
-        .iter()
-        .all(|Strength { unknown, value, .. }| {
+    hypothesis.strengths.iter().all(
+        |Strength {
+             unknown,
+             value,
+             at_end,
+             ..
+         }| {
             let own = unknowns.iter().find(|own| own.name == *unknown);
             own.is_none_or(|own| {
                 let scale = effect_of(own).map_or(f64::INFINITY, |(_, _, scale, _)| scale);
-                let [low, high] = own.range;
-                let is_inside = (low == 0.0 || *value > low) && (high == 0.0 || *value < high);
-                whole_strength(own).is_some() || (value.abs() <= POSSIBLE * scale && is_inside)
+                whole_strength(own).is_some() || (value.abs() <= POSSIBLE * scale && !at_end)
             })
-        })
+        },
+    )
 }
 
 /// What makes one place of an effect better than another.

@@ -8,7 +8,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 use crate::study::{AdmittedError, Footing, Forward, Unknown, UnknownKind};
 
 use super::data::Data;
-use super::error::DiagnoseError;
+use super::error::{DiagnoseError, where_solved};
 use super::settings::Settings;
 use super::whitened::Whitened;
 
@@ -117,6 +117,8 @@ pub struct Slopes {
     pub admitted: AdmittedError,
     /// What the model left there.
     pub footing: Option<Footing>,
+    /// Missing effects (positions) of which nothing is known: no derivative, and no solution at their plausible size.
+    pub unanswered: Vec<usize>,
 }
 
 /// Derivatives of all observables with the missing effects at `at`, one column each, per prior standard deviation.
@@ -140,6 +142,7 @@ pub fn slopes_of_missing(
     let wanted = |unknown: &Unknown| names.contains(&unknown.name.as_str());
     let (linear, left) = forward.linearize_from(footing, at, &wanted)?;
     let mut slopes = linear.jacobian.select_columns(data.missing.iter());
+    let mut unanswered = Vec::new();
     for (k, &i) in data.missing.iter().enumerate() {
         let switch = matches!(unknowns[i].kind, UnknownKind::Effect { has_switch: true, .. });
         if let (true, Some(share), Some((_, _, scale, _))) =
@@ -155,9 +158,9 @@ pub fn slopes_of_missing(
         {
             let mut stepped = at.to_vec();
             stepped[i] += scale;
-            // of what has no solution at that size, the derivative is all that there is
-            if let Ok((moved, _)) = forward.linearize_from(footing, &stepped, &|_| false) {
-                slopes.set_column(k, &((moved.value - &linear.value) / scale));
+            match where_solved(forward.linearize_from(footing, &stepped, &|_| false))? {
+                Some((moved, _)) => slopes.set_column(k, &((moved.value - &linear.value) / scale)),
+                None => unanswered.push(k),
             }
         }
         let mut column = slopes.column_mut(k);
@@ -190,6 +193,7 @@ pub fn slopes_of_missing(
             responses: admitted,
         },
         footing: left,
+        unanswered,
     })
 }
 

@@ -9,7 +9,7 @@ use crate::progress::Progress;
 use crate::study::{Fit, Footing, Linear};
 
 use super::baseline::Baseline;
-use super::error::DiagnoseError;
+use super::error::{DiagnoseError, where_solved};
 use super::evidence::of_one;
 use super::judge::Judgement;
 use super::prior::StrengthPrior;
@@ -127,8 +127,8 @@ fn stepped(
         }
         let mut at = fit.at.clone();
         at[unknown] += step;
-        let there = forward.linearize_from(footing.as_ref(), &at, &|_| false);
-        let Ok((Linear { value: moved, .. }, _)) = there else {
+        let there = where_solved(forward.linearize_from(footing.as_ref(), &at, &|_| false))?;
+        let Some((Linear { value: moved, .. }, _)) = there else {
             continue;
         };
         let per_sigma = unknowns[unknown].sigma / step.abs();

@@ -58,7 +58,7 @@ impl Default for PriorOdds {
         PriorOdds {
             nothing: 0.35,
             one: 0.40,
-            two: 0.08,
+            two: 0.15,
             novel: 0.10,
         }
     }

@@ -11,7 +11,7 @@ use crate::progress::Progress;
 use crate::study::Unknown;
 
 use super::baseline::Baseline;
-use super::error::DiagnoseError;
+use super::error::{DiagnoseError, where_solved};
 use super::judge::Judgement;
 use super::posterior::Case;
 use super::refit::Explanation;
@@ -48,25 +48,34 @@ pub fn widen(
         };
         let explanations = judgement.refits.iter_mut();
         for (_, explanation) in explanations.filter(|(own, _)| *own == index) {
-            // where the model has no derivatives the errors of the fit stand
-            if let Some(lacking) = lacking(baseline, explanation) {
-                add(baseline, explanation, &lacking);
+            match lacking(baseline, explanation)? {
+                Some(lacking) => add(baseline, explanation, &lacking),
+                None => judgement.narrow.push(index),
             }
         }
     }
     Ok(())
 }
 
-/// Unknowns that were free, and what their variances lack, in squared prior standard deviations.
-fn lacking(baseline: &Baseline, explanation: &Explanation) -> Option<Vec<(usize, f64)>> {
-    let fit = explanation.fit.as_ref()?;
+/// Unknowns that were free, and what their variances lack, in squared prior standard deviations; none where the model has no derivatives.
+///
+/// # Errors
+/// If the user asked to stop.
+fn lacking(
+    baseline: &Baseline,
+    explanation: &Explanation,
+) -> Result<Option<Vec<(usize, f64)>>, DiagnoseError> {
+    let Some(fit) = &explanation.fit else {
+        return Ok(None);
+    };
     let (data, forward) = (&baseline.data, baseline.forward);
     let unknowns = forward.unknowns();
     let names: Vec<&str> = data.admitted.iter().map(|&i| unknowns[i].name.as_str()).collect();
     let wanted = |unknown: &Unknown| names.contains(&unknown.name.as_str());
-    let (linear, _) = forward
-        .linearize_from(fit.footing.as_ref(), &fit.at, &wanted)
-        .ok()?;
+    let there = forward.linearize_from(fit.footing.as_ref(), &fit.at, &wanted);
+    let Some((linear, _)) = where_solved(there)? else {
+        return Ok(None);
+    };
     let mut with = linear.jacobian.select_columns(data.admitted.iter());
     for (mut column, &i) in with.column_iter_mut().zip(&data.admitted) {
         column *= unknowns[i].sigma * baseline.settings.slop;
@@ -81,16 +90,19 @@ fn lacking(baseline: &Baseline, explanation: &Explanation) -> Option<Vec<(usize,
     let slopes = fit.slopes.select_columns(&columns);
     let size = columns.len();
     let curvature = DMatrix::identity(size, size) + slopes.transpose() * &slopes;
-    let weights = Cholesky::new(curvature)?.solve(&slopes.transpose());
+    let Some(curvature) = Cholesky::new(curvature) else {
+        return Ok(None);
+    };
+    let weights = curvature.solve(&slopes.transpose());
     let [with, without] =
         [&with, &baseline.admitted.responses].map(|responses| &weights * whitened(responses));
     let lacking = columns.iter().enumerate().map(|(row, &column)| {
         let lacks = with.row(row).norm_squared() - without.row(row).norm_squared();
         (fit.free[column], lacks.max(0.0))
     });
-    lacking
+    Ok(lacking
         .map(|(i, lacks)| lacks.is_finite().then_some((i, lacks)))
-        .collect()
+        .collect())
 }
 
 fn add(baseline: &Baseline, explanation: &mut Explanation, lacking: &[(usize, f64)]) {

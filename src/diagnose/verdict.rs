@@ -135,6 +135,8 @@ pub struct Strength {
     pub unknown: String,
     /// Its value.
     pub value: f64,
+    /// Whether that is an end of what is accepted: the data ask for no less.
+    pub at_end: bool,
     /// Its standard error.
     pub standard_error: f64,
     /// Its unit.

@@ -78,17 +78,7 @@ pub struct Places {
     pub spar: Option<usize>,
 }
 
-/// What every effect changes in a coupled wing: its shape follows the load, and the load its shape.
-pub const WING_CHANNELS: &[Channel] = &[
-    Channel::Twist,
-    Channel::TwistRate,
-    Channel::Deflection,
-    Channel::Lift,
-    Channel::Drag,
-    Channel::Power,
-];
-
-/// What one of stiffness or mass changes: natural frequencies too.
+/// What an effect on stiffness or mass changes in a coupled wing.
 pub const STRUCTURE_CHANNELS: &[Channel] = &[
     Channel::Twist,
     Channel::TwistRate,
@@ -98,6 +88,9 @@ pub const STRUCTURE_CHANNELS: &[Channel] = &[
     Channel::Power,
     Channel::Frequency,
 ];
+
+/// What every effect changes there, for its shape follows the load, and the load its shape: all but natural frequencies.
+pub const WING_CHANNELS: &[Channel] = STRUCTURE_CHANNELS.split_at(6).0;
 
 /// Where an effect acts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]

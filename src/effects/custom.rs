@@ -19,7 +19,7 @@ use num_dual::DualNum;
 use target::{ALONG, CHORD, TARGETS, TWIST_RATE, Target};
 
 use super::bind::number;
-use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
+use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam, WING_CHANNELS};
 use super::{Dual, Effect, EffectError, StripPlace, Structure, Values};
 use crate::aero::{Flow, SectionAir, SectionCoefficients};
 use crate::geometry::Planform;
@@ -27,6 +27,8 @@ use crate::input::Expression;
 use crate::input::design::Design;
 use crate::structure::StructureError;
 
+/// Steps in which a formula is tried along a spar.
+const STEPS_ALONG: u32 = 20;
 /// Keys of its table that are no numbers of the formula.
 const KEYS: [&str; 6] = ["kind", "acts_on", "expression", "strength", "units", "summary"];
 
@@ -187,16 +189,23 @@ impl Custom {
                     at[CHORD] = 0.2 * length_m;
                     (at[3], at[4], at[6]) = (alpha, root_angle(design) - alpha, speed);
                     at[7] = 0.5 * at[8] * speed * speed;
-                    at[ALONG] = (f64::to_radians(degrees).sin() + 1.0) / 2.0;
-                    let value = self.formula.value(&at);
                     let is_stiffness = self.target.is_stiffness();
-                    if !value.is_finite() || (is_stiffness && 1.0 + strength * (value - 1.0) <= 0.0) {
+                    let is_wrong = |value: f64| {
+                        !value.is_finite() || (is_stiffness && 1.0 + strength * (value - 1.0) <= 0.0)
+                    };
+                    let mut values = (0..=STEPS_ALONG).map(|step| {
+                        at[ALONG] = f64::from(step) / f64::from(STEPS_ALONG);
+                        (at[ALONG], self.formula.value(&at))
+                    });
+                    if let Some((along, value)) = values.find(|(_, value)| is_wrong(*value)) {
+                        let place = match self.formula.uses(ALONG) {
+                            true => format!("along = {along:.2}"),
+                            false => format!("alpha = {degrees} deg, U = {speed} m/s"),
+                        };
                         return Err(EffectError::Own {
                             name: self.name.clone(),
                             key: "expression".to_string(),
-                            problem: format!(
-                                "it is {value} at x = {x:.2}, alpha = {degrees} deg, U = {speed} m/s"
-                            ),
+                            problem: format!("it is {value} at x = {x:.2}, {place}"),
                             cure: if is_stiffness {
                                 "write a factor that stays positive from base to tip".to_string()
                             } else {
@@ -211,7 +220,7 @@ impl Custom {
         Ok(())
     }
 
-    /// The outline, if the formula asks for its chord.
+    /// The outline, if the formula asks for its chord; a wing that is meshed has one.
     fn planform(&self, design: &Design) -> Option<Planform> {
         self.formula
             .uses(CHORD)
@@ -307,7 +316,10 @@ impl Effect for Custom {
                 _ => Seam::Air,
             },
             parameters: STRENGTH,
-            channels: WING_CHANNELS,
+            channels: match self.target {
+                target if target.is_stiffness() => STRUCTURE_CHANNELS,
+                _ => WING_CHANNELS,
+            },
             needs: match self.target {
                 Target::Torsion | Target::Bending => &[],
                 Target::Spars => &[Need::Spars],

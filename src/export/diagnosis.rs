@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::diagnose::ladder::Rung;
 use crate::diagnose::novel::Reconstruction;
 use crate::diagnose::screening::Sight;
-use crate::diagnose::verdict::{EffectRow, Hypothesis, Prediction};
+use crate::diagnose::verdict::{EffectRow, Hypothesis, Prediction, Strength};
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::study::Work;
 
@@ -40,7 +40,11 @@ const SHOWN: usize = 24;
 /// The page of `washout diagnose`.
 pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
     let mut sections = vec![format!("{study}\n\n{}", wrapped(&diagnosis.sentence, 0))];
-    sections.push(format!("Hypotheses\n{}", hypotheses(&diagnosis.hypotheses)));
+    sections.push(format!(
+        "Hypotheses{}\n{}",
+        about_ends(&diagnosis.hypotheses),
+        hypotheses(&diagnosis.hypotheses)
+    ));
     sections.push(format!(
         "Effects, each alone\n{}{}",
         wrapped(STRENGTHS, 2),
@@ -129,6 +133,15 @@ pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
     sections.join("\n")
 }
 
+/// What the mark at a strength means, if there is one.
+fn about_ends(hypotheses: &[Hypothesis]) -> &'static str {
+    let mut strengths = hypotheses.iter().flat_map(|hypothesis| &hypothesis.strengths);
+    match strengths.any(|strength| strength.at_end) {
+        true => " (end: the most that is accepted; the data ask for no less)",
+        false => "",
+    }
+}
+
 fn hypotheses(hypotheses: &[Hypothesis]) -> String {
     let mut table = Table::new([
         "what is missing",
@@ -146,15 +159,21 @@ fn hypotheses(hypotheses: &[Hypothesis]) -> String {
             effects if hypothesis.is_shown => effects.join(" + "),
             effects => effects.join(", perhaps with "),
         };
-        let strengths = |of: &dyn Fn(&crate::diagnose::verdict::Strength) -> f64| {
-            let parts = hypothesis.strengths.iter().map(|s| significant(of(s), 3));
+        let strengths = |of: &dyn Fn(&Strength) -> String| {
+            let parts = hypothesis.strengths.iter().map(of);
             parts.collect::<Vec<_>>().join(" / ")
         };
         table.row([
             what,
             number(hypothesis.probability, 3),
-            strengths(&|s| s.value),
-            strengths(&|s| s.standard_error),
+            strengths(&|s| {
+                format!(
+                    "{}{}",
+                    significant(s.value, 3),
+                    if s.at_end { " (end)" } else { "" }
+                )
+            }),
+            strengths(&|s| significant(s.standard_error, 3)),
             yes(hypothesis.plausible),
             yes(hypothesis.in_set),
             hypothesis

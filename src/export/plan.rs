@@ -31,11 +31,28 @@ pub fn page(study: &str, plan: &Plan) -> String {
         ]);
     }
     format!(
-        "{study}: {} numbers planned\n\n{}\nEffects (detectable: distance from none in sigma at the plausible size; absorbed: share of its signature\nthat the model's own unknowns could take up)\n{}",
+        "{study}: {} numbers planned\n\n{}\nEffects (detectable: distance from none in sigma at the plausible size; absorbed: share of its signature\nthat the model's own unknowns could take up)\n{}{}",
         plan.numbers,
         wrapped(&plan.sentence, 0),
-        table.render()
+        table.render(),
+        without_solution(&plan.effects)
     )
+}
+
+/// What is said of effects at whose plausible size the model has no solution.
+fn without_solution(effects: &[PlannedEffect]) -> String {
+    let names = effects.iter().filter(|effect| effect.has_no_solution);
+    let names: Vec<&str> = names.map(|effect| effect.effect.as_str()).collect();
+    match names.is_empty() {
+        true => String::new(),
+        false => wrapped(
+            &format!(
+                "The model has no solution at the plausible size of {}: detectable is what the derivative says.",
+                names.join(", ")
+            ),
+            0,
+        ),
+    }
 }
 
 /// Those that could be seen and yet not be told apart; nothing where the effect itself is not seen.

@@ -208,10 +208,9 @@ fn a_frequency_that_is_mistyped_by_3_percent_names_no_effect() {
     }
 }
 
-/// With one rod alone a soft root is what a cracked spar is, nearly: both are in the set. By the luck of the noise the truth may be named, barely, or
-/// one of the two; nothing else ever is.
+/// With one rod alone a soft root is what a cracked spar is, nearly: both are in the set, neither is named.
 #[test]
-fn one_flapping_rod_at_three_frequencies_keeps_the_truth_and_its_look_alike_in_the_set() {
+fn one_flapping_rod_at_three_frequencies_names_nothing_and_keeps_the_truth_in_the_set() {
     let folder = tempfile::tempdir().unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let shipped = fs::read_to_string(root.join("studies/three-rods.toml")).unwrap();
@@ -223,44 +222,36 @@ fn one_flapping_rod_at_three_frequencies_keeps_the_truth_and_its_look_alike_in_t
     let text = format!("format = 1\nname = \"one-rod\"\n\n{case}\n\n{unknowns}");
     let text = text.replace("\"../", &format!("\"{}/", root.display()));
     fs::write(folder.path().join("one.toml"), text).unwrap();
-    for (seed, verdict) in [("2", "effect"), ("4", "set")] {
-        let made = [
-            "synthesize",
-            "one.toml",
-            "--effect",
-            "root-flexure=0.15",
-            "--seed",
-            seed,
-            "--output",
-            seed,
-        ];
-        let said = washout(folder.path(), &made);
-        assert_eq!(said.code, Some(0), "{}", said.err);
-        let said = washout(
-            folder.path(),
-            &["diagnose", &format!("{seed}/one.toml"), "--json"],
-        );
-        assert_eq!(said.code, Some(0), "{}", said.err);
-        let said: Value = serde_json::from_str(&said.out).unwrap();
-        println!("{}", said["sentence"]);
-        assert_eq!(said["verdict"], verdict, "{}", said["sentence"]);
-        let hypotheses = said["hypotheses"].as_array().unwrap();
-        let first = &hypotheses[0];
-        assert_eq!(first["effects"][0], "root-flexure", "{}", said["sentence"]);
-        assert!(
-            first["probability"].as_f64().unwrap() < 0.9,
-            "{}",
-            said["sentence"]
-        );
-        let in_set = |name: &str| {
-            hypotheses
-                .iter()
-                .any(|h| h["in_set"] == true && h["effects"][0] == name)
-        };
-        assert!(
-            in_set("root-flexure") && in_set("broken-spar"),
-            "{}",
-            said["sentence"]
-        );
-    }
+    let made = [
+        "synthesize",
+        "one.toml",
+        "--effect",
+        "root-flexure=0.15",
+        "--seed",
+        "2",
+        "--output",
+        "try",
+    ];
+    let said = washout(folder.path(), &made);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let said = washout(folder.path(), &["diagnose", "try/one.toml", "--json"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let said: Value = serde_json::from_str(&said.out).unwrap();
+    println!("{}", said["sentence"]);
+    assert!(
+        said["verdict"] == "set" || said["verdict"] == "undecidable",
+        "{}",
+        said["sentence"]
+    );
+    let hypotheses = said["hypotheses"].as_array().unwrap();
+    let in_set = |name: &str| {
+        hypotheses
+            .iter()
+            .any(|h| h["in_set"] == true && h["effects"][0] == name)
+    };
+    assert!(
+        in_set("root-flexure") && in_set("broken-spar"),
+        "{}",
+        said["sentence"]
+    );
 }

@@ -100,6 +100,7 @@ fn wrong_tables_of_ones_own_are_refused_with_a_cure() {
         (own("torsion", "1 - 2 * x", ""), "stays positive"),
         (own("torsion", "1 + alpha", ""), "a rod has no alpha"),
         (own("spars", "1 - 2 * along", ""), "stays positive"),
+        (own("spars", "along - 0.1", ""), "at x = 0.00, along = 0.00"),
         (own("torsion", "1 + along", ""), "a rod has no along"),
         (own("lift", "1 + along", ""), "a strip of the wing has no along"),
         (own("moment", "1 / x", ""), "stays finite"),
