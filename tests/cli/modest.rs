@@ -117,6 +117,37 @@ fn a_handful_of_numbers_far_off_is_undecidable_and_not_nothing() {
     );
 }
 
+/// Of two effects besides the rod's softness the data leave one at 2.6 standard errors, and of the other nothing: 0.0 ± 0.9 mm. Only the first may be there too.
+#[test]
+fn a_second_effect_that_is_as_good_as_nothing_is_no_hypothesis_beside_the_first() {
+    let said = on_bench(&bench(&[1, 2, 3], 1.3, 1.0, None, 2), SEVERAL);
+    let hypotheses = said["hypotheses"].as_array().unwrap();
+    assert_eq!(hypotheses[0]["effects"], serde_json::json!(["rod-shear-modulus"]));
+    let second = |name: &str| {
+        let both = serde_json::json!(["rod-shear-modulus", name]);
+        hypotheses.iter().find(|h| h["effects"] == both)
+    };
+    let told = second("root-flexure").unwrap();
+    assert!(told["is_shown"] == false && told["in_set"] == true, "{told}");
+    assert!(second("warping-restraint").is_none(), "{}", said["hypotheses"]);
+}
+
+/// A rod that is four times as soft is more than split: the strength ends where no more is accepted, and that is said.
+#[test]
+fn a_strength_at_the_end_of_what_is_accepted_is_marked() {
+    for (softer, is_at_end) in [(2.5, false), (4.0, true)] {
+        let all = bench(&[2], softer, 1.0, None, 1);
+        let head: Vec<&str> = all.lines().take(6).collect();
+        let candidates = "candidates = ['rod-split', 'warping-restraint']";
+        let said = on_bench(&(head.join("\n") + "\n"), candidates);
+        let hypotheses = said["hypotheses"].as_array().unwrap().iter();
+        let mut split = hypotheses.filter(|h| h["effects"] == serde_json::json!(["rod-split"]));
+        let strength = &split.next().unwrap()["strengths"][0];
+        assert_eq!(strength["at_end"], is_at_end, "{strength}");
+        assert_eq!(strength["value"] == 1.5, is_at_end, "{strength}");
+    }
+}
+
 /// A skin that stiffens the rod in torsion is the rod's shear modulus by another name.
 #[test]
 fn effects_that_are_exact_twins_are_both_in_the_set_and_neither_is_named() {
