@@ -45,15 +45,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     let campaign = Campaign::new(&LoadedStudy::load(&study, &[])?, &names, &quiet)?;
     let start = campaign.start();
     clock.say("first solve of all conditions");
+    let before = campaign.work();
     campaign.linearize(&start, &|_| true)?;
     clock.say("screening: derivatives with every effect");
+    println!("  {}", campaign.work() - before);
     let settings = Settings {
         start: Some(start),
         ..Settings::default()
     };
     let diagnosis = diagnose(&campaign, &settings, &quiet)?;
     clock.say("the whole diagnosis");
-    println!("{}\n{}", diagnosis.sentence, campaign.work());
+    println!(
+        "{}\nits screening: {}\nall of this: {}",
+        diagnosis.sentence,
+        diagnosis.screening,
+        campaign.work()
+    );
     println!("peak memory {}", status("VmHWM:"));
     Ok(())
 }
