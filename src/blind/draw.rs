@@ -6,13 +6,13 @@ use super::spot::Spot;
 use super::twin;
 use super::{Blind, BlindError, Kind};
 use crate::diagnose::plan::PlannedEffect;
+use crate::diagnose::posterior::TWINS;
 use crate::progress::Progress;
 use crate::study::draws::Draws;
 use crate::synthesize::{Hidden, Recipe};
 
-/// An effect has a twin if the readings that it makes are explained by another nearly as well, sigma: no statistic can split them.
-/// In the full model less than the first; effects further apart by their slopes than the second are not looked at.
-const TWINS: f64 = 1.0;
+/// An effect has a twin if the readings that it makes are explained by another less than [`TWINS`] away in the full model; effects further
+/// apart by their slopes than this, sigma, are not looked at.
 const NEARLY_TWINS: f64 = 2.0;
 /// Scatter over what is stated where that is 30 % too small.
 const QUIET: f64 = 1.0 / 0.7;

@@ -6,9 +6,9 @@ use super::evidence::ln_sum;
 use super::hump::Hump;
 use super::judge::Judgement;
 use super::library::Trial;
-use super::posterior::{Case, Weight, beliefs, class_around, fold, level_class, refuted};
+use super::posterior::{Case, TWINS, Weight, beliefs, class_around, fold, level_class, refuted};
 use super::prior::StrengthPrior;
-use super::rows::{strength_of, unknown};
+use super::rows::{is_nameable, strength_of, unknown};
 use super::screening::Directions;
 use super::whitened::Whitened;
 
@@ -26,6 +26,9 @@ const PLAIN: f64 = 5.0;
 /// ln of the odds from which on a pair that was fitted anew stands beside any single effect, whatever that leaves: what a test of the
 /// misfit lets pass as chance, because it asks for nothing in particular, may be the signature of a second effect.
 const CLEAR: f64 = 3.0;
+
+/// Families this much less probable than the first (ln) are not levelled with it, but for twins.
+const NEAR: f64 = 7.0;
 
 /// Gives every hypothesis its probability.
 pub fn conclude(judgement: &mut Judgement, baseline: &Baseline) {
@@ -54,15 +57,18 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline) {
         .collect();
     let heaviest_family = (0..count).max_by(|&a, &b| weights[a].ln_weight.total_cmp(&weights[b].ln_weight));
     if let Some(first) = heaviest_family {
+        let twins: Vec<usize> = (0..count)
+            .filter(|&k| k != first && are_twins(judgement, baseline, first, k))
+            .collect();
         let near: Vec<usize> = (0..count)
-            .filter(|&k| weights[k].ln_weight > weights[first].ln_weight - 7.0)
+            .filter(|&k| weights[k].ln_weight > weights[first].ln_weight - NEAR || twins.contains(&k))
             .collect();
         let place = near.iter().position(|&k| k == first).unwrap_or(0);
         let class = class_around(place, near.len(), &|a, b| {
             judgement.distance(baseline, near[a], near[b])
         });
         let class: Vec<usize> = class.into_iter().map(|k| near[k]).collect();
-        level_class(&mut weights, &class);
+        level_class(&mut weights, &class, &twins);
     }
     let mean = |trials: &[Trial], families: &[usize]| {
         let prior = trials
@@ -129,6 +135,16 @@ pub fn conclude(judgement: &mut Judgement, baseline: &Baseline) {
     judgement.beliefs = beliefs(&weights, baseline.settings.tempering);
     let novel = judgement.beliefs.iter().find(|belief| belief.case == Case::Novel);
     judgement.novel_as_weighed = novel.map_or(0.0, |belief| belief.probability);
+}
+
+/// Whether a family explains the data as the `first` does, by strengths that may have a name, if both were fitted.
+fn are_twins(judgement: &Judgement, baseline: &Baseline, first: usize, other: usize) -> bool {
+    let [Some((_, Some(_))), Some((_, Some(found)))] = [first, other].map(|k| judgement.best_of(&[k])) else {
+        return false;
+    };
+    let mut strengths = found.members.iter().zip(&found.strength);
+    strengths.all(|(&k, &strength)| is_nameable(unknown(baseline, k), strength))
+        && judgement.distance(baseline, first, other) < TWINS
 }
 
 /// ln of the weight of a pair with strengths of its `second` that these data tell from none: what they cannot tell is the first alone.

@@ -7,6 +7,11 @@ const CREDIBLE: f64 = 0.95;
 /// Distance in standard deviations from which on two explanations are told apart.
 pub const SEPARATE: f64 = 3.0;
 
+/// Distance below which no statistic can split two explanations.
+pub const TWINS: f64 = 1.0;
+/// Odds that priors may make between twins: plausible sizes are known to a factor of a few at best.
+const AMONG_TWINS: f64 = 3.0;
+
 /// What may be the case.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Case {
@@ -143,15 +148,21 @@ pub fn fold(weights: &mut [Weight], into: usize, ln_weight: f64) {
 }
 
 /// Shares the probability of explanations that the data cannot tell apart (`class`: positions in `weights`) by how
-/// well they fit, not by how wide their priors are: a plausible scale is known to a factor of a few at best.
-pub fn level_class(weights: &mut [Weight], class: &[usize]) {
+/// well they fit, not by how wide their priors are: a plausible scale is known to a factor of a few at best. Those of the class that are
+/// `twins` of its first get a third of the share of that at least.
+pub fn level_class(weights: &mut [Weight], class: &[usize], twins: &[usize]) {
     if class.len() < 2 {
         return;
     }
     let total = ln_sum(class.iter().map(|&k| weights[k].ln_weight));
+    let level = |k: usize| 0.5 * (weights[k].ln_weight + weights[k].ln_likelihood);
+    let least = level(class[0]) - AMONG_TWINS.ln();
     let levelled: Vec<f64> = class
         .iter()
-        .map(|&k| 0.5 * (weights[k].ln_weight + weights[k].ln_likelihood))
+        .map(|&k| match twins.contains(&k) {
+            true => level(k).max(least),
+            false => level(k),
+        })
         .collect();
     let sum = ln_sum(levelled.iter().copied());
     for (&k, level) in class.iter().zip(&levelled) {
@@ -268,9 +279,17 @@ mod tests {
             weight(Case::Novel, -1.0),
         ];
         let before = ln_sum([0.0, -4.0].into_iter());
-        level_class(&mut weights, &[0, 1]);
+        level_class(&mut weights, &[0, 1], &[]);
         assert!((ln_sum([weights[0].ln_weight, weights[1].ln_weight].into_iter()) - before).abs() < 1e-12);
         assert!((weights[0].ln_weight - weights[1].ln_weight - 2.0).abs() < 1e-12);
+        // between twins priors make odds of 3 at most
+        level_class(&mut weights, &[0, 1], &[1]);
+        assert!((weights[0].ln_weight - weights[1].ln_weight - 1.0).abs() < 1e-12);
+        weights[1].ln_weight = -9.0;
+        let before = ln_sum([weights[0].ln_weight, -9.0].into_iter());
+        level_class(&mut weights, &[0, 1], &[1]);
+        assert!((weights[0].ln_weight - weights[1].ln_weight - 3f64.ln()).abs() < 1e-12);
+        assert!((ln_sum([weights[0].ln_weight, weights[1].ln_weight].into_iter()) - before).abs() < 1e-12);
     }
 
     #[test]

@@ -172,6 +172,12 @@ fn is_plausible(unknown: &Unknown, value: f64, error: f64) -> bool {
     value >= low - NEAR * error && value <= high + NEAR * error
 }
 
+/// Whether a strength is not absurd: some scales at most.
+pub fn is_nameable(unknown: &Unknown, value: f64) -> bool {
+    let scale = effect_of(unknown).map_or(f64::INFINITY, |(_, _, scale, _)| scale);
+    value.abs() <= POSSIBLE * scale
+}
+
 /// Whether no strength of a hypothesis is absurd: some scales at most, and not at an end of what is accepted, but for no strength
 /// at all.
 pub fn is_possible(baseline: &Baseline, hypothesis: &Hypothesis) -> bool {
@@ -184,10 +190,7 @@ pub fn is_possible(baseline: &Baseline, hypothesis: &Hypothesis) -> bool {
              ..
          }| {
             let own = unknowns.iter().find(|own| own.name == *unknown);
-            own.is_none_or(|own| {
-                let scale = effect_of(own).map_or(f64::INFINITY, |(_, _, scale, _)| scale);
-                whole_strength(own).is_some() || (value.abs() <= POSSIBLE * scale && !at_end)
-            })
+            own.is_none_or(|own| whole_strength(own).is_some() || (is_nameable(own, *value) && !at_end))
         },
     )
 }
