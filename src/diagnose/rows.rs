@@ -71,12 +71,14 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
             let [value, error] = strength_of(baseline, trial, explanation, position);
             plausible &= is_plausible(own, value, error);
             let [low, high] = own.range;
+            // what is all or none has no more to it than all
+            let may_end = whole_strength(own).is_none();
             strengths.push(Strength {
                 effect: name(baseline, k),
                 unknown: own.name.clone(),
                 // a derivative knows no end
                 value: value.clamp(low, high),
-                at_end: (low != 0.0 && value <= low) || (high != 0.0 && value >= high),
+                at_end: may_end && ((low != 0.0 && value <= low) || (high != 0.0 && value >= high)),
                 standard_error: error,
                 unit: own.unit.clone(),
                 place: place(baseline, k, explanation.and_then(|e| e.places[position])),
@@ -182,17 +184,10 @@ pub fn is_nameable(unknown: &Unknown, value: f64) -> bool {
 /// at all.
 pub fn is_possible(baseline: &Baseline, hypothesis: &Hypothesis) -> bool {
     let unknowns = baseline.forward.unknowns();
-    hypothesis.strengths.iter().all(
-        |Strength {
-             unknown,
-             value,
-             at_end,
-             ..
-         }| {
-            let own = unknowns.iter().find(|own| own.name == *unknown);
-            own.is_none_or(|own| whole_strength(own).is_some() || (is_nameable(own, *value) && !at_end))
-        },
-    )
+    hypothesis.strengths.iter().all(|strength| {
+        let own = unknowns.iter().find(|own| own.name == strength.unknown);
+        own.is_none_or(|own| is_nameable(own, strength.value) && !strength.at_end)
+    })
 }
 
 /// What makes one place of an effect better than another.

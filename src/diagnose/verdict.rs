@@ -135,7 +135,7 @@ pub struct Strength {
     pub unknown: String,
     /// Its value.
     pub value: f64,
-    /// Whether that is an end of what is accepted: the data ask for no less.
+    /// Whether that is an end of what is accepted, and the data ask for no less; never of what is all or none.
     pub at_end: bool,
     /// Its standard error.
     pub standard_error: f64,

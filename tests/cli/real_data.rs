@@ -134,6 +134,7 @@ fn tang_and_dowell_without_large_rotation_lack_it_though_one_reading_shows_it() 
         println!("{}", said["sentence"]);
         assert_eq!(said["verdict"], "effect", "{}", said["sentence"]);
         let found = hypothesis(&said, &["large-rotation"]);
+        assert_eq!(found["strengths"][0]["at_end"], false, "all of it is no end");
         assert!(
             number(&found["strength"]) == 1.0 && number(&found["standard_error"]) == 0.0,
             "{found}"
