@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use washout::coupling::motion::motion;
 use washout::coupling::wing::Wing;
-use washout::coupling::{PeriodicSettings, periodic};
+use washout::coupling::{PeriodicSettings, periodic, solve_wing};
 use washout::effects::{Motion, NodeLoad, StripMotion};
 use washout::input::design::Design;
 use washout::mesh::for_design;
@@ -36,6 +36,27 @@ fn strips(design: &Design, motion: &Motion) -> Vec<[f64; 3]> {
         .collect()
 }
 
+/// Force and moment about the wing base by which a stiff wing that moves so is held, where it is solved.
+fn held(mut design: Design, motion: Option<&Motion>) -> (Vector3<f64>, Vector3<f64>) {
+    design.set("rod[0].section.diameter_mm", 10.0).unwrap();
+    design.set("film.thickness_mm", 2.0).unwrap();
+    let (_, mesh) = for_design(&design, None).unwrap();
+    let known = motion.map(|motion| Arc::new(motion.clone()));
+    let wing = Wing::with_motion(&design, &mesh, None, known).unwrap();
+    let (solution, _) = solve_wing(&design, &wing, &mesh, None, &Progress::quiet()).unwrap();
+    let report = solution.report;
+    (report.reaction_force_n.into(), report.reaction_moment_n_m.into())
+}
+
+/// How an effect changes what holds the stiff wing.
+fn held_more(base: &Design, effect: &str, motion: Option<&Motion>) -> (Vector3<f64>, Vector3<f64>) {
+    let (before, after) = (
+        held(base.clone(), motion),
+        held(with(base.clone(), effect, 1.0), motion),
+    );
+    (after.0 - before.0, after.1 - before.1)
+}
+
 /// A wing that washes out at 100 rad/s at its base and 300 rad/s at its tip, with a drag torque of 0.64.
 fn turning() -> Motion {
     let nothing = NodeLoad {
@@ -61,7 +82,7 @@ fn turning() -> Motion {
 fn turning_sections_carry_rotational_lift() {
     let base = rectangle(&format!("{FILM}{FLAPPING}"));
     let before = strips(&base, &turning());
-    let after = strips(&with(base, "rotational-lift", 1.0), &turning());
+    let after = strips(&with(base.clone(), "rotational-lift", 1.0), &turning());
     for ([r_m, before, _], [_, after, _]) in before.iter().zip(&after) {
         let speed = TAU * 20.0 * PI / 6.0 * (r_m + 0.03);
         let expected = 0.75 * PI * 1.2 * speed * CHORD_M * CHORD_M * (100.0 + 2000.0 * r_m);
@@ -71,6 +92,9 @@ fn turning_sections_carry_rotational_lift() {
             before - after
         );
     }
+    // solved: 0.75 π ρ c² ω Φ ∫ (r + 0.03)(100 + 2000 r) dr = 0.0744148 · 1.766667 N less to hold
+    let (force, _) = held_more(&base, "rotational-lift", Some(&turning()));
+    assert!((force.z / 0.131466 - 1.0).abs() < 1e-3, "{force}");
 }
 
 /// ½ · 1.2 · 5 θ̇² c⁴/4: at mid-span 4.8e-3 N·m/m against the turn, with a force of 0.32 N/m.
@@ -78,13 +102,17 @@ fn turning_sections_carry_rotational_lift() {
 fn turning_sections_are_damped_by_the_square_of_the_rate() {
     let base = rectangle(&format!("{FILM}{FLAPPING}"));
     let before = strips(&base, &turning());
-    let after = strips(&with(base, "rotational-damping", 1.0), &turning());
+    let after = strips(&with(base.clone(), "rotational-damping", 1.0), &turning());
     for (before, after) in before.iter().zip(&after) {
         let rate = 100.0 + 2000.0 * before[0];
         let (force, moment) = (3.0 * rate * rate * 8e-6 / 3.0, 3.0 * rate * rate * 1.6e-7 / 4.0);
         assert!(((before[1] - after[1]) / force - 1.0).abs() < 1e-6);
         assert!(((before[2] - after[2]) / moment - 1.0).abs() < 1e-6);
     }
+    // solved: ∫ θ̇² dr = (300³ − 100³) / 6000, so that 34.667 mN and 0.52 mN·m less are to be held
+    let (force, moment) = held_more(&base, "rotational-damping", Some(&turning()));
+    assert!((force.z / 0.034667 - 1.0).abs() < 1e-3, "{force}");
+    assert!((moment.x / 5.2e-4 - 1.0).abs() < 1e-3, "{moment}");
 }
 
 /// Equal torque, Q ∝ 0.64 Φ²: 1.25 times the amplitude, 1.5625 times the load.
@@ -92,10 +120,17 @@ fn turning_sections_are_damped_by_the_square_of_the_rate() {
 fn amplitude_grows_as_drag_falls() {
     let base = rectangle(&format!("{FILM}{FLAPPING}"));
     let before = strips(&base, &turning());
-    let after = strips(&with(base, "amplitude-drag", 0.5), &turning());
+    let after = strips(&with(base.clone(), "amplitude-drag", 0.5), &turning());
     for (before, after) in before.iter().zip(&after) {
         assert!((after[1] / before[1] - 1.5625).abs() < 1e-9);
     }
+    // solved
+    let (before, _) = held(base.clone(), None);
+    let (after, _) = held(with(base, "amplitude-drag", 0.5), Some(&turning()));
+    assert!(
+        (after.norm() / before.norm() - 1.5625).abs() < 1e-3,
+        "{after} {before}"
+    );
 }
 
 /// ρ (π/4) c² Φ ω² sin 30 sin 45 over the span: 1.2 · 0.7854 · 4e-4 · 0.5236 · 15791 · 0.35355 · 8e-3 = 8.816e-3 N.
@@ -124,6 +159,9 @@ fn added_mass_is_that_of_a_cylinder_on_the_chord() {
     let total = |wing: &Wing| wing.bench.force_n.iter().sum::<Vector3<f64>>();
     let added = total(&on) - total(&off);
     assert!((added - found - sum(&motion.moved_air)).norm() < 1e-12);
+    // solved, a stiff wing that does not twist
+    let (force, _) = held_more(&base, "added-mass", None);
+    assert!((force.z / expected - 1.0).abs() < 5e-3, "{force} {expected}");
 }
 
 /// A rod of mass m from r₀ to r₀ + L at 30 deg of phase: its clamp holds back m Φ ω² sin 30 (r₀ + L/2), across the span.
