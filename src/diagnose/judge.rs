@@ -43,6 +43,8 @@ pub struct Judgement {
     pub unsettled: Vec<usize>,
     /// Trials whose standard errors do not hold what a percent of the model moves with their effects.
     pub narrow: Vec<usize>,
+    /// Single effects for a step of which the model has no solution, where a second look asked for one.
+    pub passed_over: Vec<usize>,
     /// Evidence of each trial (singles, then pairs), with refits where there are.
     pub ln_evidence: Vec<f64>,
     /// Unnamed fields.
@@ -258,6 +260,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         refits: Vec::new(),
         unsettled: Vec::new(),
         narrow: Vec::new(),
+        passed_over: Vec::new(),
         ln_evidence,
         weighed,
         humps: Humps::default(),

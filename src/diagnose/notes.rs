@@ -86,6 +86,13 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, 
             unsettled.join(", ")
         ));
     }
+    let passed_over = passed_over(baseline, judgement);
+    if !passed_over.is_empty() {
+        notes.push(format!(
+            "{}: no equilibrium at a plausible size, and no fit from there; weighed by derivatives alone.",
+            passed_over.join(", ")
+        ));
+    }
     let unnamed: Vec<&str> = judgement.humps.unsettled.iter().map(|kind| kind.name()).collect();
     if !unnamed.is_empty() {
         notes.push(format!(
@@ -151,6 +158,21 @@ fn unsettled(judgement: &Judgement) -> Vec<String> {
             names.push(name);
         }
     }
+    names
+}
+
+/// Effects that a second look could not take a step of in the model, and that were not fitted either.
+fn passed_over(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for &index in &judgement.passed_over {
+        let trial = judgement.trial(index);
+        let is_told = judgement.unsettled.contains(&index)
+            || matches!(judgement.best_of(&trial.families), Some((_, Some(_))));
+        let own = trial.members.iter().map(|&k| name(baseline, k));
+        names.extend(own.filter(|_| !is_told));
+    }
+    names.sort();
+    names.dedup();
     names
 }
 

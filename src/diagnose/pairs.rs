@@ -2,6 +2,7 @@
 //! any; those without it by the linear model about that wing.
 
 use crate::progress::Progress;
+use crate::study::Footing;
 
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
@@ -69,11 +70,11 @@ pub fn refit_pairs(
     alone(judgement, refits, progress)
 }
 
-/// Fits each effect of a pair whose other one came out as good as nothing again, alone, from where the pair ended: its own fit may have
-/// ended in a wrong valley.
+/// Fits each effect of a pair whose other one came out as good as nothing again, alone, from where the pair ended and from the shapes of
+/// the wing there: its own fit may have ended in a wrong valley.
 fn alone(judgement: &mut Judgement, refits: &Refits, progress: &Progress) -> Result<(), DiagnoseError> {
     let first = judgement.singles.len();
-    let mut starts: Vec<(usize, usize, Vec<f64>)> = Vec::new();
+    let mut starts: Vec<(usize, usize, Vec<f64>, Option<Footing>)> = Vec::new();
     for (index, pair) in judgement.refits.iter().filter(|(index, _)| *index >= first) {
         let (Some(fit), &[a, b]) = (&pair.fit, pair.members.as_slice()) else {
             continue;
@@ -87,17 +88,21 @@ fn alone(judgement: &mut Judgement, refits: &Refits, progress: &Progress) -> Res
             };
             let mut at = fit.at.clone();
             at[refits.data.missing[dropped]] = 0.0;
-            starts.push((single, *index, at));
+            starts.push((single, *index, at, fit.footing.as_ref().map(Footing::for_trials)));
         }
     }
-    for (single, pair, start) in starts {
+    for (single, pair, start, footing) in starts {
         progress.check()?;
         // nothing that the pair could not tell better is worth a fit
         if judgement.is_refitted(single) && judgement.ln_evidence[single] > judgement.ln_evidence[pair] {
             continue;
         }
         let members = judgement.singles[single].members.clone();
-        let found = refits.refit_from(&members, &[start])?;
+        let there = Refits {
+            footing: footing.as_ref(),
+            ..*refits
+        };
+        let found = there.refit_from(&members, &[start])?;
         judgement.take(single, found);
     }
     Ok(())

@@ -66,6 +66,10 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
         };
         let mut ordered: Vec<(usize, usize)> = members.iter().copied().enumerate().collect();
         ordered.sort_by_key(|&(_, k)| family_of(k));
+        let family_name = |k: usize| {
+            let own = family_of(k).map(|position| &judgement.families[families[position]]);
+            own.map_or_else(String::new, |family| family.name.clone())
+        };
         for (position, k) in ordered {
             let own = unknown(baseline, k);
             let [value, error] = strength_of(baseline, trial, explanation, position);
@@ -75,6 +79,7 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
             let may_end = whole_strength(own).is_none();
             strengths.push(Strength {
                 effect: name(baseline, k),
+                family: family_name(k),
                 unknown: own.name.clone(),
                 // a derivative knows no end
                 value: value.clamp(low, high),

@@ -62,7 +62,9 @@ pub fn second_look(
     let mut ranked: Vec<(f64, usize, f64)> = Vec::new();
     for &step in steps {
         // an effect may answer otherwise to a step than its derivative says, in either direction
-        let slopes = stepped(baseline, &baseline.fit, &members, step, progress)?;
+        let (slopes, unsolved) = stepped(baseline, &baseline.fit, &members, step, progress)?;
+        let passed = tried.iter().zip(&members).filter(|(_, k)| unsolved.contains(k));
+        judgement.passed_over.extend(passed.map(|(&index, _)| index));
         let directions = Directions::new(data, &slopes, &baseline.whitened);
         for &index in &tried {
             let trial = &judgement.singles[index];
@@ -98,17 +100,18 @@ pub fn second_look(
 
 /// How all observables answer to steps of the effects `members` about a fit, by a `share` of their plausible size, per prior standard
 /// deviation of the step's length (observables × missing effects; zero for all others, for steps down of what has one sign, and where the
-/// model has no solution).
+/// model has no solution), and those among them for which it has none.
 fn stepped(
     baseline: &Baseline,
     fit: &Fit,
     members: &[usize],
     share: f64,
     progress: &Progress,
-) -> Result<DMatrix<f64>, DiagnoseError> {
+) -> Result<(DMatrix<f64>, Vec<usize>), DiagnoseError> {
     let (forward, data) = (baseline.forward, &baseline.data);
     let unknowns = forward.unknowns();
     let mut slopes = DMatrix::zeros(fit.predicted.len(), data.missing.len());
+    let mut unsolved = Vec::new();
     let footing = fit.footing.as_ref().map(Footing::for_trials);
     for &member in members {
         let unknown = data.missing[member];
@@ -129,6 +132,7 @@ fn stepped(
         at[unknown] += step;
         let there = where_solved(forward.linearize_from(footing.as_ref(), &at, &|_| false))?;
         let Some((Linear { value: moved, .. }, _)) = there else {
+            unsolved.push(member);
             continue;
         };
         let per_sigma = unknowns[unknown].sigma / step.abs();
@@ -137,5 +141,5 @@ fn stepped(
     for row in data.kept_bounds(forward, &fit.predicted) {
         slopes.row_mut(row).fill(0.0);
     }
-    Ok(slopes)
+    Ok((slopes, unsolved))
 }

@@ -131,6 +131,8 @@ pub struct Hypothesis {
 pub struct Strength {
     /// The effect.
     pub effect: String,
+    /// Its family.
+    pub family: String,
     /// The unknown.
     pub unknown: String,
     /// Its value.

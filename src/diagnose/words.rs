@@ -1,7 +1,7 @@
 //! The answer in one plain sentence.
 
 use super::null::are_few;
-use super::verdict::{Diagnosis, Hypothesis, PlaceFound, Verdict};
+use super::verdict::{Diagnosis, Hypothesis, PlaceFound, Strength, Verdict};
 
 /// Names listed before "and others".
 const LISTED: usize = 6;
@@ -54,12 +54,9 @@ pub fn sentence(diagnosis: &Diagnosis, level: f64) -> String {
              more conditions, more stations, or with less noise."
                 .into()
         }
-        (Verdict::Effect, Some(hypothesis)) => format!(
-            "Missing: {} (probability {:.2}, {:.2} that nothing else is); no other effect that was tried explains the misfit.",
-            with_strength(hypothesis),
-            with_any_second(diagnosis, hypothesis),
-            hypothesis.probability
-        ),
+        (Verdict::Effect, Some(hypothesis)) => {
+            effect(&diagnosis.hypotheses, with_any_second(diagnosis, hypothesis))
+        }
         (Verdict::Pair, Some(hypothesis)) => pair(diagnosis, hypothesis),
         (Verdict::Novel, _) => novel(diagnosis),
         _ => format!("Something is missing: {}.", one_of(&names_in_set(diagnosis))),
@@ -74,34 +71,68 @@ fn with_any_second(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> f64 {
         .fold(hypothesis.probability, f64::max)
 }
 
+/// One effect that may be named, though the most probable of the `hypotheses` about it may have a second one that the data merely allow;
+/// `probability`: of the effect, with any second or none.
+fn effect(hypotheses: &[Hypothesis], probability: f64) -> String {
+    let known: Vec<&Hypothesis> = hypotheses.iter().filter(|own| !own.families.is_empty()).collect();
+    let Some(first) = known.first() else {
+        return String::new();
+    };
+    let alone = known.iter().find(|own| own.families[..] == first.families[..1]);
+    let more = match &first.effects[..] {
+        [_, second] => format!("; {:.2} that {second} is, too", first.probability),
+        _ => String::new(),
+    };
+    format!(
+        "Missing: {} (probability {probability:.2}, {:.2} that nothing else is{more}); no other effect that was tried explains the misfit.",
+        with_strength(alone.unwrap_or(first)),
+        alone.map_or(0.0, |alone| alone.probability)
+    )
+}
+
+/// The effects of a hypothesis that the data show, with their strengths; two of one family mean something between them.
 fn with_strength(hypothesis: &Hypothesis) -> String {
-    let parts: Vec<String> = hypothesis
-        .strengths
-        .iter()
-        .map(|strength| {
-            let unit = if strength.unit == "1" {
-                String::new()
-            } else {
-                format!(" {}", strength.unit)
-            };
-            let error = match strength.standard_error {
-                0.0 => String::new(),
-                error => format!(" ± {}", short(error)),
-            };
-            format!(
-                "{} = {}{error}{unit}{}",
-                strength.effect,
-                short(strength.value),
-                strength.place.as_ref().map_or(String::new(), place)
-            )
-        })
-        .collect();
+    let shown = if hypothesis.is_shown { 2 } else { 1 };
+    let of_family = |family: &String| {
+        let own = hypothesis.strengths.iter();
+        let own: Vec<String> = own
+            .filter(|strength| strength.family == *family)
+            .map(one_strength)
+            .collect();
+        match own.len() {
+            0 | 1 => own.concat(),
+            _ => format!("something between {}", own.join(" and ")),
+        }
+    };
+    let parts: Vec<String> = hypothesis.families.iter().take(shown).map(of_family).collect();
     let plausible = if hypothesis.plausible {
         ""
     } else {
         ", an implausible size"
     };
-    format!("{}{plausible}", parts.join(" and "))
+    let between = match hypothesis.strengths.len() > parts.len() && hypothesis.is_shown {
+        true => ", and ",
+        false => " and ",
+    };
+    format!("{}{plausible}", parts.join(between))
+}
+
+fn one_strength(strength: &Strength) -> String {
+    let unit = if strength.unit == "1" {
+        String::new()
+    } else {
+        format!(" {}", strength.unit)
+    };
+    let error = match strength.standard_error {
+        0.0 => String::new(),
+        error => format!(" ± {}", short(error)),
+    };
+    format!(
+        "{} = {}{error}{unit}{}",
+        strength.effect,
+        short(strength.value),
+        strength.place.as_ref().map_or(String::new(), place)
+    )
 }
 
 /// Where an effect sits, as the end of a phrase.
@@ -261,5 +292,50 @@ mod tests {
             ["0.123", "12.3", "1235"]
         );
         assert_eq!([short(-2.5e-6), short(0.0)], ["-2.50e-6", "0"]);
+    }
+
+    /// A hypothesis of effects with their families and strengths ± 0.1.
+    fn hypothesis(strengths: &[(&str, &str, f64)], probability: f64, is_shown: bool) -> Hypothesis {
+        let of = |(effect, family, value): &(&str, &str, f64)| {
+            serde_json::json!({"effect": effect, "family": family, "unknown": effect, "value": value, "at_end": false,
+                "standard_error": 0.1, "unit": "1", "place": null})
+        };
+        let mut effects: Vec<(&str, &str)> = Vec::new();
+        for (effect, family, _) in strengths {
+            if effects.iter().all(|(_, known)| known != family) {
+                effects.push((effect, family));
+            }
+        }
+        let (effects, families): (Vec<&str>, Vec<&str>) = effects.into_iter().unzip();
+        let strengths: Vec<serde_json::Value> = strengths.iter().map(of).collect();
+        let whole = serde_json::json!({"effects": effects, "families": families, "strengths": strengths,
+            "probability": probability, "is_shown": is_shown, "plausible": true, "in_set": true, "refitted": true});
+        serde_json::from_value(whole).unwrap()
+    }
+
+    #[test]
+    fn a_second_effect_that_the_data_merely_allow_is_not_said_to_be_missing() {
+        let coupling = ("bend-twist-coupling", "rod-coupling", -0.38);
+        let both = hypothesis(&[coupling, ("skin-yielding", "skin", 0.09)], 0.7, false);
+        let alone = hypothesis(&[("bend-twist-coupling", "rod-coupling", -0.41)], 0.3, true);
+        let said = effect(&[both.clone(), alone.clone()], 1.0);
+        let expected = "Missing: bend-twist-coupling = -0.410 ± 0.100 (probability 1.00, 0.30 that nothing else is; \
+                        0.70 that skin-yielding is, too); no other";
+        assert!(said.starts_with(expected), "{said}");
+        let said = effect(&[alone, both], 1.0);
+        assert!(said.contains("1.00, 0.30 that nothing else is); no"), "{said}");
+    }
+
+    #[test]
+    fn two_forms_of_one_family_are_something_between_them() {
+        let three = [
+            ("skin-torsion", "rod-stiffness", 0.867),
+            ("leading-edge-frame", "rod-stiffness", 0.384),
+            ("film-cure-tension", "film-tension", 39.2),
+        ];
+        assert_eq!(
+            with_strength(&hypothesis(&three, 0.7, true)),
+            "something between skin-torsion = 0.867 ± 0.100 and leading-edge-frame = 0.384 ± 0.100, and film-cure-tension = 39.2 ± 0.100"
+        );
     }
 }
