@@ -206,7 +206,9 @@ fn strength_error(answer: &Answer, first: Option<&Hypothesis>) -> Option<[f64; 2
         .iter()
         .find(|strength| strength.effect == acted.asked)?;
     // a rival formula has a strength of its own
-    let is_comparable = acted.formula == acted.asked || acted.formula.contains('(');
+    // and what is all or none has no error
+    let is_comparable =
+        (acted.formula == acted.asked || acted.formula.contains('(')) && found.standard_error > 0.0;
     let off = (found.value - acted.strength).abs();
     is_comparable.then(|| [off / acted.strength.abs(), off / found.standard_error])
 }

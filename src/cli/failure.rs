@@ -284,7 +284,14 @@ impl Failure {
                 ExploreError::Coupling(CouplingError::Interrupted(_)) => 130,
                 _ => 2,
             },
-            Failure::OwnWord { .. } | Failure::Blind { .. } => 2,
+            Failure::OwnWord { .. } => 2,
+            Failure::Blind { source, .. } => match source {
+                BlindError::Study(source)
+                | BlindError::Synthesis(SynthesizeError::Study(source))
+                | BlindError::Diagnosis(DiagnoseError::Study(source)) => source.exit_code(),
+                BlindError::Diagnosis(DiagnoseError::Cancelled(_)) => 130,
+                _ => 2,
+            },
             Failure::Sweep { source, .. } => match source {
                 SweepError::Cancelled(_) => 130,
                 _ => 2,

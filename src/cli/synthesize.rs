@@ -188,9 +188,20 @@ fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeRepo
     let study_text = study_beside(study, folder)?;
     let answer_text =
         serde_json::to_string_pretty(&made.answer).map_err(|error| Failure::Output(error.into()))?;
-    let mut files: BTreeMap<String, BTreeMap<usize, Row>> = BTreeMap::new();
+    let mut files: BTreeMap<String, (&str, BTreeMap<usize, Row>)> = BTreeMap::new();
     for case in &made.study.cases {
-        let rows = files.entry(file_name(&case.measurement)).or_default();
+        let name = file_name(&case.measurement);
+        let (from, rows) = files.entry(name).or_insert((&case.measurement, BTreeMap::new()));
+        if *from != case.measurement {
+            return Err(Failure::Option {
+                option: "STUDY",
+                reason: format!(
+                    "{from} and {} would be one file in {}; give them different names",
+                    case.measurement,
+                    folder.display()
+                ),
+            });
+        }
         rows.extend(case.rows.iter().map(|row| (row.line, row.clone())));
     }
     let comments = [
@@ -200,7 +211,7 @@ fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeRepo
     ];
     let mut texts = Vec::new();
     let mut numbers = 0;
-    for (name, rows) in &files {
+    for (name, (_, rows)) in &files {
         let rows: Vec<Row> = rows.values().cloned().collect();
         numbers += rows.len();
         texts.push((folder.join(name), measurement_csv(&comments, &rows)?));
@@ -210,6 +221,22 @@ fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeRepo
     let path = folder.join(file_name(&study.to_string_lossy()));
     let answer = folder.join("answer.json");
     texts.extend([(path.clone(), study_text), (answer.clone(), answer_text)]);
+    let own = made
+        .study
+        .cases
+        .iter()
+        .flat_map(|case| [Path::new(&case.measurement), &case.loaded.path]);
+    let own: Vec<PathBuf> = own.filter_map(|path| path.canonicalize().ok()).collect();
+    let is_own = |path: &Path| path.canonicalize().is_ok_and(|path| own.contains(&path));
+    if let Some((path, _)) = texts.iter().find(|(path, _)| is_own(path)) {
+        return Err(Failure::Option {
+            option: "--output",
+            reason: format!(
+                "{} belongs to the study and would be written over; give another folder",
+                path.display()
+            ),
+        });
+    }
     for (path, text) in &texts {
         write_whole(path, text.as_bytes())?;
     }

@@ -11,7 +11,7 @@ use crate::study::case::PreparedCase;
 use crate::study::left_out::{Local, Others, by_condition};
 use crate::study::{
     AdmittedError, Campaign, Condition, Fit, Forward, Linear, Noise, StudyError, Task, Unknown, UnknownKind,
-    calibrate,
+    best_fit,
 };
 
 use super::study_words::words;
@@ -183,7 +183,7 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
         footing: footing.as_ref(),
     };
     let fit = (!free.is_empty() && !rows.is_empty())
-        .then(|| calibrate(campaign, &task))
+        .then(|| best_fit(campaign, &task))
         .transpose()?;
     let after = fit.as_ref().map_or(&before.value, |fit| &fit.predicted);
     let whitened = |value: &DVector<f64>| {

@@ -19,8 +19,8 @@ const NOVEL_ODDS: f64 = 3.0;
 /// ln of the factor by which a second effect must raise the evidence to stand beside the first as a pair of its own.
 const SECOND: f64 = 1.1;
 
-/// Distance of the model with an effect of its plausible strength from that without, in standard deviations, from which on it is
-/// detectable: chi-square moves by 25.
+/// Distance of the model with an effect of one standard deviation of its prior (1.5 times its plausible size) from that without, in
+/// standard deviations, from which on a second one of its kind would show: chi-square moves by 25.
 const PLAIN: f64 = 5.0;
 
 /// ln of the odds from which on a pair that was fitted anew stands beside any single effect, whatever that leaves: what a test of the
@@ -226,7 +226,8 @@ pub fn gate(judgement: &mut Judgement, baseline: &Baseline) -> Result<(), Diagno
     let odds = of(&Case::Novel) / known.probability.max(f64::MIN_POSITIVE);
     let first_is_novel = judgement.beliefs.first().is_some_and(|b| b.case == Case::Novel);
     judgement.is_novel = refuted_at.is_some() || (odds >= NOVEL_ODDS && first_is_novel);
-    judgement.pair_is_accepted = matches!(known.case, Case::Two(..)) && !judgement.is_novel;
+    let first_is_pair = (judgement.beliefs.first()).is_some_and(|b| matches!(b.case, Case::Two(..)));
+    judgement.pair_is_accepted = first_is_pair && !judgement.is_novel;
     if let Some(p) = refuted_at {
         refuted(&mut judgement.beliefs, baseline.settings.prior.novel, p);
     }

@@ -130,6 +130,10 @@ pub fn fields(forward: &dyn Forward, data: &Data, moment: &DMatrix<f64>, value: 
         (Law::Sensor, place.hats.clone()),
     ];
     for (law, response) in others {
+        // what goes with the twist needs its reading
+        if matches!(law, Law::Spring | Law::Compliance) && channel(forward, data) != Channel::Twist {
+            continue;
+        }
         found.extend(place.scaled(law, &(response * &root), &root));
     }
     found
@@ -241,6 +245,16 @@ pub(super) fn smooth_root(stations: usize) -> DMatrix<f64> {
     Cholesky::new(covariance).map_or_else(|| DMatrix::identity(stations, stations), |factor| factor.unpack())
 }
 
+/// What is read along the span: twist, or deflection if no reading that is fitted is one of twist.
+pub(super) fn channel(forward: &dyn Forward, data: &Data) -> Channel {
+    let observables = forward.observables();
+    let is_twist = |&row: &usize| observables[row].channel == Channel::Twist;
+    match data.rows.iter().any(is_twist) {
+        true => Channel::Twist,
+        false => Channel::Deflection,
+    }
+}
+
 /// Where the fitted observables lie, and how the predicted twist runs there.
 pub(super) struct Places {
     /// Prediction and stated standard deviation.
@@ -265,12 +279,7 @@ impl Places {
             twist_at_stations: DMatrix::zeros(size, stations),
             compliance: DMatrix::zeros(size, stations),
         };
-        let is_twist = |&row: &usize| observables[row].channel == Channel::Twist;
-        let channel = if data.rows.iter().any(is_twist) {
-            Channel::Twist
-        } else {
-            Channel::Deflection
-        };
+        let channel = channel(forward, data);
         for (condition, positions) in data.conditions(forward) {
             let length_mm = 1e3 * forward.conditions()[condition].length_m;
             let at = |position: usize| {

@@ -132,17 +132,30 @@ fn answer(
     rival: &Rival,
 ) -> Result<(DVector<f64>, DMatrix<f64>), DiagnoseError> {
     let known = forward.unknowns();
+    // among experiments on one wing alone nothing is told by its wing
+    let wings = candidates
+        .conditions()
+        .iter()
+        .map(|condition| condition.wing.as_str());
+    let mut wings: Vec<&str> = wings.collect();
+    wings.dedup();
+    let only = match wings.as_slice() {
+        [wing] => format!(" on {wing}"),
+        _ => String::new(),
+    };
+    let is_same = |own: &Unknown, name: &str| {
+        own.name == name || (!only.is_empty() && own.name.strip_suffix(&only) == Some(name))
+    };
+    let is_free = |name: &str| rival.fit.free.iter().any(|&i| is_same(&known[i], name));
+    let of_known = |name: &str| {
+        let free = rival.fit.free.iter().copied().find(|&i| is_same(&known[i], name));
+        free.or_else(|| known.iter().position(|own| own.name == name))
+    };
     let at: Vec<f64> = candidates
         .unknowns()
         .iter()
-        .map(|unknown| {
-            known
-                .iter()
-                .position(|k| k.name == unknown.name)
-                .map_or(unknown.mean, |i| rival.fit.at[i])
-        })
+        .map(|unknown| of_known(&unknown.name).map_or(unknown.mean, |i| rival.fit.at[i]))
         .collect();
-    let is_free = |name: &str| rival.fit.free.iter().any(|&i| known[i].name == name);
     // a nuisance that only the candidate has is as open as its prior leaves it
     let is_new = |unknown: &Unknown| {
         unknown.kind == UnknownKind::Ruler && !known.iter().any(|k| k.name == unknown.name)
@@ -152,7 +165,7 @@ fn answer(
         candidates
             .unknowns()
             .iter()
-            .position(|unknown| unknown.name == known[i].name)
+            .position(|unknown| is_same(&known[i], &unknown.name))
     };
     let slopes = DMatrix::from_fn(linear.value.len(), rival.fit.free.len(), |row, k| {
         place(rival.fit.free[k]).map_or(0.0, |column| linear.jacobian[(row, column)])

@@ -8,7 +8,7 @@ use crate::study::Forward;
 
 use super::baseline::Baseline;
 use super::evidence::{Likelihood, Spectrum, ln_sum};
-use super::fields::{Field, Law};
+use super::fields::{Field, Law, channel};
 use super::hump::Around;
 use super::laws::growths;
 use super::scaling::{Scaling, scaling};
@@ -57,7 +57,7 @@ pub struct Reconstruction {
     pub law: Law,
     /// All laws, best first.
     pub laws: Vec<LawRow>,
-    /// Unit of the field: `N m/m` for loads, `N m/m/deg` for springs, `1` for compliances, that of the twist for readings.
+    /// Unit of the field: `N m/m` for loads, `N m/m/deg` for springs, `1` for compliances, that of the readings (deg of twist, or mm of deflection) for errors of these.
     pub unit: String,
     /// The field along the span.
     pub field: Vec<FieldProfile>,
@@ -199,7 +199,7 @@ pub fn reconstruct(baseline: &Baseline, around: Option<&Around>) -> Option<Recon
         Law::Load { .. } | Law::Onset { .. } | Law::Free => "N m/m",
         Law::Spring => "N m/m/deg",
         Law::Compliance => "1",
-        Law::Sensor => "deg",
+        Law::Sensor => channel(forward, &baseline.data).unit(),
     };
     Some(Reconstruction {
         law,

@@ -37,6 +37,7 @@ pub fn draft(reconstruction: &Reconstruction, conditions: &[Condition]) -> Optio
     let (name, unit) = match reconstruction.law {
         Law::Spring => ("k", "N m/m/deg"),
         Law::Compliance => ("c", "1"),
+        Law::Sensor if reconstruction.unit == "mm" => ("e", "mm"),
         Law::Sensor => ("e", "deg"),
         _ => ("m", "N m/m"),
     };

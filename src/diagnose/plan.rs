@@ -157,7 +157,7 @@ impl Outlook {
                 } else {
                     0.0
                 },
-                confused_with: confused(forward, &data, &directions, k),
+                confused_with: confused(forward, &data, &directions, (k, detectability)),
             });
         }
         effects.sort_by(|a, b| b.detectability.total_cmp(&a.detectability));
@@ -215,13 +215,18 @@ impl Outlook {
     }
 }
 
-fn confused(forward: &dyn Forward, data: &Data, directions: &Directions, k: usize) -> Vec<LookAlike> {
+/// Effects of other families that an effect, seen at this distance, cannot be told from.
+fn confused(
+    forward: &dyn Forward,
+    data: &Data,
+    directions: &Directions,
+    (k, distance): (usize, f64),
+) -> Vec<LookAlike> {
     let unknown = |j: usize| &forward.unknowns()[data.missing[j]];
     let of = |j: usize| effect_of(unknown(j));
-    let (Some((_, family, scale, _)), sigma) = (of(k), unknown(k).sigma) else {
+    let Some((_, family, ..)) = of(k) else {
         return Vec::new();
     };
-    let distance = scale / sigma * directions.lengths[k];
     let mut found: Vec<LookAlike> = (0..data.missing.len())
         .filter_map(|j| {
             let (effect, other, _, _) = of(j)?;

@@ -173,7 +173,11 @@ fn verdict(
     if judgement.is_novel {
         return Verdict::Novel;
     }
-    if judgement.pair_is_accepted {
+    if judgement.pair_is_accepted
+        && hypotheses
+            .first()
+            .is_some_and(|pair| pair.refitted && is_possible(baseline, pair))
+    {
         return Verdict::Pair;
     }
     let Some(belief) = judgement.beliefs.first() else {

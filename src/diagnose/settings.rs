@@ -102,9 +102,10 @@ impl Settings {
             (
                 "significance",
                 self.significance,
-                1e-4,
+                // what the draws can tell
+                1e-3,
                 0.5,
-                "give 0.0001 to 0.5, such as 0.01",
+                "give 0.001 to 0.5, such as 0.01",
             ),
             (
                 "noise_trust",

@@ -57,7 +57,7 @@ pub fn sentence(diagnosis: &Diagnosis, level: f64) -> String {
         (Verdict::Effect, Some(hypothesis)) => {
             effect(&diagnosis.hypotheses, with_any_second(diagnosis, hypothesis))
         }
-        (Verdict::Pair, Some(hypothesis)) => pair(diagnosis, hypothesis),
+        (Verdict::Pair, Some(_)) => pair(&diagnosis.hypotheses),
         (Verdict::Novel, _) => novel(diagnosis),
         _ => format!("Something is missing: {}.", one_of(&names_in_set(diagnosis))),
     }
@@ -157,12 +157,14 @@ fn place(place: &PlaceFound) -> String {
     )
 }
 
-fn pair(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> String {
-    let pairs: Vec<&Hypothesis> = diagnosis
-        .hypotheses
-        .iter()
-        .filter(|h| h.in_set && h.is_shown && h.families.len() == 2)
-        .collect();
+/// Two effects, the most probable of the `hypotheses`.
+fn pair(hypotheses: &[Hypothesis]) -> String {
+    let in_set: Vec<&Hypothesis> = hypotheses.iter().filter(|own| own.in_set).collect();
+    let is_pair = |own: &&Hypothesis| own.is_shown && own.families.len() == 2;
+    let pairs: Vec<&Hypothesis> = in_set.iter().copied().filter(is_pair).collect();
+    let Some(hypothesis) = pairs.first() else {
+        return String::new();
+    };
     let shared = hypothesis
         .families
         .iter()
@@ -177,12 +179,32 @@ fn pair(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> String {
                     other.effects.get(second).cloned()
                 })
                 .collect();
+            let sure = match in_set.iter().all(|other| other.families.contains(family)) {
+                true => format!("{name} for certain"),
+                false => format!("probably {name}"),
+            };
             format!(
-                "Two effects are missing: {name} for certain; the second is {}.",
+                "Two effects are missing: {sure}; the second is {}.",
                 one_of(&seconds)
             )
         }
-        _ => format!("Two effects are missing: {}.", with_strength(hypothesis)),
+        _ => {
+            let others: Vec<String> = in_set
+                .iter()
+                .skip(1)
+                .take(LISTED)
+                .map(|other| name(other))
+                .collect();
+            let others = match others.len() {
+                0 => String::new(),
+                _ => format!("; or else {}", others.join(", ")),
+            };
+            format!(
+                "Two effects are missing: {} (probability {:.2}{others}).",
+                with_strength(hypothesis),
+                hypothesis.probability
+            )
+        }
     }
 }
 
@@ -324,6 +346,25 @@ mod tests {
         assert!(said.starts_with(expected), "{said}");
         let said = effect(&[alone, both], 1.0);
         assert!(said.contains("1.00, 0.30 that nothing else is); no"), "{said}");
+    }
+
+    #[test]
+    fn of_two_effects_one_is_certain_only_if_nothing_in_the_set_is_without_it() {
+        let [a, b, c] = [("a", "a", 1.0), ("b", "b", 2.0), ("c", "c", 3.0)];
+        let pairs = [hypothesis(&[a, b], 0.5, true), hypothesis(&[a, c], 0.4, true)];
+        assert_eq!(
+            pair(&pairs),
+            "Two effects are missing: a for certain; the second is one of b or c, which these data cannot tell apart."
+        );
+        let with = |more: Hypothesis| pair(&[&pairs[..], &[more]].concat());
+        assert!(with(hypothesis(&[a], 0.1, true)).contains("missing: a for certain"));
+        assert!(with(hypothesis(&[b], 0.1, true)).contains("missing: probably a; the second"));
+        let novel = hypothesis(&[], 0.1, true);
+        assert!(with(novel.clone()).contains("missing: probably a; the second"));
+        assert_eq!(
+            pair(&[pairs[0].clone(), novel]),
+            "Two effects are missing: a = 1.00 ± 0.100 and b = 2.00 ± 0.100 (probability 0.50; or else none that is known)."
+        );
     }
 
     #[test]

@@ -87,7 +87,7 @@ pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
     }
     if !diagnosis.predictions.is_empty() {
         sections.push(format!(
-            "Held-out cases (explained: by the best of the known effects)\n{}",
+            "Held-out cases (explained: by the best of the known effects, or by the fitted cause without a name where the verdict is novel)\n{}",
             predictions(diagnosis)
         ));
     }

@@ -6,6 +6,8 @@ mod answers;
 
 pub mod band;
 
+mod best_fit;
+
 pub mod boxed;
 
 pub mod calibrate;
@@ -45,6 +47,7 @@ pub mod unnamed;
 pub mod work;
 
 pub use band::{OutputBand, SurrogateQuality};
+pub use best_fit::best_fit;
 pub use calibrate::{Fit, Task, calibrate};
 pub use campaign::{Campaign, SkippedRow};
 pub use error::StudyError;

@@ -121,3 +121,42 @@ fn an_effect_that_is_not_there_is_refused_before_the_study_is_read() {
     assert_eq!(said.code, Some(2), "{}", said.err);
     assert!(said.err.contains("did you mean skin-bending"), "{}", said.err);
 }
+
+/// A split rod of one wing, which all experiments that are listed are on.
+#[test]
+fn an_effect_on_one_wing_is_foretold_for_experiments_on_it_alone() {
+    let here = folder();
+    let study = copied(here.path(), "three-rods.toml");
+    let text = fs::read_to_string(&study).unwrap();
+    let mut parts = text.split("[[experiment]]");
+    let cases = parts.next().unwrap().to_string();
+    let torque = parts.find(|part| part.contains("torque-v1")).unwrap();
+    assert!(torque.contains("twist-v1.toml"));
+    fs::write(&study, format!("{cases}[[experiment]]{torque}")).unwrap();
+    let hidden = [
+        "--effect",
+        "rod-split@twist-v1=0.25",
+        "--seed",
+        "5",
+        "--output",
+        "try",
+    ];
+    json(&washout(
+        here.path(),
+        &[&["synthesize", "three-rods.toml", "--json"], &hidden[..]].concat(),
+    ));
+    let tried = [
+        "--effect",
+        "rod-split",
+        "--effect",
+        "root-flexure",
+        "--effect",
+        "tip-loss-prandtl",
+    ];
+    let said = json(&washout(
+        here.path(),
+        &[&["diagnose", "try/three-rods.toml", "--json"], &tried[..]].concat(),
+    ));
+    let apart = &said["next_experiment"]["candidates"][0]["separation_sigma"];
+    assert!(apart.as_f64().unwrap() > 1.0, "{}", said["next_experiment"]);
+}

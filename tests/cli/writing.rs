@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use crate::hidden::{MANY, campaign};
 use crate::{Said, contents, design, entries, folder, program, washout};
 
 #[test]
@@ -174,6 +175,68 @@ fn a_reader_that_goes_away_is_no_failure() {
         .read_to_string(&mut err)
         .expect("UTF-8");
     assert_eq!((status.code(), err.as_str()), (Some(0), ""));
+}
+
+/// A campaign in a folder of its own, with its readings in others.
+fn split_campaign(folder: &Path, readings: [&str; 2]) {
+    let home = folder.join("study");
+    fs::create_dir_all(&home).unwrap();
+    campaign(&home, &MANY);
+    let study = fs::read_to_string(home.join("study.toml")).unwrap();
+    let case = "measurement = 'm.csv'\nmeasured = 'm-{moment}'";
+    let beside = |of: &str| format!("measurement = '../{of}/m.csv'\nmeasured = 'm-{{moment}}'");
+    let [first, second] = readings;
+    let mut study = study.replacen(case, &beside(first), 1);
+    if second != first {
+        let again = "[[case]]\ndesign = 'rod.toml'\nset = ['load[0].moment_n_m=[{moment*0.002}, 0, 0]']\n";
+        study.push_str(&format!("{again}{}\n", beside(second)));
+    }
+    fs::write(home.join("study.toml"), study).unwrap();
+    for of in readings {
+        fs::create_dir_all(folder.join(of)).unwrap();
+        fs::copy(home.join("m.csv"), folder.join(of).join("m.csv")).unwrap();
+    }
+}
+
+#[test]
+fn measurements_of_a_study_are_not_written_over() {
+    let folder = tempfile::tempdir().unwrap();
+    split_campaign(folder.path(), ["data", "data"]);
+    let before = fs::read_to_string(folder.path().join("data/m.csv")).unwrap();
+    let hide = [
+        "synthesize",
+        "study/study.toml",
+        "--effect",
+        "root-flexure=0.2",
+        "--output",
+    ];
+    let said = washout(folder.path(), &[&hide[..], &["data"]].concat());
+    assert_eq!(said.code, Some(2), "{}", said.err);
+    assert!(said.err.contains("m.csv belongs to the study"), "{}", said.err);
+    assert_eq!(
+        fs::read_to_string(folder.path().join("data/m.csv")).unwrap(),
+        before
+    );
+    assert_eq!(fs::read_dir(folder.path().join("data")).unwrap().count(), 1);
+    let said = washout(folder.path(), &[&hide[..], &["made"]].concat());
+    assert_eq!(said.code, Some(0), "{}", said.err);
+}
+
+#[test]
+fn two_measurement_files_of_one_name_are_not_made_one() {
+    let folder = tempfile::tempdir().unwrap();
+    split_campaign(folder.path(), ["monday", "tuesday"]);
+    let hide = [
+        "synthesize",
+        "study/study.toml",
+        "--effect",
+        "root-flexure=0.2",
+        "--output",
+        "made",
+    ];
+    let said = washout(folder.path(), &hide);
+    assert_eq!(said.code, Some(2), "{}", said.err);
+    assert!(said.err.contains("give them different names"), "{}", said.err);
 }
 
 #[cfg(unix)]

@@ -1,0 +1,162 @@
+//! A fit that looks beyond the valley in which it starts.
+
+use super::calibrate::{Fit, Task, calibrate};
+use super::error::StudyError;
+use super::forward::{Forward, UnknownKind};
+
+/// Q by which a fit must be better than another to stand in its place.
+const SAME: f64 = 0.1;
+
+/// The best of the fit from the start and of those in which an effect that starts at none starts at its plausible size, of either sign
+/// that it may have: at none it may have no derivative (a phase lag), or lie in another valley. Between fits that are as good as each
+/// other, one whose strength is plausible.
+///
+/// # Errors
+/// Why the last fit fails, if all do, or if the user asked to stop.
+pub fn best_fit(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> {
+    let mut best = calibrate(forward, task);
+    for &effect in task.free.iter().filter(|&&i| task.start[i] == 0.0) {
+        let unknown = &forward.unknowns()[effect];
+        let UnknownKind::Effect { scale, plausible, .. } = unknown.kind else {
+            continue;
+        };
+        let [low, high] = unknown.range;
+        let is_plausible = |fit: &Fit| (plausible[0]..=plausible[1]).contains(&fit.at[effect]);
+        for size in [scale, -scale] {
+            if let Err(cancelled @ StudyError::Cancelled(_)) = best {
+                return Err(cancelled);
+            }
+            if !(low..=high).contains(&size) {
+                continue;
+            }
+            let mut start = best.as_ref().map_or(task.start, |fit| &fit.at).to_vec();
+            start[effect] = size;
+            let task = Task {
+                start: &start,
+                ..task.clone()
+            };
+            best = match (best, calibrate(forward, &task)) {
+                (_, Err(cancelled @ StudyError::Cancelled(_))) => return Err(cancelled),
+                (known, Err(_)) => known,
+                (Ok(known), Ok(found)) => {
+                    let is_better = found.q + SAME < known.q;
+                    let is_as_good = found.q < known.q + SAME;
+                    match is_better || (is_as_good && is_plausible(&found) && !is_plausible(&known)) {
+                        true => Ok(found),
+                        false => Ok(known),
+                    }
+                }
+                (Err(_), found) => found,
+            };
+        }
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DMatrix, DVector};
+
+    use super::*;
+    use crate::input::measurement::{Bound, Channel};
+    use crate::study::{AdmittedError, Condition, Linear, Noise, Observable, Unknown};
+
+    /// y = s² for an effect of strength s, which has no derivative at none and either sign.
+    struct Even {
+        unknowns: [Unknown; 1],
+        observables: [Observable; 1],
+        conditions: [Condition; 1],
+    }
+
+    impl Even {
+        fn new(value: f64, plausible: [f64; 2]) -> Even {
+            let kind = UnknownKind::Effect {
+                effect: "even".into(),
+                family: "even".into(),
+                scale: 2.0,
+                plausible,
+                one_sided: false,
+                has_switch: false,
+                all_or_none: false,
+            };
+            Even {
+                unknowns: [Unknown {
+                    name: "s".into(),
+                    unit: "1".into(),
+                    kind,
+                    mean: 0.0,
+                    sigma: 3.0,
+                    range: [-9.0, 9.0],
+                }],
+                observables: [Observable {
+                    condition: 0,
+                    line: 0,
+                    channel: Channel::Twist,
+                    run: String::new(),
+                    r_mm: None,
+                    r_to_mm: None,
+                    value,
+                    sigma: 0.01,
+                    bound: Bound::None,
+                }],
+                conditions: [Condition {
+                    name: "c".into(),
+                    wing: "w".into(),
+                    is_held_out: false,
+                    frequency_hz: None,
+                    half_amplitude_deg: None,
+                    dynamic_pressure_pa: 0.0,
+                    length_m: 1.0,
+                }],
+            }
+        }
+
+        fn fitted(&self, by: fn(&dyn Forward, &Task) -> Result<Fit, StudyError>) -> f64 {
+            let none = AdmittedError::of_predictions(0.0, &DVector::zeros(1));
+            let noise = Noise::new(&self.observables, &self.conditions, &[0], &none).unwrap();
+            let task = Task {
+                rows: &[0],
+                noise: &noise,
+                free: &[0],
+                start: &[0.0],
+                footing: None,
+            };
+            by(self, &task).unwrap().at[0]
+        }
+    }
+
+    impl Forward for Even {
+        fn unknowns(&self) -> &[Unknown] {
+            &self.unknowns
+        }
+        fn observables(&self) -> &[Observable] {
+            &self.observables
+        }
+        fn conditions(&self) -> &[Condition] {
+            &self.conditions
+        }
+        fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
+            Ok(DVector::from_element(1, at[0] * at[0]))
+        }
+        fn linearize(&self, at: &[f64], _: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError> {
+            Ok(Linear {
+                value: self.predict(at)?,
+                jacobian: DMatrix::from_element(1, 1, 2.0 * at[0]),
+            })
+        }
+        fn moment_response(&self, _: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {
+            Ok(DMatrix::zeros(1, stations))
+        }
+    }
+
+    #[test]
+    fn an_effect_without_a_derivative_at_none_is_fitted_with_the_sign_that_is_plausible() {
+        for (plausible, expected) in [([0.0, 2.0], 1.5), ([-2.0, 0.0], -1.5)] {
+            let even = Even::new(2.25, plausible);
+            assert_eq!(even.fitted(calibrate), 0.0);
+            let found = even.fitted(best_fit);
+            assert!((found - expected).abs() < 1e-3, "{found}");
+        }
+        assert!(Even::new(0.0, [0.0, 2.0]).fitted(best_fit).abs() < 0.1);
+    }
+}
