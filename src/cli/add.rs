@@ -21,6 +21,7 @@ use crate::export::text::{significant, wrapped};
 use crate::input::study::LoadedStudy;
 use crate::study::Campaign;
 
+use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths};
 use super::study::{listed, target as target_of};
 use super::{Console, Failure, joining};
 
@@ -78,6 +79,10 @@ pub struct AddReport {
     pub effect: String,
     /// Its fitted strength and standard error (0 if it is there wholly or not at all); none if it was taken out.
     pub strength: Option<[f64; 2]>,
+    /// The other effects that are fitted in the study, with the strengths that it has now.
+    pub others: Vec<Other>,
+    /// What is to be thought of: strengths that are not plausible, an error that does not fall, wings that change.
+    pub notes: Vec<String>,
     /// The error falling: as stated and calibrated without any effect that was added, with one after the other of those in the
     /// study, with this one (or without it), the noise.
     pub ladder: Vec<StudyRung>,
@@ -135,17 +140,26 @@ impl Add {
         let found = after.unknowns.iter().find(|unknown| unknown.unknown.name == key);
         let whole = (is_whole && !self.remove).then_some([scale, 0.0]);
         let strength = whole.or(found.map(|unknown| [unknown.value, unknown.standard_error]));
+        let others = others(&study, &after, &self.effect);
+        let mut notes = implausible(&after);
+        notes.extend(elsewhere(&study, &self.effect, &self.on));
         steps.push((change, after));
         let ladder = ladder(&steps);
         let text = match strength {
             Some([value, _]) => self.changed(&text, value, sigma, &table, on)?,
             None => changed,
         };
+        let text = with_strengths(&text, &others)?;
+        if !self.remove {
+            notes.extend(no_fall(&ladder));
+        }
         add_falls(&mut folder, &name, &Fall::of_study(&ladder))?;
         let report = AddReport {
             written: target,
             effect: self.effect.clone(),
             strength,
+            others,
+            notes,
             ladder,
             files: folder.listed_with(self.report),
         };
@@ -313,7 +327,7 @@ pub(super) fn own_effects(file: &Path) -> Result<BTreeMap<String, toml::Table>, 
 }
 
 /// A number as it is written into a study, with six digits.
-fn written(value: f64) -> f64 {
+pub(super) fn written(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
@@ -373,8 +387,11 @@ pub fn page(report: &AddReport) -> String {
         ),
         None => format!("without {}", report.effect),
     };
+    let others = report.others.iter().map(Other::line);
+    let notes = report.notes.iter().map(|note| wrapped(note, 2));
+    let more: String = others.chain(notes).collect();
     format!(
-        "{}: {what}\n\nError step by step\n{}{}\nError wing by wing\n{}{}",
+        "{}: {what}\n{more}\nError step by step\n{}{}\nError wing by wing\n{}{}",
         report.written.display(),
         wrapped(STEPS, 2),
         ladder_text::steps(&report.ladder),

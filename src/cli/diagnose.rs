@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use crate::diagnose::verdict::{Diagnosis, Hypothesis, Verdict};
+use crate::diagnose::verdict::{Diagnosis, Hypothesis, Strength, Verdict};
 use crate::diagnose::{DiagnoseError, Settings, diagnose_with, plan};
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::html::{self, REPORT};
@@ -124,6 +124,9 @@ impl Diagnose {
         );
         let text = match to_add(&self.study, &self.on, &report.diagnosis) {
             commands if commands.is_empty() => text,
+            commands if report.diagnosis.verdict == Verdict::Set => {
+                format!("{text}\nTo try the most probable, which is not sure\n{commands}")
+            }
             commands => format!("{text}\nTo take it into the model\n{commands}"),
         };
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
@@ -154,7 +157,11 @@ fn to_add(study: &Path, on: &[String], diagnosis: &Diagnosis) -> String {
     // a second effect that the data merely allow is none to be added
     let count = if known.is_shown { known.strengths.len() } else { 1 };
     let mut commands = String::new();
-    for strength in known.strengths.iter().take(count) {
+    let mut strengths: Vec<&Strength> = known.strengths.iter().take(count).collect();
+    // what is surest first: a fit of the other alone might end elsewhere
+    let in_errors = |own: &Strength| own.value.abs() / own.standard_error;
+    strengths.sort_by(|a, b| in_errors(b).total_cmp(&in_errors(a)));
+    for strength in strengths {
         commands.push_str(&format!("  washout add {}", strength.effect));
         if let Some(place) = &strength.place {
             commands.push_str(&format!(

@@ -63,6 +63,8 @@ pub mod candidates;
 
 pub mod add;
 
+pub mod added;
+
 pub mod joining;
 
 pub mod report;

@@ -12,6 +12,8 @@ pub mod error;
 
 pub mod evidence;
 
+pub mod far;
+
 pub mod fields;
 
 pub mod foretold;

@@ -10,6 +10,7 @@ use crate::study::left_out::Local;
 
 use super::data::{Data, Scatter, start};
 use super::error::{DiagnoseError, where_solved};
+use super::far::STRAIGHT;
 use super::posterior::SEPARATE;
 use super::screening::{
     Directions, ENOUGH_POWER, Slopes, effect_of, family_wise, is_one_sided, power_at_distance,
@@ -18,9 +19,6 @@ use super::screening::{
 use super::settings::Settings;
 use super::verdict::LookAlike;
 use super::whitened::Whitened;
-
-/// An effect whose plausible size lies further out by its derivative than this, sigma, is looked at in the full model: it may saturate.
-const STRAIGHT: f64 = 100.0;
 
 /// What a planned campaign could tell.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -243,6 +241,13 @@ fn confused(
         })
         .collect();
     found.sort_by(|a, b| b.cosine.abs().total_cmp(&a.cosine.abs()));
+    // of an effect that may sit anywhere, the place that is most alike
+    let mut names: Vec<String> = Vec::new();
+    found.retain(|own| {
+        let is_new = !names.contains(&own.effect);
+        names.push(own.effect.clone());
+        is_new
+    });
     found
 }
 

@@ -8,6 +8,7 @@ use crate::study::{Fit, Forward};
 use super::added_variable::added_variable;
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
+use super::far::far;
 use super::hump::Around;
 use super::judge::Judgement;
 use super::ladder::{Explained, ladder};
@@ -51,8 +52,8 @@ pub fn report(
         .filter(|belief| belief.in_set || (belief.is_shown && belief.probability > LISTED))
         .map(|belief| hypothesis(baseline, judgement, &gains, belief))
         .collect();
-    let effects = effect_rows(baseline, judgement, &gains);
-    let unseen: Vec<String> = unseen(&effects);
+    let effects = effect_rows(baseline, judgement, &gains, &far(baseline)?);
+    let unseen: Vec<String> = unseen(baseline, &effects);
     let verdict = verdict(baseline, judgement, &effects, &hypotheses);
     let added = judgement
         .beliefs

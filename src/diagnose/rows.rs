@@ -10,7 +10,8 @@ use super::library::Trial;
 use super::posterior::{Belief, Case};
 use super::refit::Explanation;
 use super::screening::{
-    ENOUGH_POWER, Sight, effect_of, family_wise, is_one_sided, place_of, power_at_distance, whole_strength,
+    ENOUGH_POWER, MATTERS, Sight, effect_of, family_wise, is_one_sided, place_of, power_at_distance,
+    whole_strength,
 };
 use super::verdict::{EffectRow, Hypothesis, LookAlike, PlaceFound, Strength};
 
@@ -186,12 +187,16 @@ pub fn is_nameable(unknown: &Unknown, value: f64) -> bool {
 }
 
 /// Whether no strength of a hypothesis is absurd: some scales at most, and not at an end of what is accepted, but for no strength
-/// at all.
+/// at all, and for an end that is plausible (a tip loss of 1 is all of it).
 pub fn is_possible(baseline: &Baseline, hypothesis: &Hypothesis) -> bool {
     let unknowns = baseline.forward.unknowns();
     hypothesis.strengths.iter().all(|strength| {
         let own = unknowns.iter().find(|own| own.name == strength.unknown);
-        own.is_none_or(|own| is_nameable(own, strength.value) && !strength.at_end)
+        own.is_none_or(|own| {
+            let is_plausible = matches!(own.kind, UnknownKind::Effect { plausible: [low, high], .. }
+                if (low..=high).contains(&strength.value));
+            is_nameable(own, strength.value) && (!strength.at_end || is_plausible)
+        })
     })
 }
 
@@ -200,8 +205,14 @@ fn weight(row: &EffectRow) -> f64 {
     row.ln_evidence + 1e-6 * row.detectability.min(1e6)
 }
 
-/// A row for every missing effect; of those that could sit elsewhere, for their best place.
-pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) -> Vec<EffectRow> {
+/// A row for every missing effect; of those that could sit elsewhere, for their best place; `far`: what the model has of those that are
+/// far out by their derivative.
+pub fn effect_rows(
+    baseline: &Baseline,
+    judgement: &Judgement,
+    gains: &Gains,
+    far: &[Option<f64>],
+) -> Vec<EffectRow> {
     let directions = &baseline.directions;
     let significance = family_wise(baseline.settings.significance, baseline.data.missing.len());
     let base = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
@@ -246,9 +257,9 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) ->
                 refitted_error.unwrap_or(one_step_error),
             ),
             plausible_range: plausible_range(own),
-            detectability: scale * length,
-            power: match whole {
-                Some([_, distance]) => power_at_distance(distance, is_one_sided(own), significance),
+            detectability: far[k].unwrap_or(scale * length),
+            power: match whole.map(|[_, distance]| distance).or(far[k]) {
+                Some(distance) => power_at_distance(distance, is_one_sided(own), significance),
                 None => directions.power(k, own, significance),
             },
             // what a fit finds is there, whatever the derivative at zero says of it
@@ -260,6 +271,9 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) ->
                     Sight::Absent
                 }
                 _ if whole.is_some() => Sight::Undecidable,
+                _ if far[k].is_some_and(|distance| is_unseen(MATTERS * distance, own, significance)) => {
+                    Sight::Undecidable
+                }
                 _ => directions.sight(k, own, significance),
             },
             ln_evidence,
@@ -408,15 +422,15 @@ fn look_alikes(baseline: &Baseline, judgement: &Judgement, k: usize) -> Vec<Look
 }
 
 /// Effects that could not have been seen, wherever they sit.
-pub fn unseen(effects: &[EffectRow]) -> Vec<String> {
-    let mut unseen: Vec<String> = Vec::new();
-    for row in effects {
-        let is_seen = effects
-            .iter()
-            .any(|other| other.effect == row.effect && other.power >= ENOUGH_POWER);
-        if !is_seen && !unseen.contains(&row.effect) {
-            unseen.push(row.effect.clone());
-        }
-    }
-    unseen
+pub fn unseen(baseline: &Baseline, effects: &[EffectRow]) -> Vec<String> {
+    let level = family_wise(baseline.settings.significance, baseline.data.missing.len());
+    let elsewhere = |row: &EffectRow| {
+        let places = (0..baseline.data.missing.len()).filter(|&k| name(baseline, k) == row.effect);
+        let mut power = places.map(|k| baseline.directions.power(k, unknown(baseline, k), level));
+        row.place.is_some() && power.any(|power| power >= ENOUGH_POWER)
+    };
+    let unseen = effects
+        .iter()
+        .filter(|row| row.power < ENOUGH_POWER && !elsewhere(row));
+    unseen.map(|row| row.effect.clone()).collect()
 }

@@ -15,7 +15,7 @@ use super::whitened::Whitened;
 /// Power from which on an effect of its plausible size counts as detectable.
 pub const ENOUGH_POWER: f64 = 0.8;
 /// Share of its plausible size from which on an effect must have been seen to be called absent.
-const MATTERS: f64 = 1.0 / 3.0;
+pub const MATTERS: f64 = 1.0 / 3.0;
 
 /// An effect whose plausible size moves no reading by more than this share of the largest, by its derivative, has none.
 const FLAT: f64 = 1e-9;

@@ -27,7 +27,7 @@ pub struct DiagnosisReport {
 /// What the columns of the effects mean.
 const STRENGTHS: &str = "score: distance from none in sigma, what the model can absorb left out; one_step: strength by one linear step; within: \
                          whether its error reaches the plausible range; detectable: sigma that the largest plausible size would have, by the \
-                         derivative at none (more than it has, if it saturates); \
+                         derivative at none, or by the model where that says more than 100; \
                          alone: whether it could be what is missing, by its score alone (absent: a third of the plausible size would have been seen).";
 const LIKELY: &str = "ln_evidence: against nothing missing; probability: of its family, alone or with a second that the data merely allow; gain_left_out: of the logarithm of the \
                       density that all other cases give to each; held_out_gain: held-out error without over with it; look-alikes with \

@@ -4,12 +4,13 @@ use super::calibrate::{Fit, Task, calibrate};
 use super::error::StudyError;
 use super::forward::{Forward, UnknownKind};
 
-/// Q by which a fit must be better than another to stand in its place.
+/// Q by which a fit must be better than another to stand in its place; and the part of the plausible size by which its strength must lie
+/// nearer to what is plausible if it is as good.
 const SAME: f64 = 0.1;
 
 /// The best of the fit from the start and of those in which an effect that starts at none starts at its plausible size, of either sign
 /// that it may have: at none it may have no derivative (a phase lag), or lie in another valley. Between fits that are as good as each
-/// other, one whose strength is plausible.
+/// other, the one whose strength is more plausible.
 ///
 /// # Errors
 /// Why the last fit fails, if all do, or if the user asked to stop.
@@ -21,7 +22,10 @@ pub fn best_fit(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> {
             continue;
         };
         let [low, high] = unknown.range;
-        let is_plausible = |fit: &Fit| (plausible[0]..=plausible[1]).contains(&fit.at[effect]);
+        let beyond = |fit: &Fit| {
+            let strength = fit.at[effect];
+            (plausible[0] - strength).max(strength - plausible[1]).max(0.0)
+        };
         for size in [scale, -scale] {
             if let Err(cancelled @ StudyError::Cancelled(_)) = best {
                 return Err(cancelled);
@@ -41,7 +45,8 @@ pub fn best_fit(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> {
                 (Ok(known), Ok(found)) => {
                     let is_better = found.q + SAME < known.q;
                     let is_as_good = found.q < known.q + SAME;
-                    match is_better || (is_as_good && is_plausible(&found) && !is_plausible(&known)) {
+                    let is_more_plausible = beyond(&found) + SAME * scale < beyond(&known);
+                    match is_better || (is_as_good && is_more_plausible) {
                         true => Ok(found),
                         false => Ok(known),
                     }
@@ -151,7 +156,7 @@ mod tests {
 
     #[test]
     fn an_effect_without_a_derivative_at_none_is_fitted_with_the_sign_that_is_plausible() {
-        for (plausible, expected) in [([0.0, 2.0], 1.5), ([-2.0, 0.0], -1.5)] {
+        for (plausible, expected) in [([0.0, 2.0], 1.5), ([-2.0, 0.0], -1.5), ([0.0, 1.2], 1.5)] {
             let even = Even::new(2.25, plausible);
             assert_eq!(even.fitted(calibrate), 0.0);
             let found = even.fitted(best_fit);

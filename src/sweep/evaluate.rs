@@ -223,7 +223,13 @@ fn of_design(
 
 fn of_study(path: &Path, sets: &[String], progress: &Progress) -> Result<Vec<Figure>, String> {
     let text = |error: StudyError| error.to_string();
-    let study = LoadedStudy::load(path, sets).map_err(|error| error.to_string())?;
+    let mut study = LoadedStudy::load(path, sets).map_err(|error| error.to_string())?;
+    // what is varied is not calibrated
+    let is_set = |key: &str| {
+        sets.iter()
+            .any(|set| set.split('=').next().map(str::trim) == Some(key))
+    };
+    study.study.uncertain.retain(|uncertain| !is_set(&uncertain.key));
     let campaign = Campaign::new(&study, &[], &progress.unseen()).map_err(text)?;
     let found = compare_study(&campaign, &study.study.title).map_err(text)?;
     let mut figures = Vec::new();

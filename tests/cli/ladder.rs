@@ -98,6 +98,26 @@ fn each_effect_that_was_added_has_its_rung_from_as_stated_down_to_the_noise() {
         assert!((noise - 1.0).abs() < 1e-12, "{of}: {then:?}");
     }
     assert_eq!(errors(&two, "left_out_sigma")[0], None);
+    // fitted alone, the first stood for both; the study has both as they are fitted together
+    assert_eq!(one["others"].as_array().unwrap().len(), 0);
+    let again = &two["others"][0];
+    let [alone, with_both] =
+        [&one["strength"][0], &again["strength"][0]].map(|number| number.as_f64().unwrap());
+    assert_eq!(again["effect"], "rod-shear-modulus");
+    assert!(
+        (again["before"].as_f64().unwrap() / alone - 1.0).abs() < 1e-4,
+        "{again}"
+    );
+    assert!(
+        (with_both - 0.3).abs() < 0.05 && (alone - 0.3).abs() > 0.1,
+        "{again}"
+    );
+    let text = fs::read_to_string(folder.path().join("try/study.toml")).unwrap();
+    let stands = text.parse::<toml::Table>().unwrap()["effect"][0]["strength"]
+        .as_float()
+        .unwrap();
+    assert!((stands / with_both - 1.0).abs() < 1e-4, "{text}");
+    assert_eq!(two["notes"].as_array().unwrap().len(), 0, "{}", two["notes"]);
     let group = &two["ladder"][3]["groups"][0];
     assert!(
         group["left_out"].as_f64().unwrap() >= group["rmse"].as_f64().unwrap(),
@@ -125,6 +145,10 @@ fn each_effect_that_was_added_has_its_rung_from_as_stated_down_to_the_noise() {
     ));
     assert_eq!(after["verdict"], "nothing", "{}", after["sentence"]);
 
+    // what adds nothing is written, and said to add nothing
+    let idle = add(&["rod-ends-early", "--output", "try/idle.toml"]);
+    let notes = idle["notes"].to_string();
+    assert!(notes.contains("held out does not fall"), "{notes}");
     let anew = add(&["root-flexure"]);
     assert_eq!(names(&anew)[3..5], ["+ root-flexure", "root-flexure anew"]);
     let out = add(&["rod-shear-modulus", "--remove"]);

@@ -17,6 +17,12 @@ const CASES: &[Case] = &[
          Give the standard deviation of the value in its unit; if the source states none, assume one and write sigma_kind = assumed",
     ),
     (
+        "sigma beyond all numbers",
+        "wing,twist,camera,deg,washout,1,30,,6,1e-200,stated,none",
+        "m.csv:4: sigma = 1e-200: outside 1e-9 to 1e9.\n  \
+         Give the standard deviation of the value in its unit; if the source states none, assume one and write sigma_kind = assumed",
+    ),
+    (
         "sigma negative",
         "wing,twist,camera,deg,washout,1,30,,6,-0.5,stated,none",
         "m.csv:4: sigma = -0.5: must be larger than 0.\n  \

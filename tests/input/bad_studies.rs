@@ -70,6 +70,12 @@ fn bad_studies_are_refused_with_place_value_and_cure() {
              The cases have the designs twist-v2",
         ),
         (
+            &format!(
+                "{CASE}measured = 'twist-v2'\n[[ruler]]\nkind = 'offset'\nchannel = 'twist'\nsigma = 0.3\nruns = ['v9']\n"
+            ),
+            "s.toml:11:8: ruler[0].runs = ['v9']: no reading of twist has a run \"v9\".\n  Its readings name no runs: leave this out",
+        ),
+        (
             &format!("{CASE}measured = 'twist-v2'\nmesured = 1\n"),
             "s.toml:7:1: case[0].mesured = 1: unknown key.\n  Did you mean measured? Allowed in case[0]: design, set, measurement, \
              measured, channels, use, held_out",

@@ -5,6 +5,9 @@ use crate::input::design::Instrument;
 use crate::input::error::{InputError, Problem, Range};
 use crate::input::table::Record;
 
+/// Standard deviations that are accepted, in the unit of the channel.
+const SIGMAS: std::ops::RangeInclusive<f64> = 1e-9..=1e9;
+
 pub(super) fn read_row(record: &Record) -> Result<Row, InputError> {
     let case = record.text("case").to_string();
     if case.is_empty() {
@@ -31,6 +34,10 @@ pub(super) fn read_row(record: &Record) -> Result<Row, InputError> {
     let sigma = record.number("sigma", sigma_cure)?;
     if sigma <= 0.0 {
         return Err(record.conflict("sigma", "must be larger than 0", &[], sigma_cure));
+    }
+    if !SIGMAS.contains(&sigma) {
+        let words = format!("outside {:e} to {:e}", SIGMAS.start(), SIGMAS.end());
+        return Err(record.conflict("sigma", words, &[], sigma_cure));
     }
     let kinds = [
         ("stated", SigmaKind::Stated),

@@ -114,6 +114,7 @@ impl LoadedStudy {
         let cases = families(&study.case, "case")?;
         let experiments = families(&study.experiment, "experiment")?;
         known_designs(&study, &root, &cases)?;
+        known_runs(&study, &root, cases.iter().chain(&experiments))?;
         Ok(LoadedStudy {
             study,
             path: path.to_path_buf(),
@@ -242,6 +243,35 @@ fn family(
             rows: measurement.rows.into_iter().filter(counts).collect(),
             is_held_out: case.purpose == Purpose::HeldOut || case.held_out.iter().any(|held| held == name),
         });
+    }
+    Ok(())
+}
+
+/// Refuses runs of a ruler that no reading of its channel has.
+fn known_runs<'a>(
+    study: &Study,
+    root: &Node,
+    cases: impl Iterator<Item = &'a LoadedCase> + Clone,
+) -> Result<(), InputError> {
+    for (k, ruler) in study.ruler.iter().enumerate() {
+        let rows = cases.clone().flat_map(|case| &case.rows);
+        let mut known: Vec<&str> = rows
+            .filter(|row| row.channel == ruler.channel)
+            .map(|row| row.run.as_str())
+            .collect();
+        known.sort_unstable();
+        known.dedup();
+        for run in ruler.runs.iter().flatten() {
+            if !known.contains(&run.as_str()) {
+                let key = format!("ruler[{k}].runs");
+                let message = format!("no reading of {} has a run {run:?}", ruler.channel.name());
+                let cure = match known.iter().all(|own| own.is_empty()) {
+                    true => "Its readings name no runs: leave this out".to_string(),
+                    false => format!("The runs are {}", known.join(", ")),
+                };
+                return refuse(root, &key, message, &["channel"], cure);
+            }
+        }
     }
     Ok(())
 }
