@@ -73,7 +73,7 @@ fn bad_studies_are_refused_with_place_value_and_cure() {
             &format!(
                 "{CASE}measured = 'twist-v2'\n[[ruler]]\nkind = 'offset'\nchannel = 'twist'\nsigma = 0.3\nruns = ['v9']\n"
             ),
-            "s.toml:11:8: ruler[0].runs = ['v9']: no reading of twist has a run \"v9\".\n  Its readings name no runs: leave this out",
+            "s.toml:11:8: ruler[0].runs = ['v9']: no reading of twist has such a run.\n  Its readings name no runs: leave this out",
         ),
         (
             &format!("{CASE}measured = 'twist-v2'\nmesured = 1\n"),

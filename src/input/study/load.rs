@@ -247,7 +247,7 @@ fn family(
     Ok(())
 }
 
-/// Refuses runs of a ruler that no reading of its channel has.
+/// Refuses rulers of which no run is that of a reading of their channel; some may belong to cases that were taken out.
 fn known_runs<'a>(
     study: &Study,
     root: &Node,
@@ -261,16 +261,15 @@ fn known_runs<'a>(
             .collect();
         known.sort_unstable();
         known.dedup();
-        for run in ruler.runs.iter().flatten() {
-            if !known.contains(&run.as_str()) {
-                let key = format!("ruler[{k}].runs");
-                let message = format!("no reading of {} has a run {run:?}", ruler.channel.name());
-                let cure = match known.iter().all(|own| own.is_empty()) {
-                    true => "Its readings name no runs: leave this out".to_string(),
-                    false => format!("The runs are {}", known.join(", ")),
-                };
-                return refuse(root, &key, message, &["channel"], cure);
-            }
+        let runs = ruler.runs.as_deref().unwrap_or_default();
+        if !runs.is_empty() && !runs.iter().any(|run| known.contains(&run.as_str())) {
+            let key = format!("ruler[{k}].runs");
+            let message = format!("no reading of {} has such a run", ruler.channel.name());
+            let cure = match known.iter().all(|own| own.is_empty()) {
+                true => "Its readings name no runs: leave this out".to_string(),
+                false => format!("The runs are {}", known.join(", ")),
+            };
+            return refuse(root, &key, message, &["channel"], cure);
         }
     }
     Ok(())
