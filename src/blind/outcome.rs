@@ -205,8 +205,7 @@ fn strength_error(answer: &Answer, first: Option<&Hypothesis>) -> Option<[f64; 2
         .strengths
         .iter()
         .find(|strength| strength.effect == acted.asked)?;
-    // a rival formula has a strength of its own
-    // and what is all or none has no error
+    // a rival formula has a strength of its own, and what is all or none no error
     let is_comparable =
         (acted.formula == acted.asked || acted.formula.contains('(')) && found.standard_error > 0.0;
     let off = (found.value - acted.strength).abs();

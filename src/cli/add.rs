@@ -150,7 +150,8 @@ impl Add {
             None => changed,
         };
         let text = with_strengths(&text, &others)?;
-        if !self.remove {
+        // one that stood there had its fall before
+        if !self.remove && !stands {
             notes.extend(no_fall(&ladder));
         }
         add_falls(&mut folder, &name, &Fall::of_study(&ladder))?;

@@ -13,7 +13,7 @@ use crate::study::UnknownKind;
 use super::Failure;
 use super::add::written;
 
-/// Share by which an error must change to be told.
+/// Share by which an error must fall to count as falling.
 const TOLD: f64 = 0.005;
 
 /// An effect of the study besides the one that is added, with its strength at the fit of all.
@@ -113,7 +113,7 @@ pub fn elsewhere(study: &LoadedStudy, effect: &str, on: &[String]) -> Option<Str
         .then(|| format!("{effect} acts on {} now, on {} before.", words(on), words(before)))
 }
 
-/// That the last step does not lower the error of what is held out, or else left out.
+/// That the last step, which adds an effect, does not lower the error of what is held out, or else left out.
 pub fn no_fall(ladder: &[StudyRung]) -> Option<String> {
     let [.., before, after, _noise] = ladder else {
         return None;

@@ -173,6 +173,7 @@ impl Synthesize {
 
 /// Writes study, measurements and answer.
 fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeReport, Failure> {
+    let files = measured(&made.study, folder)?;
     std::fs::create_dir_all(folder).map_err(ExportError::file("create", folder))?;
     let whole = |path: &Path| path.canonicalize().map_err(ExportError::file("find", path));
     let home = study.parent().filter(|home| !home.as_os_str().is_empty());
@@ -188,22 +189,6 @@ fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeRepo
     let study_text = study_beside(study, folder)?;
     let answer_text =
         serde_json::to_string_pretty(&made.answer).map_err(|error| Failure::Output(error.into()))?;
-    let mut files: BTreeMap<String, (&str, BTreeMap<usize, Row>)> = BTreeMap::new();
-    for case in &made.study.cases {
-        let name = file_name(&case.measurement);
-        let (from, rows) = files.entry(name).or_insert((&case.measurement, BTreeMap::new()));
-        if *from != case.measurement {
-            return Err(Failure::Option {
-                option: "STUDY",
-                reason: format!(
-                    "{from} and {} would be one file in {}; give them different names",
-                    case.measurement,
-                    folder.display()
-                ),
-            });
-        }
-        rows.extend(case.rows.iter().map(|row| (row.line, row.clone())));
-    }
     let comments = [
         made.answer.recipe.made.to_string(),
         "These numbers come from no experiment: they are readings of a model with errors of its own."
@@ -211,7 +196,7 @@ fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeRepo
     ];
     let mut texts = Vec::new();
     let mut numbers = 0;
-    for (name, (_, rows)) in &files {
+    for (name, rows) in &files {
         let rows: Vec<Row> = rows.values().cloned().collect();
         numbers += rows.len();
         texts.push((folder.join(name), measurement_csv(&comments, &rows)?));
@@ -251,6 +236,28 @@ fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeRepo
             .map(|acted| acted.asked.clone())
             .collect(),
     })
+}
+
+/// The rows of a study by the name of the file, and there by line.
+fn measured(study: &LoadedStudy, folder: &Path) -> Result<BTreeMap<String, BTreeMap<usize, Row>>, Failure> {
+    let mut from: BTreeMap<String, &str> = BTreeMap::new();
+    let mut files: BTreeMap<String, BTreeMap<usize, Row>> = BTreeMap::new();
+    for case in &study.cases {
+        let (own, name) = (case.measurement.as_str(), file_name(&case.measurement));
+        let known = *from.entry(name.clone()).or_insert(own);
+        if known != own {
+            return Err(Failure::Option {
+                option: "STUDY",
+                reason: format!(
+                    "{known} and {own} would be one file in {}; give them different names",
+                    folder.display()
+                ),
+            });
+        }
+        let rows = files.entry(name).or_default();
+        rows.extend(case.rows.iter().map(|row| (row.line, row.clone())));
+    }
+    Ok(files)
 }
 
 fn file_name(path: &str) -> String {

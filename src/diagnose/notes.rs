@@ -16,7 +16,11 @@ use super::screening::effect_of;
 ///
 /// # Errors
 /// If a scatter is not positive.
-pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, DiagnoseError> {
+pub fn notes(
+    baseline: &Baseline,
+    judgement: &Judgement,
+    unsolved: &[usize],
+) -> Result<Vec<String>, DiagnoseError> {
     let mut notes = Vec::new();
     let numbers = baseline.data.rows.len();
     if baseline.on_trust() {
@@ -86,7 +90,7 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Result<Vec<String>, 
             unsettled.join(", ")
         ));
     }
-    let passed_over = passed_over(baseline, judgement);
+    let passed_over = passed_over(baseline, judgement, unsolved);
     if !passed_over.is_empty() {
         notes.push(format!(
             "{}: no equilibrium at a plausible size, and no fit from there; weighed by derivatives alone.",
@@ -161,10 +165,18 @@ fn unsettled(judgement: &Judgement) -> Vec<String> {
     names
 }
 
-/// Effects that a second look could not take a step of in the model, and that were not fitted either.
-fn passed_over(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
+/// Effects that a second look could not take a step of in the model, or that have no solution at their plausible size (`unsolved`), and
+/// that were not fitted either.
+fn passed_over(baseline: &Baseline, judgement: &Judgement, unsolved: &[usize]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
-    for &index in &judgement.passed_over {
+    let singles = judgement.singles.iter().enumerate();
+    let unsolved = singles.filter(|(_, trial)| matches!(trial.members[..], [k] if unsolved.contains(&k)));
+    for index in judgement
+        .passed_over
+        .iter()
+        .copied()
+        .chain(unsolved.map(|(index, _)| index))
+    {
         let trial = judgement.trial(index);
         let is_told = judgement.unsettled.contains(&index)
             || matches!(judgement.best_of(&trial.families), Some((_, Some(_))));

@@ -16,11 +16,11 @@ const PER_DEGREE: &str = " * (0 - 57.29578 * twist)";
 const LARGEST: f64 = 3.0;
 
 /// A number of a draft: name, value, range, unit, and why.
-struct Number {
+struct Number<'a> {
     name: &'static str,
     value: f64,
     range: [f64; 2],
-    unit: &'static str,
+    unit: &'a str,
     why: String,
 }
 
@@ -34,12 +34,12 @@ pub fn draft(reconstruction: &Reconstruction, conditions: &[Condition]) -> Optio
         .points
         .iter()
         .max_by(|a, b| a.value.abs().total_cmp(&b.value.abs()))?;
-    let (name, unit) = match reconstruction.law {
-        Law::Spring => ("k", "N m/m/deg"),
-        Law::Compliance => ("c", "1"),
-        Law::Sensor if reconstruction.unit == "mm" => ("e", "mm"),
-        Law::Sensor => ("e", "deg"),
-        _ => ("m", "N m/m"),
+    let unit = reconstruction.unit.as_str();
+    let name = match reconstruction.law {
+        Law::Spring => "k",
+        Law::Compliance => "c",
+        Law::Sensor => "e",
+        _ => "m",
     };
     let place = profile
         .condition
@@ -126,7 +126,7 @@ fn growth(
     reconstruction: &Reconstruction,
     profile: &FieldProfile,
     conditions: &[Condition],
-) -> (String, Vec<Number>) {
+) -> (String, Vec<Number<'static>>) {
     let there = |condition: &&Condition| match &profile.condition {
         Some(name) => condition.name == *name,
         None => !condition.is_held_out,

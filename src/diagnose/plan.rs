@@ -9,8 +9,8 @@ use crate::study::Forward;
 use crate::study::left_out::Local;
 
 use super::data::{Data, Scatter, start};
-use super::error::{DiagnoseError, where_solved};
-use super::far::STRAIGHT;
+use super::error::DiagnoseError;
+use super::far::{STRAIGHT, distance};
 use super::posterior::SEPARATE;
 use super::screening::{
     Directions, ENOUGH_POWER, Slopes, effect_of, family_wise, is_one_sided, power_at_distance,
@@ -119,15 +119,7 @@ impl Outlook {
             .noise
             .whiten_columns(&slopes.select_rows(data.rows.iter()));
         let level = family_wise(settings.significance, data.missing.len());
-        let seen_at = |i: usize, strength: f64| -> Result<Option<f64>, DiagnoseError> {
-            let mut there = start.clone();
-            there[i] = strength;
-            let moved = where_solved(forward.predict(&there))?.map(|moved| moved - &linear.value);
-            Ok(moved.map(|moved| {
-                let moved = DMatrix::from_column_slice(moved.len(), 1, moved.as_slice());
-                whitened.directions(&moved).norm()
-            }))
-        };
+        let from = (&start[..], &linear.value, None);
         let mut effects: Vec<PlannedEffect> = Vec::new();
         for k in 0..data.missing.len() {
             let unknown = &unknowns[data.missing[k]];
@@ -137,7 +129,7 @@ impl Outlook {
             let (length, whole) = (directions.lengths[k], before.column(k).norm());
             let by_slope = scale / unknown.sigma * length;
             let by_model = match by_slope > STRAIGHT {
-                true => seen_at(data.missing[k], scale)?,
+                true => distance(forward, &data, &whitened, &from, (data.missing[k], scale))?,
                 false => Some(by_slope).filter(|_| !unanswered.contains(&k)),
             };
             let detectability = by_model.unwrap_or(by_slope);

@@ -8,7 +8,7 @@ use crate::study::{Fit, Forward};
 use super::added_variable::added_variable;
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
-use super::far::far;
+use super::far::Far;
 use super::hump::Around;
 use super::judge::Judgement;
 use super::ladder::{Explained, ladder};
@@ -52,7 +52,8 @@ pub fn report(
         .filter(|belief| belief.in_set || (belief.is_shown && belief.probability > LISTED))
         .map(|belief| hypothesis(baseline, judgement, &gains, belief))
         .collect();
-    let effects = effect_rows(baseline, judgement, &gains, &far(baseline)?);
+    let far = Far::new(baseline)?;
+    let effects = effect_rows(baseline, judgement, &gains, &far);
     let unseen: Vec<String> = unseen(baseline, &effects);
     let verdict = verdict(baseline, judgement, &effects, &hypotheses);
     let added = judgement
@@ -81,7 +82,7 @@ pub fn report(
         ladder: ladder(baseline, &rungs(baseline, judgement)),
         predictions: predictions(baseline, found(judgement))?,
         next_experiment: next(baseline, judgement, candidates, progress)?,
-        notes: notes(baseline, judgement)?,
+        notes: notes(baseline, judgement, &far.unsolved)?,
         screening: baseline.screening,
         hypotheses,
         effects,

@@ -4,6 +4,7 @@ use crate::study::left_out::{Local, Others, by_condition, by_wing};
 use crate::study::{Unknown, UnknownKind};
 
 use super::baseline::Baseline;
+use super::far::Far;
 use super::judge::{Judgement, distance_of_fits};
 use super::ladder::held_out_sigma;
 use super::library::Trial;
@@ -207,12 +208,7 @@ fn weight(row: &EffectRow) -> f64 {
 
 /// A row for every missing effect; of those that could sit elsewhere, for their best place; `far`: what the model has of those that are
 /// far out by their derivative.
-pub fn effect_rows(
-    baseline: &Baseline,
-    judgement: &Judgement,
-    gains: &Gains,
-    far: &[Option<f64>],
-) -> Vec<EffectRow> {
+pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains, far: &Far) -> Vec<EffectRow> {
     let directions = &baseline.directions;
     let significance = family_wise(baseline.settings.significance, baseline.data.missing.len());
     let base = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
@@ -257,8 +253,8 @@ pub fn effect_rows(
                 refitted_error.unwrap_or(one_step_error),
             ),
             plausible_range: plausible_range(own),
-            detectability: far[k].unwrap_or(scale * length),
-            power: match whole.map(|[_, distance]| distance).or(far[k]) {
+            detectability: far.distance[k].unwrap_or(scale * length),
+            power: match whole.map(|[_, distance]| distance).or(far.distance[k]) {
                 Some(distance) => power_at_distance(distance, is_one_sided(own), significance),
                 None => directions.power(k, own, significance),
             },
@@ -271,10 +267,17 @@ pub fn effect_rows(
                     Sight::Absent
                 }
                 _ if whole.is_some() => Sight::Undecidable,
-                _ if far[k].is_some_and(|distance| is_unseen(MATTERS * distance, own, significance)) => {
-                    Sight::Undecidable
-                }
-                _ => directions.sight(k, own, significance),
+                _ => match directions.sight(k, own, significance) {
+                    // what a third of the derivative's size would show, a third of the model's may not
+                    Sight::Absent if far.unsolved.contains(&k) => Sight::Undecidable,
+                    Sight::Absent
+                        if far.distance[k]
+                            .is_some_and(|distance| is_unseen(MATTERS * distance, own, significance)) =>
+                    {
+                        Sight::Undecidable
+                    }
+                    sight => sight,
+                },
             },
             ln_evidence,
             probability: family_index.map_or(0.0, |f| probability(judgement, &Case::One(f))),

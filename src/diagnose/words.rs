@@ -189,14 +189,16 @@ fn pair(hypotheses: &[Hypothesis]) -> String {
             )
         }
         _ => {
-            let others: Vec<String> = in_set
-                .iter()
-                .skip(1)
-                .take(LISTED)
-                .map(|other| name(other))
-                .collect();
+            let others: Vec<String> = in_set.iter().skip(1).map(|other| name(other)).collect();
             let others = match others.len() {
                 0 => String::new(),
+                more if more > LISTED => {
+                    format!(
+                        "; or else {} or {} others",
+                        others[..LISTED].join(", "),
+                        more - LISTED
+                    )
+                }
                 _ => format!("; or else {}", others.join(", ")),
             };
             format!(

@@ -13,9 +13,12 @@ const SAME: f64 = 0.1;
 /// other, the one whose strength is more plausible.
 ///
 /// # Errors
-/// Why the last fit fails, if all do, or if the user asked to stop.
+/// Why the fit from the start fails, if all do, or if the user asked to stop.
 pub fn best_fit(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> {
     let mut best = calibrate(forward, task);
+    if matches!(best, Err(StudyError::Cancelled(_))) {
+        return best;
+    }
     for &effect in task.free.iter().filter(|&&i| task.start[i] == 0.0) {
         let unknown = &forward.unknowns()[effect];
         let UnknownKind::Effect { scale, plausible, .. } = unknown.kind else {
@@ -27,9 +30,6 @@ pub fn best_fit(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> {
             (plausible[0] - strength).max(strength - plausible[1]).max(0.0)
         };
         for size in [scale, -scale] {
-            if let Err(cancelled @ StudyError::Cancelled(_)) = best {
-                return Err(cancelled);
-            }
             if !(low..=high).contains(&size) {
                 continue;
             }
@@ -63,7 +63,7 @@ mod tests {
     use nalgebra::{DMatrix, DVector};
 
     use super::*;
-    use crate::input::measurement::{Bound, Channel};
+    use crate::study::forward::toy::{condition, reading};
     use crate::study::{AdmittedError, Condition, Linear, Noise, Observable, Unknown};
 
     /// y = s² for an effect of strength s, which has no derivative at none and either sign.
@@ -93,26 +93,8 @@ mod tests {
                     sigma: 3.0,
                     range: [-9.0, 9.0],
                 }],
-                observables: [Observable {
-                    condition: 0,
-                    line: 0,
-                    channel: Channel::Twist,
-                    run: String::new(),
-                    r_mm: None,
-                    r_to_mm: None,
-                    value,
-                    sigma: 0.01,
-                    bound: Bound::None,
-                }],
-                conditions: [Condition {
-                    name: "c".into(),
-                    wing: "w".into(),
-                    is_held_out: false,
-                    frequency_hz: None,
-                    half_amplitude_deg: None,
-                    dynamic_pressure_pa: 0.0,
-                    length_m: 1.0,
-                }],
+                observables: [reading(0, value, 0.01)],
+                conditions: [condition()],
             }
         }
 

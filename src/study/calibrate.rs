@@ -259,8 +259,8 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     use super::*;
-    use crate::input::measurement::Channel;
     use crate::study::AdmittedError;
+    use crate::study::forward::toy::{condition, reading};
     use crate::study::forward::{Condition, Unknown, UnknownKind};
 
     /// y = a exp(−b x) at x = 0, 1, … with unknowns a and b.
@@ -280,32 +280,14 @@ mod tests {
                 sigma,
                 range,
             };
-            let observable = |(line, &value): (usize, &f64)| Observable {
-                condition: 0,
-                line,
-                channel: Channel::Twist,
-                run: String::new(),
-                r_mm: Some(line as f64),
-                r_to_mm: None,
-                value,
-                sigma,
-                bound: Bound::None,
-            };
+            let observable = |(line, &value): (usize, &f64)| reading(line, value, sigma);
             Decay {
                 unknowns: vec![
                     unknown("a", 1.0, 10.0, [0.0, 100.0]),
                     unknown("b", 0.1, 1.0, range),
                 ],
                 observables: values.iter().enumerate().map(observable).collect(),
-                conditions: vec![Condition {
-                    name: "c".into(),
-                    wing: "w".into(),
-                    is_held_out: false,
-                    frequency_hz: None,
-                    half_amplitude_deg: None,
-                    dynamic_pressure_pa: 0.0,
-                    length_m: 1.0,
-                }],
+                conditions: vec![condition()],
             }
         }
 

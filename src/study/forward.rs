@@ -266,3 +266,38 @@ pub trait Forward: Sync {
         Work::default()
     }
 }
+
+/// A model's reading and condition, for tests.
+#[cfg(test)]
+pub(super) mod toy {
+    use super::{Condition, Observable};
+    use crate::input::measurement::{Bound, Channel};
+
+    /// Twist, read at `line` mm of the one condition.
+    pub fn reading(line: usize, value: f64, sigma: f64) -> Observable {
+        Observable {
+            condition: 0,
+            line,
+            channel: Channel::Twist,
+            run: String::new(),
+            r_mm: Some(line as f64),
+            r_to_mm: None,
+            value,
+            sigma,
+            bound: Bound::None,
+        }
+    }
+
+    /// A wing of 1 m on the bench.
+    pub fn condition() -> Condition {
+        Condition {
+            name: "c".into(),
+            wing: "w".into(),
+            is_held_out: false,
+            frequency_hz: None,
+            half_amplitude_deg: None,
+            dynamic_pressure_pa: 0.0,
+            length_m: 1.0,
+        }
+    }
+}

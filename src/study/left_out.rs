@@ -197,35 +197,15 @@ pub fn by_wing(forward: &dyn Forward, rows: &[usize]) -> Vec<Vec<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::measurement::{Bound, Channel};
-    use crate::study::{AdmittedError, Condition, Observable};
+    use crate::study::forward::toy::{condition, reading};
+    use crate::study::{AdmittedError, Observable};
 
     fn noise(size: usize, sigma: f64, admitted: f64) -> Noise {
-        let observable = |line| Observable {
-            condition: 0,
-            line,
-            channel: Channel::Twist,
-            run: String::new(),
-            r_mm: Some(1.0),
-            r_to_mm: None,
-            value: 0.0,
-            sigma,
-            bound: Bound::None,
-        };
-        let observables: Vec<Observable> = (0..size).map(observable).collect();
-        let condition = Condition {
-            name: "c".into(),
-            wing: "w".into(),
-            is_held_out: false,
-            frequency_hz: None,
-            half_amplitude_deg: None,
-            dynamic_pressure_pa: 0.0,
-            length_m: 1.0,
-        };
+        let observables: Vec<Observable> = (0..size).map(|_| reading(1, 0.0, sigma)).collect();
         let rows: Vec<usize> = (0..size).collect();
         Noise::new(
             &observables,
-            &[condition],
+            &[condition()],
             &rows,
             &AdmittedError::of_predictions(admitted, &DVector::from_element(size, 1.0)),
         )

@@ -224,7 +224,7 @@ fn of_design(
 fn of_study(path: &Path, sets: &[String], progress: &Progress) -> Result<Vec<Figure>, String> {
     let text = |error: StudyError| error.to_string();
     let mut study = LoadedStudy::load(path, sets).map_err(|error| error.to_string())?;
-    // what is varied is not calibrated
+    // what is set is held, and not calibrated away
     let is_set = |key: &str| {
         sets.iter()
             .any(|set| set.split('=').next().map(str::trim) == Some(key))

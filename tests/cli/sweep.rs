@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::hidden::{MANY, campaign, json};
 use crate::{design, folder, washout};
 
 /// A coarse wing, so that a case takes a tenth of a second.
@@ -224,4 +225,31 @@ fn a_sweep_that_makes_no_sense_is_refused_before_anything_is_solved() {
         "{}",
         said.err
     );
+}
+
+#[test]
+fn what_a_study_calibrates_is_held_at_the_values_that_a_sweep_gives_it() {
+    let here = folder();
+    campaign(here.path(), &MANY);
+    let hide = ["--effect", "root-flexure=0.2", "--seed", "9", "--output", "try"];
+    json(&washout(
+        here.path(),
+        &[&["synthesize", "study.toml", "--json"], &hide[..]].concat(),
+    ));
+    // a fact of the design, which takes no prior from it
+    let study = here.path().join("try/study.toml");
+    let text = fs::read_to_string(&study).unwrap();
+    fs::write(&study, text + "[[uncertain]]\nkey = 'material.steel.g_gpa'\n").unwrap();
+    let vary = ["--vary", "material.steel.g_gpa=40,80", "--output", "sweep"];
+    let said = washout(here.path(), &[&["sweep", "try/study.toml"], &vary[..]].concat());
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let table = fs::read_to_string(here.path().join("sweep/sweep.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| {
+        let at = rows[0].iter().position(|own| *own == name).unwrap();
+        [rows[1][at], rows[2][at]].map(|text| text.parse::<f64>().unwrap())
+    };
+    let stated = column("chi_square_per_number_stated");
+    assert_eq!(stated, column("chi_square_per_number_calibrated"));
+    assert!(stated[0] != stated[1], "{table}");
 }

@@ -198,19 +198,20 @@ fn split_campaign(folder: &Path, readings: [&str; 2]) {
     }
 }
 
+fn hide_in(folder: &Path, output: &str) -> Said {
+    let study = ["synthesize", "study/study.toml"];
+    washout(
+        folder,
+        &[&study[..], &["--effect", "root-flexure=0.2", "--output", output]].concat(),
+    )
+}
+
 #[test]
 fn measurements_of_a_study_are_not_written_over() {
     let folder = tempfile::tempdir().unwrap();
     split_campaign(folder.path(), ["data", "data"]);
     let before = fs::read_to_string(folder.path().join("data/m.csv")).unwrap();
-    let hide = [
-        "synthesize",
-        "study/study.toml",
-        "--effect",
-        "root-flexure=0.2",
-        "--output",
-    ];
-    let said = washout(folder.path(), &[&hide[..], &["data"]].concat());
+    let said = hide_in(folder.path(), "data");
     assert_eq!(said.code, Some(2), "{}", said.err);
     assert!(said.err.contains("m.csv belongs to the study"), "{}", said.err);
     assert_eq!(
@@ -218,7 +219,7 @@ fn measurements_of_a_study_are_not_written_over() {
         before
     );
     assert_eq!(fs::read_dir(folder.path().join("data")).unwrap().count(), 1);
-    let said = washout(folder.path(), &[&hide[..], &["made"]].concat());
+    let said = hide_in(folder.path(), "made");
     assert_eq!(said.code, Some(0), "{}", said.err);
 }
 
@@ -226,17 +227,10 @@ fn measurements_of_a_study_are_not_written_over() {
 fn two_measurement_files_of_one_name_are_not_made_one() {
     let folder = tempfile::tempdir().unwrap();
     split_campaign(folder.path(), ["monday", "tuesday"]);
-    let hide = [
-        "synthesize",
-        "study/study.toml",
-        "--effect",
-        "root-flexure=0.2",
-        "--output",
-        "made",
-    ];
-    let said = washout(folder.path(), &hide);
+    let said = hide_in(folder.path(), "made");
     assert_eq!(said.code, Some(2), "{}", said.err);
     assert!(said.err.contains("give them different names"), "{}", said.err);
+    assert!(!folder.path().join("made").exists());
 }
 
 #[cfg(unix)]
