@@ -13,12 +13,14 @@
 //! diagnose: which effect a model lacks, or none that is known ←─ study
 //!
 //! export: any result into bytes ←─ plot: pictures from numbers
-//! cli: one file per verb        progress: for every room        task: parts of long work
+//! cli: one file per verb   progress: for every room   origin: what results are made of   task: parts of long work
 //! ```
 //!
 //! Data flows one way; `tests/floor_plan` keeps it so. The shortest way through: `examples/first_run.rs`.
 
 pub mod progress;
+
+pub mod origin;
 
 pub mod task;
 

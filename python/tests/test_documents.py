@@ -107,7 +107,7 @@ def test_documents_follow_their_schemas(
 
 
 def test_the_package_has_the_version_of_the_library(run: washout.Run) -> None:
-    assert run.summary["washout_version"] == washout.__version__
+    assert run.summary["made_of"]["washout_version"] == washout.__version__
 
 
 def test_schemas_are_those_of_the_command_line(printed: Printed) -> None:

@@ -19,6 +19,7 @@ use crate::export::pictures::write::add_falls;
 use crate::export::run::RunFolder;
 use crate::export::text::{significant, wrapped};
 use crate::input::study::LoadedStudy;
+use crate::origin::{InputFile, MadeOf};
 use crate::study::Campaign;
 
 use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths};
@@ -86,6 +87,8 @@ pub struct AddReport {
     /// The error falling: as stated and calibrated without any effect that was added, with one after the other of those in the
     /// study, with this one (or without it), the noise.
     pub ladder: Vec<StudyRung>,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
 }
@@ -97,7 +100,7 @@ impl Add {
             return Err(joining::no_such_effect(&self.effect));
         }
         let study = LoadedStudy::load(&self.to, &[])?;
-        let (scale, table) = self.effect(&study)?;
+        let (scale, table, own) = self.effect(&study)?;
         let target = self.output.clone().unwrap_or_else(|| self.to.clone());
         let name = study.study.name.clone();
         let mut folder = RunFolder::listed_by(&target_of(self.ladder.as_ref(), &name, "ladder"), LADDER)?;
@@ -162,6 +165,7 @@ impl Add {
             others,
             notes,
             ladder,
+            made_of: MadeOf::files(study.files.iter().chain(&own)),
             files: folder.listed_with(self.report),
         };
         if self.report {
@@ -175,14 +179,14 @@ impl Add {
         console.result(&page, &report)
     }
 
-    /// Plausible size of the effect, and its table if it is the user's own.
-    fn effect(&self, study: &LoadedStudy) -> Result<(f64, toml::Table), Failure> {
+    /// Plausible size of the effect; its table and file if it is the user's own.
+    fn effect(&self, study: &LoadedStudy) -> Result<(f64, toml::Table, Option<InputFile>), Failure> {
         joining::wings(study, &self.on)?;
         if self.remove {
             joining::present(study, &self.effect)?;
         }
         if let Some(file) = &self.own {
-            let mut tables = own_effects(file)?;
+            let (mut tables, input) = own_effects(file)?;
             let Some(mut table) = tables.remove(&self.effect) else {
                 let names: Vec<&str> = tables.keys().map(String::as_str).collect();
                 return Err(joining::no_such_table(file, &self.effect, &names));
@@ -195,14 +199,14 @@ impl Add {
             });
             joining::own_table(file, &self.effect, &table, meant, 0.0)?;
             table.remove("strength");
-            return Ok((1.0, table));
+            return Ok((1.0, table, Some(input)));
         }
         match named(&self.effect) {
             Some(effect) => {
                 let card = effect.card();
-                Ok((card.parameters[0].scale(), self.numbers(&card)?))
+                Ok((card.parameters[0].scale(), self.numbers(&card)?, None))
             }
-            None if self.remove => Ok((1.0, toml::Table::new())),
+            None if self.remove => Ok((1.0, toml::Table::new(), None)),
             None => Err(joining::no_such_effect(&self.effect)),
         }
     }
@@ -303,8 +307,8 @@ impl Add {
     }
 }
 
-/// The effects of the user's own in a file: its tables `[effects.NAME]` by name.
-pub(super) fn own_effects(file: &Path) -> Result<BTreeMap<String, toml::Table>, Failure> {
+/// The effects of the user's own in a file: its tables `[effects.NAME]` by name; with what the file is known by.
+pub(super) fn own_effects(file: &Path) -> Result<(BTreeMap<String, toml::Table>, InputFile), Failure> {
     let fault = |reason: String| Failure::Option {
         option: "--own",
         reason: format!("{}: {reason}", file.display()),
@@ -323,7 +327,7 @@ pub(super) fn own_effects(file: &Path) -> Result<BTreeMap<String, toml::Table>, 
         .collect();
     match found.is_empty() {
         true => Err(fault(cure.to_string())),
-        false => Ok(found),
+        false => Ok((found, InputFile::new(file.display().to_string(), text.as_bytes()))),
     }
 }
 

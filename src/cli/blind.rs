@@ -163,11 +163,7 @@ impl TryBlind {
 
     /// What the folder is of; refuses one that holds the cases of another run: their figures must not be added up.
     fn same_run(&self, study: &LoadedStudy, names: &[&str]) -> Result<Run, Failure> {
-        let fault = |source| Failure::Sweep {
-            base: self.study.clone(),
-            source,
-        };
-        let content = Base::Study(Box::new(study.clone())).content().map_err(fault)?;
+        let content = Base::Study(Box::new(study.clone())).content();
         let run = Run {
             version: env!("CARGO_PKG_VERSION").to_string(),
             content: key([&[content.as_str(), &format!("{:?}", self.ranges())], names].concat()),

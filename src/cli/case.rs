@@ -39,26 +39,23 @@ pub struct Case {
     pub planform: Planform,
     /// Its mesh.
     pub mesh: Mesh,
-    mesh_file: Option<(String, Vec<u8>)>,
 }
 
 impl Case {
     /// A loaded design, meshed.
     pub fn new(loaded: Loaded) -> Result<Case, Failure> {
-        let mesh_file = loaded.read_mesh_file()?;
         let (planform, mesh) =
-            wing(&loaded.design, &mesh_file).map_err(|error| Failure::design(&loaded.path, error))?;
+            wing(&loaded.design, &loaded).map_err(|error| Failure::design(&loaded.path, error))?;
         Ok(Case {
             loaded,
             planform,
             mesh,
-            mesh_file,
         })
     }
 
     /// The same case with another design, such as one with a changed number.
     pub fn with(&self, design: Design) -> Result<Case, MeshError> {
-        let (planform, mesh) = wing(&design, &self.mesh_file)?;
+        let (planform, mesh) = wing(&design, &self.loaded)?;
         let mut case = self.clone();
         case.loaded.design = design;
         (case.planform, case.mesh) = (planform, mesh);
@@ -89,8 +86,9 @@ impl Case {
     }
 }
 
-fn wing(design: &Design, mesh_file: &Option<(String, Vec<u8>)>) -> Result<(Planform, Mesh), MeshError> {
-    let file = mesh_file.as_ref().map(|(name, bytes)| MeshFile { name, bytes });
+/// A design on the mesh file of another, if that names one.
+fn wing(design: &Design, loaded: &Loaded) -> Result<(Planform, Mesh), MeshError> {
+    let file = (loaded.mesh_file.as_ref()).map(|(name, bytes)| MeshFile { name, bytes });
     for_design(design, file)
 }
 

@@ -24,6 +24,7 @@ use crate::input::Loaded;
 use crate::input::measurement::Channel;
 use crate::input::study::LoadedStudy;
 use crate::lift::{Ratios, StrokeMeans};
+use crate::origin::MadeOf;
 
 use super::case::{Case, DesignArguments, beside, is_there};
 use super::reading::{Reading, means_on_ramp};
@@ -72,6 +73,8 @@ pub struct CompareReport {
     pub comparison: Comparison,
     /// The wing against the reference wing, as modelled; absent unless asked for.
     pub ratios: Option<ModelledRatios>,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
 }
@@ -122,9 +125,12 @@ impl Compare {
         let solution = solve(&case, progress)?;
         let mut whole_wing = BTreeMap::new();
         let mut modelled = None;
+        let mut of_reference = Vec::new();
         if let Some(path) = &self.reference {
             let means = means_on_ramp(&case, &solution)?;
-            let (name, reference) = self.reference_means(path, console)?;
+            let reference = self.reference(path, console)?;
+            of_reference.clone_from(&reference.loaded.files);
+            let (name, reference) = reference_means(&reference, console)?;
             let found = ratios(&case, means, reference)?;
             whole_wing.insert(Channel::LiftRatio, found.lift);
             whole_wing.insert(Channel::DragRatio, found.drag);
@@ -147,6 +153,7 @@ impl Compare {
         let report = CompareReport {
             comparison,
             ratios: modelled,
+            made_of: MadeOf::files(case.loaded.files.iter().chain(&of_reference)),
             files: folder.listed_with(self.report),
         };
         if let Some(mut run) = run {
@@ -203,23 +210,22 @@ impl Compare {
         self.design.load(&sets)
     }
 
-    fn reference_means(
-        &self,
-        path: &std::path::Path,
-        console: &Console,
-    ) -> Result<(String, Option<StrokeMeans>), Failure> {
+    fn reference(&self, path: &std::path::Path, console: &Console) -> Result<Case, Failure> {
         let arguments = DesignArguments {
             design: path.to_path_buf(),
             set: Vec::new(),
             refine: self.design.refine,
             mesh: None,
         };
-        let case = arguments.case(console)?;
-        let name = case.loaded.design.name.clone();
-        console.progress().say(format_args!("solving {name}"));
-        let solution = solve(&case, console.progress())?;
-        Ok((name, means_on_ramp(&case, &solution)?))
+        arguments.case(console)
     }
+}
+
+fn reference_means(case: &Case, console: &Console) -> Result<(String, Option<StrokeMeans>), Failure> {
+    let name = case.loaded.design.name.clone();
+    console.progress().say(format_args!("solving {name}"));
+    let solution = solve(case, console.progress())?;
+    Ok((name, means_on_ramp(case, &solution)?))
 }
 
 fn ratios(case: &Case, wing: Option<StrokeMeans>, reference: Option<StrokeMeans>) -> Result<Ratios, Failure> {

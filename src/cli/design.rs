@@ -14,6 +14,7 @@ use crate::export::template::Template;
 use crate::input::TwistTable;
 use crate::input::stock::load_stock;
 use crate::lift::TwistAlongSpan;
+use crate::origin::{InputFile, MadeOf};
 
 use super::case::{Case, DesignArguments};
 use super::flights::{can_fly, design_arguments};
@@ -98,7 +99,7 @@ impl DesignRod {
     /// Finds the layout.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         self.check()?;
-        let stock = load_stock(&self.stock)?;
+        let (stock, on_shelf) = load_stock(&self.stock)?;
         let case = self.design.case(console)?;
         can_fly(&case)?;
         if case.loaded.design.mesh.file.is_some() {
@@ -107,7 +108,7 @@ impl DesignRod {
                 reason: "each layout has a mesh of its own; leave mesh.file out of the design".to_string(),
             });
         }
-        let (aim, words, content) = self.aim(&case, console)?;
+        let (aim, words, content, aimed_by) = self.aim(&case, console)?;
         let name = &case.loaded.design.name;
         let target = self.output.clone();
         let target = target.unwrap_or_else(|| PathBuf::from("output").join(format!("{name}-design")));
@@ -160,7 +161,6 @@ impl DesignRod {
         };
         let stations = &band.stations;
         let mut summary = LayoutSummary {
-            washout_version: env!("CARGO_PKG_VERSION").to_string(),
             name: name.clone(),
             aim: words,
             layouts: found.candidates.iter().map(row).collect(),
@@ -200,6 +200,7 @@ impl DesignRod {
             unsolved: found.unsolved,
             warnings: warnings(&case, best, band.built_deg),
             design: design.clone(),
+            made_of: MadeOf::files(case.loaded.files.iter().chain([&on_shelf]).chain(&aimed_by)),
             files: Vec::new(),
         };
         let planform = crate::geometry::Planform::from_design(&design).map_err(|error| case.fault(error))?;
@@ -253,8 +254,8 @@ impl DesignRod {
         }
     }
 
-    /// The aim, the same in words, and what it is made of.
-    fn aim(&self, case: &Case, console: &Console) -> Result<(Aim, String, String), Failure> {
+    /// The aim, the same in words, what it is made of, and the files that it is read from.
+    fn aim(&self, case: &Case, console: &Console) -> Result<(Aim, String, String, Vec<InputFile>), Failure> {
         if let Some(path) = &self.profile {
             let table = TwistTable::load(path)?;
             let [(_, points)] = table.profiles.as_slice() else {
@@ -276,6 +277,7 @@ impl DesignRod {
                 Aim::Twist(twist),
                 format!("the twist of {}", path.display()),
                 content,
+                table.input.into_iter().collect(),
             ));
         }
         if let Some(path) = &self.like {
@@ -288,7 +290,8 @@ impl DesignRod {
                 Aim::Twist(twist),
                 format!("the twist that {} has", known.design.name),
                 // not the twist itself: another machine may solve it to other last digits
-                format!("{}{:?}", known.design.to_toml(), known.air_table),
+                known.content(),
+                known.files.clone(),
             ));
         }
         let least_mn = self.lift.unwrap_or(0.0);
@@ -307,6 +310,7 @@ impl DesignRod {
             aim,
             format!("the most lift per power from {least_mn} mN of lift on{stroke}"),
             format!("{least_mn:?} mN"),
+            Vec::new(),
         ))
     }
 

@@ -14,6 +14,7 @@ use crate::export::run::RunFolder;
 use crate::export::text::significant;
 use crate::input::measurement::InCommon;
 use crate::input::study::LoadedStudy;
+use crate::origin::MadeOf;
 use crate::progress::Progress;
 use crate::study::{Campaign, Forward};
 
@@ -258,6 +259,7 @@ fn answered(
     let report = DiagnosisReport {
         diagnosis,
         work: campaign.work(),
+        made_of: MadeOf::files(&study.files),
         files: Vec::new(),
     };
     Ok((campaign, report))

@@ -7,11 +7,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::coupling::vibration::Standing;
-use crate::export::run::{RunFolder, read_summary};
+use crate::export::file::input_file;
+use crate::export::run::{RunFolder, SUMMARY, read_summary};
 use crate::export::text::wrapped;
 use crate::export::wing::displacement_mm;
 use crate::export::{ExportError, calculix, csv, kratos};
 use crate::input::design::Kinematics;
+use crate::origin::MadeOf;
 
 use super::case::Case;
 use super::{Console, Failure};
@@ -59,6 +61,8 @@ pub struct ExportReport {
     pub left_out: Vec<String>,
     /// Whether the film is pre-tensioned: a deck then has a first step that cools it, and displacements count from its end.
     pub cured: bool,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files of the folder.
     pub files: Vec<String>,
 }
@@ -67,6 +71,7 @@ impl Export {
     /// Solves the inputs of the run again, which gives its shape and its loads, and writes the deck.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let summary = read_summary(&self.run)?;
+        let run = input_file(&self.run.join(SUMMARY))?;
         let place = match self.to {
             Program::Calculix => "calculix",
             Program::Kratos => "kratos",
@@ -129,6 +134,7 @@ impl Export {
                 .sheets
                 .iter()
                 .any(|sheet| sheet.pretension_n_per_m != 0.0),
+            made_of: MadeOf::files([&run].into_iter().chain(&case.loaded.files)),
             files: folder.listed(),
         };
         folder.add_summary(&report)?;

@@ -11,6 +11,7 @@ use crate::coupling::solution::Solution;
 use crate::effects::{Need, bind};
 use crate::input::TwistTable;
 use crate::lift::{Flight, LiftError, Stroke, TwistAlongSpan, TwistHistory};
+use crate::origin::InputFile;
 use crate::progress::Progress;
 use crate::structure::MassProperties;
 use crate::structure::state::State;
@@ -42,6 +43,8 @@ pub struct Flown {
     pub name: String,
     /// File that it came from.
     pub file: PathBuf,
+    /// Every file that it was read from.
+    pub files: Vec<InputFile>,
     /// The design that gives outline, air and stroke.
     pub case: Case,
     /// The wing on its stroke.
@@ -98,6 +101,7 @@ pub fn of_profile(file: &Path, on: &Case) -> Result<Flown, Failure> {
             .file_stem()
             .map_or("profile".into(), |stem| stem.to_string_lossy().into_owned()),
         file: file.to_path_buf(),
+        files: on.loaded.files.iter().chain(&table.input).cloned().collect(),
         flight: Flight {
             planform: on.planform.clone(),
             air: air_law(on)?,
@@ -155,6 +159,7 @@ pub fn of_design(
     Ok(Flown {
         name: case.loaded.design.name.clone(),
         file: case.loaded.path.clone(),
+        files: case.loaded.files.clone(),
         flight: Flight {
             planform: case.planform.clone(),
             air: air_law(&case)?,

@@ -15,6 +15,7 @@ use crate::lift::{
     Forces, InertialPower, LiftError, Ratios, StrokeMeans, TwistHistory, departure_from_ellipse,
     mean_local_lift_to_drag, span_distribution,
 };
+use crate::origin::MadeOf;
 
 use super::case::Case;
 use super::flights::{Flown, TwistSource, can_fly, design_arguments, is_profile, of_design, of_profile};
@@ -94,7 +95,6 @@ impl Lift {
         let flown = self.flown(ready, &parts, console)?;
         let means: Vec<StrokeMeans> = flown.iter().map(means).collect::<Result<_, Failure>>()?;
         let mut summary = LiftSummary {
-            washout_version: env!("CARGO_PKG_VERSION").to_string(),
             twist: self.words(&flown),
             reference: flown[reference].name.clone(),
             wings: Vec::new(),
@@ -104,6 +104,7 @@ impl Lift {
             sweep: Vec::new(),
             sensitivity: Vec::new(),
             warnings: Vec::new(),
+            made_of: MadeOf::files(flown.iter().flat_map(|wing| &wing.files)),
             files: Vec::new(),
         };
         for (index, (wing, mean)) in flown.iter().zip(&means).enumerate() {

@@ -10,6 +10,7 @@ use crate::export::run::RunFolder;
 use crate::export::text::number;
 use crate::export::wing::mesh_grid;
 use crate::mesh::{Quality, gmsh};
+use crate::origin::MadeOf;
 
 use super::case::DesignArguments;
 use super::{Console, Failure};
@@ -53,6 +54,8 @@ pub struct MeshReport {
     pub smallest_angle_deg: f64,
     /// Largest ratio of circumradius to twice the inradius; 1 is equilateral.
     pub largest_aspect: f64,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files in the folder.
     pub files: Vec<String>,
 }
@@ -82,6 +85,7 @@ impl WriteMesh {
             r2_hat: case.planform.r2_hat(),
             smallest_angle_deg: quality.smallest_angle_deg,
             largest_aspect: quality.largest_aspect,
+            made_of: MadeOf::files(&case.loaded.files),
             files: folder.listed(),
         };
         folder.add_summary(&report)?;

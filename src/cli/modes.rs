@@ -13,6 +13,7 @@ use crate::export::pvd;
 use crate::export::run::RunFolder;
 use crate::input::design::Kinematics;
 use crate::observation::ModeReader;
+use crate::origin::MadeOf;
 use crate::structure::state::State;
 use crate::structure::{MassProperties, Mode, Vibration};
 
@@ -86,7 +87,6 @@ impl Modes {
             .collect();
         folder.add("modes.pvd", pvd::collection(&series).as_bytes())?;
         let summary = ModesSummary {
-            washout_version: env!("CARGO_PKG_VERSION").to_string(),
             name: design.name.clone(),
             design: design.clone(),
             loaded: self.loaded,
@@ -96,6 +96,7 @@ impl Modes {
             flapping_frequency_hz: flapping_hz,
             modes: rows,
             warnings: self.warnings(&case),
+            made_of: MadeOf::files(&case.loaded.files),
             files: folder.listed_with(self.report),
         };
         let page = summary.page(&target.display().to_string());

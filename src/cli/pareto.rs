@@ -15,6 +15,7 @@ use crate::export::pictures;
 use crate::export::run::RunFolder;
 use crate::input::Design;
 use crate::lift::{Stroke, TwistAlongSpan, TwistHistory};
+use crate::origin::{InputFile, MadeOf};
 use crate::progress::Progress;
 
 use super::case::Case;
@@ -109,6 +110,7 @@ pub enum EfficiencyName {
 /// A wing that is marked, with what was measured of it.
 struct Named {
     name: String,
+    files: Vec<InputFile>,
     twist: TwistAlongSpan,
     gained: Option<Gained>,
 }
@@ -181,6 +183,7 @@ impl Pareto {
                     sigma,
                 }),
                 name: flown.name,
+                files: flown.files,
                 twist,
             });
         }
@@ -298,8 +301,8 @@ impl Pareto {
                 factor.effect, factor.chi_squared, factor.freedom
             ));
         }
+        let marked = marks.iter().flat_map(|mark| &mark.files);
         Ok(Some(ParetoSummary {
-            washout_version: env!("CARGO_PKG_VERSION").to_string(),
             name: design.name.clone(),
             frequency_hz: stroke.frequency_hz,
             half_amplitude_deg: stroke.half_amplitude_rad.to_degrees(),
@@ -328,6 +331,7 @@ impl Pareto {
             marks: named,
             shape_factor: factor.map(|factor| self.fitted(case, factor)).transpose()?,
             warnings,
+            made_of: MadeOf::files(case.loaded.files.iter().chain(marked)),
             files: Vec::new(),
         }))
     }
@@ -342,9 +346,8 @@ impl Pareto {
             .map(|mark| (&mark.twist, mark.gained.as_ref().map(numbers)));
         let marks: Vec<(&TwistAlongSpan, Option<String>)> = marks.collect();
         format!(
-            "{}{:?}{family:?}{:?}{:?}{gain:?}{marks:?}",
-            case.loaded.design.to_toml(),
-            case.loaded.air_table,
+            "{}{family:?}{:?}{:?}{gain:?}{marks:?}",
+            case.loaded.content(),
             self.efficiency,
             self.ramp
         )

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::export::ExportError;
 use crate::export::pictures::folder::{Picture, pictures};
 use crate::export::run::RunFolder;
+use crate::origin::MadeOf;
 use crate::plot::Print;
 
 use super::study::listed;
@@ -72,6 +73,8 @@ pub struct Plotted {
     pub width_mm: Option<f64>,
     /// Pixels to the inch of PNG.
     pub dpi: f64,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files written; none with `--list`.
     pub files: Vec<String>,
 }
@@ -85,7 +88,7 @@ impl Plot {
                 "no folder; give the folder that washout solve, compare, diagnose or another verb wrote",
             ));
         }
-        let found = pictures(&self.run)?;
+        let (found, files) = pictures(&self.run)?;
         let names: Vec<String> = found.iter().map(|picture| picture.name.clone()).collect();
         if names.is_empty() {
             return Err(self.no_run("a folder without pictures; give one that washout solve, compare, diagnose or another verb wrote"));
@@ -104,6 +107,7 @@ impl Plot {
             pictures: names,
             width_mm: self.width_mm,
             dpi: self.dpi,
+            made_of: MadeOf::files(&files),
             files: Vec::new(),
         };
         if self.list {

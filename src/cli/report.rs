@@ -26,6 +26,7 @@ use crate::export::study::StudyReport;
 use crate::export::sweep::SweepSummary;
 use crate::export::verification::VerifyReport;
 use crate::input::study::LoadedStudy;
+use crate::origin::MadeOf;
 
 use super::add::LADDER;
 use super::compare::CompareReport;
@@ -144,6 +145,7 @@ impl Report {
         }
         let report = StudyReport {
             comparison: compared.comparison,
+            made_of: MadeOf::files(&loaded.files),
             files: Vec::new(),
         };
         Ok((study::page(&report, &parts)?, default))

@@ -14,6 +14,7 @@ use crate::export::pictures::write::add_study;
 use crate::export::run::RunFolder;
 use crate::export::study::{StudyReport, page};
 use crate::input::study::LoadedStudy;
+use crate::origin::MadeOf;
 use crate::study::{Campaign, Forward, StudyError, Unknown, UnknownKind};
 
 use super::report::assumed;
@@ -38,6 +39,7 @@ pub fn compare(
     add_study(&mut folder, &compared.comparison)?;
     let report = StudyReport {
         comparison: compared.comparison,
+        made_of: MadeOf::files(&study.files),
         files: folder.listed_with(with_report),
     };
     if let Some(parts) = parts {

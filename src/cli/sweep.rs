@@ -13,9 +13,12 @@ use crate::export::html::{Document, REPORT};
 use crate::export::pictures::sweep::scatter;
 use crate::export::sweep::{SweepSummary, read_plan, table, write_plan};
 use crate::export::tasks::{read_part, write_part};
+use crate::origin::InputFile;
 use crate::progress::Progress;
 use crate::sweep::points::MOST_CASES;
-use crate::sweep::{Axis, Base, Method, Row, SweepError, SweepPlan, Task, sensitivities, tasks};
+use crate::sweep::{
+    Axis, Base, Content, Method, Row, SweepError, SweepPlan, Task, sensitivities, task_key, tasks,
+};
 
 use super::tasks::{Job, MOST_TASKS, TaskArguments, Work, gone};
 use super::{Console, Failure};
@@ -75,6 +78,7 @@ struct Ready {
     base: Base,
     points: Vec<Vec<String>>,
     tasks: Vec<Task>,
+    files: Vec<InputFile>,
 }
 
 impl Sweep {
@@ -135,8 +139,9 @@ impl Sweep {
         {
             return Err(fault(error));
         }
-        let content = base.content().map_err(fault)?;
-        let tasks = tasks(&plan, &points, &content);
+        let mut content = Content::new(&base);
+        let tasks = tasks(&plan, &points, &mut content);
+        let files = content.all_files();
         write_plan(&folder, &plan)?;
         Ok(Ready {
             plan,
@@ -144,6 +149,7 @@ impl Sweep {
             base,
             points,
             tasks,
+            files,
         })
     }
 
@@ -245,6 +251,7 @@ impl Work for Ready {
                 Ok(row)
             });
             let rows = rows.collect::<Result<Vec<Row>, Failure>>()?;
+            this.still_holds(task).map_err(fault)?;
             Ok(write_part(&this.parts(), task.number, &task.key, &rows)?)
         })
     }
@@ -253,6 +260,21 @@ impl Work for Ready {
 impl Ready {
     fn parts(&self) -> PathBuf {
         self.folder.join("tasks")
+    }
+
+    /// Refuses what may have been read from files that are not those of the task any more.
+    fn still_holds(&self, task: &Task) -> Result<(), SweepError> {
+        let base = Base::load(&self.plan.base, &self.plan.set)?;
+        let mut content = Content::new(&base);
+        let points = &self.points[task.cases.clone()];
+        if task_key(&self.plan, points, &mut content) == task.key {
+            return Ok(());
+        }
+        let now = content.all_files();
+        let changed = now.iter().find(|file| !self.files.contains(file));
+        Err(SweepError::Changed {
+            file: changed.map_or(self.plan.base.display().to_string(), |file| file.file.clone()),
+        })
     }
 
     /// What a task gave, if it was done.
@@ -267,7 +289,7 @@ impl Ready {
         for task in &self.tasks {
             rows.extend(self.kept(task)?.ok_or_else(|| gone(task.number))?);
         }
-        let summary = SweepSummary::new(&self.plan, &rows, sensitivities(&self.plan, &rows));
+        let summary = SweepSummary::new(&self.plan, &rows, sensitivities(&self.plan, &rows), &self.files);
         let table_file = self.folder.join("sweep.csv");
         let csv = table(&self.plan, &rows)?;
         write_whole(&table_file, &csv)?;
@@ -313,5 +335,45 @@ impl Ready {
             self.folder.display()
         );
         console.result(&page, &summary)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+    use crate::cli::{Arguments, Verb};
+
+    #[test]
+    fn cases_whose_file_changed_while_they_were_solved_are_not_kept() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| folder.path().join(name).display().to_string();
+        let write = |name: &str, text: &str| std::fs::write(path(name), text).expect("written");
+        let table = |lift: &str| format!("alpha_deg,cl,cd\n-90,0,2\n0,0,0.1\n45,{lift},1\n90,0,2\n");
+        let init = include_str!("init_design.toml").replace("NAME", "wing");
+        write("wing.toml", &init);
+        write("air.csv", &table("1.2"));
+        let words = [
+            ["washout", "sweep", &path("wing.toml"), "--set", "mesh.refine=0.2"],
+            [
+                "--set",
+                "air.coefficients=table",
+                "--set",
+                "air.table=air.csv",
+                "--vary",
+            ],
+        ];
+        let more = ["air.table=air.csv", "--output", &path("sweep")];
+        let words = words.concat().into_iter().chain(more);
+        let parsed = Arguments::try_parse_from(words).expect("arguments");
+        let Verb::Sweep(sweep) = parsed.verb else {
+            panic!("another verb");
+        };
+        let mut ready = sweep.ready().expect("a sweep");
+        write("air.csv", &table("1.1"));
+        let error = ready.run(&[0], &Progress::quiet()).expect_err("changed");
+        assert!(error.to_string().contains("air.csv changed"), "{error}");
+        assert!(!ready.is_done(0).expect("readable"));
     }
 }

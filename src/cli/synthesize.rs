@@ -141,7 +141,7 @@ impl Synthesize {
             hidden.push(Hidden { wing, ..known });
         }
         if let Some(file) = &self.own {
-            for (name, table) in super::add::own_effects(file)? {
+            for (name, table) in super::add::own_effects(file)?.0 {
                 let strength = joining::own_strength(file, &name, &table)?;
                 let designs = study.cases.iter().map(|case| &case.loaded.design);
                 joining::own_table(file, &name, &table, designs, strength)?;

@@ -15,6 +15,8 @@ use super::{
     warping_restraint,
 };
 
+use crate::origin::with_code_of_its_own;
+
 /// Every effect of washout, in the order in which they act.
 pub static ALL: &[&dyn Effect] = &[
     &rod_shear_modulus::RodShearModulus,
@@ -82,6 +84,7 @@ pub fn register(own: Vec<&'static dyn Effect>) -> Result<(), EffectError> {
             });
         }
     }
+    with_code_of_its_own();
     OWN.set(own).map_err(|_| EffectError::RegisteredBefore)
 }
 

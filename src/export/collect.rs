@@ -10,6 +10,7 @@ use crate::lift::LiftReport;
 use crate::mesh::Mesh;
 use crate::observation::field::twist_at_nodes;
 use crate::observation::{Place, TwistProfile, TwistReading};
+use crate::origin::MadeOf;
 use crate::study::Uncertainty;
 
 use super::html::{self, REPORT};
@@ -58,7 +59,6 @@ pub fn summarize(solved: &Solved) -> RunSummary {
     let legend = Legend::of(design);
     let mut summary = RunSummary {
         format: FORMAT,
-        washout_version: env!("CARGO_PKG_VERSION").to_string(),
         name: design.name.clone(),
         design_file: loaded.path.display().to_string(),
         design: design.clone(),
@@ -83,6 +83,7 @@ pub fn summarize(solved: &Solved) -> RunSummary {
             section: legend.sections.into_iter().cloned().collect(),
         },
         warnings: Vec::new(),
+        made_of: MadeOf::files(&loaded.files),
         files: Vec::new(),
     };
     summary.warnings = warnings(&summary);
@@ -282,7 +283,8 @@ mod tests {
             design,
             path: "imposed.toml".into(),
             materials_path: None,
-            mesh_path: None,
+            mesh_file: None,
+            files: Vec::new(),
             air_table: None,
             measurement: None,
         };

@@ -8,6 +8,7 @@ use crate::diagnose::novel::Reconstruction;
 use crate::diagnose::screening::Sight;
 use crate::diagnose::verdict::{EffectRow, Hypothesis, Prediction, Strength};
 use crate::diagnose::{Diagnosis, Verdict};
+use crate::origin::MadeOf;
 use crate::study::Work;
 
 use super::text::{Table, number, significant, wrapped};
@@ -20,6 +21,8 @@ pub struct DiagnosisReport {
     pub diagnosis: Diagnosis,
     /// What it took.
     pub work: Work,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
 }

@@ -84,7 +84,7 @@ pub fn difference(first: &RunSummary, second: &RunSummary) -> Result<Difference,
     });
     Ok(Difference {
         names: [first.name.clone(), second.name.clone()],
-        washout_versions: [first.washout_version.clone(), second.washout_version.clone()],
+        washout_versions: [first, second].map(|run| run.made_of.washout_version.clone()),
         inputs: inputs(first, second)?,
         results: results.collect(),
         twist: twist.collect(),

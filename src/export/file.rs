@@ -4,6 +4,16 @@ use std::io::Write;
 use std::path::Path;
 
 use super::ExportError;
+use crate::origin::InputFile;
+
+/// A file, by what it holds.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn input_file(path: &Path) -> Result<InputFile, ExportError> {
+    let bytes = std::fs::read(path).map_err(ExportError::file("read", path))?;
+    Ok(InputFile::new(path.display().to_string(), &bytes))
+}
 
 /// Writes a file beside its place and moves it there when it is complete; an old one is replaced.
 ///

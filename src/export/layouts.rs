@@ -7,12 +7,11 @@ use super::ExportError;
 use super::csv::table;
 use super::text::{Table, number, wrapped};
 use crate::input::design::Design;
+use crate::origin::MadeOf;
 
 /// What `washout design` prints with `--json`; `summary.json` of its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LayoutSummary {
-    /// Version of the program that wrote it.
-    pub washout_version: String,
     /// Name of the design that gives outline, film, spars and stroke.
     pub name: String,
     /// What the layout is for, in words.
@@ -33,6 +32,8 @@ pub struct LayoutSummary {
     pub design: Design,
     /// Things that limit what the numbers say.
     pub warnings: Vec<String>,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
 }

@@ -8,6 +8,7 @@ use crate::coupling::vibration::Standing;
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::observation::ModeReading;
+use crate::origin::MadeOf;
 use crate::structure::Mode;
 
 use super::text::{Table, number, wrapped};
@@ -17,8 +18,6 @@ use super::wing::shape_grid;
 /// Natural modes of a wing; `summary.json` of their folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ModesSummary {
-    /// Version of the program that wrote it.
-    pub washout_version: String,
     /// Name of the wing.
     pub name: String,
     /// The design with every default, material and `--set` resolved.
@@ -35,6 +34,8 @@ pub struct ModesSummary {
     pub modes: Vec<ModeRow>,
     /// Things that limit what the numbers say.
     pub warnings: Vec<String>,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
 }

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::origin::MadeOf;
+
 use super::ExportError;
 use super::csv::table;
 use super::text::{Table, number, wrapped};
@@ -11,8 +13,6 @@ use super::text::{Table, number, wrapped};
 /// without twist at its own stop.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ParetoSummary {
-    /// Version of the program that wrote it.
-    pub washout_version: String,
     /// Name of the design that gives outline, air and stroke.
     pub name: String,
     /// Flapping frequency.
@@ -45,6 +45,8 @@ pub struct ParetoSummary {
     pub shape_factor: Option<FittedFactor>,
     /// Things that limit what the numbers say.
     pub warnings: Vec<String>,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
 }

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::compare::{StudyComparison, StudyRow};
 use crate::input::measurement::Bound;
+use crate::origin::MadeOf;
 
 use super::text::{Table, number, significant, wrapped};
 
@@ -14,6 +15,8 @@ pub struct StudyReport {
     /// The comparison.
     #[serde(flatten)]
     pub comparison: StudyComparison,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
 }

@@ -10,6 +10,7 @@ use crate::coupling::Engineering;
 use crate::input::design::{Design, Section};
 use crate::input::measurement::Bound;
 use crate::lift::LiftReport;
+use crate::origin::MadeOf;
 use crate::study::Uncertainty;
 
 use super::stroke::StrokeSummary;
@@ -22,8 +23,6 @@ pub const FORMAT: u32 = 1;
 pub struct RunSummary {
     /// Version of this document; 1.
     pub format: u32,
-    /// Version of the program that wrote it.
-    pub washout_version: String,
     /// Name of the wing.
     pub name: String,
     /// Path of the design file as it was given.
@@ -64,6 +63,8 @@ pub struct RunSummary {
     pub legend: CellLegend,
     /// Things that limit how far the numbers hold.
     pub warnings: Vec<String>,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files of this run, this one among them.
     pub files: Vec<String>,
 }

@@ -10,6 +10,7 @@ use super::ExportError;
 use super::csv::table as csv_table;
 use super::tasks::write_json;
 use super::text::Table;
+use crate::origin::{InputFile, MadeOf};
 use crate::sweep::{Row, Sensitivity, SweepPlan};
 
 /// Failures that the page lists.
@@ -18,6 +19,8 @@ const LISTED: usize = 8;
 /// What a sweep gave.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SweepSummary {
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// What it is.
     pub plan: SweepPlan,
     /// Its cases.
@@ -42,8 +45,13 @@ pub struct Span {
 }
 
 impl SweepSummary {
-    /// Of all rows.
-    pub fn new(plan: &SweepPlan, rows: &[Row], sensitivities: Vec<Sensitivity>) -> SweepSummary {
+    /// Of all rows; `files`: what they were read from.
+    pub fn new(
+        plan: &SweepPlan,
+        rows: &[Row],
+        sensitivities: Vec<Sensitivity>,
+        files: &[InputFile],
+    ) -> SweepSummary {
         let span = |figure: String| {
             let values = || rows.iter().filter_map(|row| row.figure(&figure));
             Span {
@@ -53,6 +61,7 @@ impl SweepSummary {
             }
         };
         SweepSummary {
+            made_of: MadeOf::files(files),
             plan: plan.clone(),
             cases: rows.len(),
             failures: rows.iter().filter(|row| row.failure.is_some()).count(),

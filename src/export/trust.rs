@@ -53,7 +53,7 @@ pub fn trust_page(report: &VerifyReport, studies: &[StudyComparison]) -> String 
 pub fn markdown(report: &VerifyReport) -> String {
     format!(
         "# washout {} verify\n\n{}\n{}{}",
-        report.version,
+        report.made_of.washout_version,
         report.summary(),
         tables(report, true),
         notes(report)

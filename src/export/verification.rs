@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::origin::MadeOf;
 use crate::verify::{Confidence, Extent, Judged, Kind, Order, Outcome, Quantity, Verdict};
 
 use super::ExportError;
@@ -11,8 +12,6 @@ use super::text::{Table, number, significant};
 /// Every case and what became of it; `verify.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct VerifyReport {
-    /// Version of washout.
-    pub version: String,
     /// Whether each case was run on one mesh only, so that no order is observed.
     pub short: bool,
     /// Quantities within tolerance and of the expected order.
@@ -25,6 +24,8 @@ pub struct VerifyReport {
     pub verification: Vec<CaseReport>,
     /// Cases against measurements: are they the right equations?
     pub validation: Vec<CaseReport>,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files in the folder.
     pub files: Vec<String>,
 }
@@ -127,7 +128,7 @@ impl VerifyReport {
                 .count()
         };
         VerifyReport {
-            version: env!("CARGO_PKG_VERSION").to_string(),
+            made_of: MadeOf::files([]),
             short: extent == Extent::Short,
             passed: count(&["pass"]),
             failed: count(&["error", "order"]) + all().filter(|case| case.failure.is_some()).count(),

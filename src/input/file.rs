@@ -6,12 +6,18 @@ use std::path::{Component, Path, PathBuf};
 
 use super::document::Source;
 use super::error::{InputError, Problem};
+use crate::origin::InputFile;
 
 /// Largest text file that is read, in bytes.
 const LARGEST: u64 = 4 * 1024 * 1024;
 
 /// Reads a text file; `what` names it, such as "design file".
 pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, InputError> {
+    Ok(read_input(path, what)?.0)
+}
+
+/// The same with what it is known by.
+pub(crate) fn read_input(path: &Path, what: &str) -> Result<(String, InputFile), InputError> {
     let name = shown(path);
     let fail = |message: String, cure: String| Err(InputError::about_file(&name, message, cure));
     if path.is_dir() {
@@ -58,10 +64,11 @@ pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, InputError> {
             format!("A {what} is plain text; check the path"),
         );
     }
+    let input = InputFile::new(&name, &bytes);
     match String::from_utf8(bytes) {
         Ok(text) => Ok(match text.strip_prefix('\u{feff}') {
-            Some(rest) => rest.to_string(),
-            None => text,
+            Some(rest) => (rest.to_string(), input),
+            None => (text, input),
         }),
         Err(error) => {
             let start = error.utf8_error().valid_up_to();

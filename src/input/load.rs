@@ -1,6 +1,7 @@
 //! From files to a checked design.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use serde::Deserialize;
 
@@ -13,8 +14,10 @@ use super::file;
 use super::form;
 use super::keys;
 use super::measurement::Measurement;
+use super::named::{named_file, read_mesh};
 use super::quantity::Quantity;
 use super::set::Setting;
+use crate::origin::InputFile;
 
 /// A design with all that its file refers to.
 #[derive(Debug, Clone)]
@@ -25,32 +28,21 @@ pub struct Loaded {
     pub path: PathBuf,
     /// The materials file, if one was named.
     pub materials_path: Option<PathBuf>,
-    /// The mesh file, if one was named; it exists.
-    pub mesh_path: Option<PathBuf>,
+    /// Name and bytes of the mesh file, if one was named.
+    pub mesh_file: Option<(String, Arc<[u8]>)>,
     /// Rows alpha_deg, cl, cd of the table of coefficients, if one was named; α rises.
     pub air_table: Option<Vec<[f64; 3]>>,
     /// The rows of the measured case, if a measurement was named; their stations lie on the wing.
     pub measurement: Option<Measurement>,
+    /// All these files, with what they held.
+    pub files: Vec<InputFile>,
 }
 
 impl Loaded {
-    /// Name and bytes of the mesh file, if one was named.
-    pub fn read_mesh_file(&self) -> Result<Option<(String, Vec<u8>)>, InputError> {
-        let Some(path) = &self.mesh_path else {
-            return Ok(None);
-        };
-        let name = file::shown(path);
-        match std::fs::read(path) {
-            Ok(bytes) => Ok(Some((name, bytes))),
-            Err(error) => {
-                let message = format!("cannot be read: {error}");
-                Err(InputError::about_file(
-                    &name,
-                    message,
-                    "Check the file and its permissions",
-                ))
-            }
-        }
+    /// All that a solved wing hangs on: what the files hold, not where they stand.
+    pub fn content(&self) -> String {
+        let mesh = self.mesh_file.as_ref().map(|(_, bytes)| bytes);
+        format!("{}{:?}{mesh:?}", self.design.to_toml(), self.air_table)
     }
 }
 
@@ -58,35 +50,43 @@ impl Design {
     /// A design that a run has resolved, with the mesh and the table that it names beside `path`, its file; what was
     /// measured is left out.
     pub fn resolved(self, path: &Path) -> Result<Loaded, InputError> {
+        let mut files = Vec::new();
         let table = self.air.table.as_ref().map(|name| file::beside(path, name));
-        let table = table.map(|path| {
-            air_table::parse(
-                &file::shown(&path),
-                &file::read_text(&path, "table of coefficients")?,
-            )
-        });
+        let table = table.map(|path| read_air_table(&path, &mut files)).transpose()?;
+        let mesh = self.mesh.file.as_ref().map(|name| file::beside(path, name));
+        let mesh = mesh.map(|path| read_mesh(&path)).transpose()?;
+        files.extend(mesh.iter().map(|(name, bytes)| InputFile::new(name, bytes)));
         Ok(Loaded {
-            mesh_path: self.mesh.file.as_ref().map(|name| file::beside(path, name)),
-            air_table: table.transpose()?,
+            mesh_file: mesh,
+            air_table: table,
             design: self,
             path: path.to_path_buf(),
             materials_path: None,
             measurement: None,
+            files,
         })
     }
 
     /// Reads a design file with the files that it names, after `sets` (`key=value`) have changed it.
     pub fn load(path: &Path, sets: &[String]) -> Result<Loaded, InputError> {
         let settings = settings(sets)?;
-        Design::of_text(&file::read_text(path, "design file")?, path, &settings)
+        let (text, input) = file::read_input(path, "design file")?;
+        Design::of_text(&text, path, &settings, input)
     }
 
     /// The same of a text instead of a file; files that it names are looked for as if it stood in the file `path`.
     pub fn load_text(text: &str, path: &Path, sets: &[String]) -> Result<Loaded, InputError> {
-        Design::of_text(text, path, &settings(sets)?)
+        let input = InputFile::new(file::shown(path), text.as_bytes());
+        Design::of_text(text, path, &settings(sets)?, input)
     }
 
-    fn of_text(text: &str, path: &Path, settings: &[Setting]) -> Result<Loaded, InputError> {
+    fn of_text(
+        text: &str,
+        path: &Path,
+        settings: &[Setting],
+        input: InputFile,
+    ) -> Result<Loaded, InputError> {
+        let mut files = vec![input];
         let mut root = Node::parse_file(&file::shown(path), text)?;
         if root.get("case").is_some() {
             return Err(InputError::about_file(
@@ -98,31 +98,32 @@ impl Design {
         for setting in settings.iter().filter(|setting| setting.is_for("materials")) {
             setting.apply(&mut root)?;
         }
-        let materials_path = merge_materials(&mut root, path)?;
+        let materials_path = merge_materials(&mut root, path, &mut files)?;
         for setting in settings.iter().filter(|setting| !setting.is_for("materials")) {
             setting.apply(&mut root)?;
         }
         let mut design = design_of(&root)?;
         design.materials = None;
-        let mesh_path = named_file(&root, path, "mesh.file")?;
+        let mesh_file = named_file(&root, path, "mesh.file")?;
+        let mesh_file = mesh_file.map(|path| read_mesh(&path)).transpose()?;
+        files.extend(mesh_file.iter().map(|(name, bytes)| InputFile::new(name, bytes)));
         let air_table = match named_file(&root, path, "air.table")? {
-            Some(path) => Some(air_table::parse(
-                &file::shown(&path),
-                &file::read_text(&path, "table of coefficients")?,
-            )?),
+            Some(path) => Some(read_air_table(&path, &mut files)?),
             None => None,
         };
         let measurement = match named_file(&root, path, "measured.file")? {
             Some(path) => Some(measured_case(&root, &design, &path)?),
             None => None,
         };
+        files.extend(measurement.iter().filter_map(|rows| rows.input.clone()));
         Ok(Loaded {
             design,
             path: path.to_path_buf(),
             materials_path,
-            mesh_path,
+            mesh_file,
             air_table,
             measurement,
+            files,
         })
     }
 
@@ -153,6 +154,12 @@ impl Design {
     }
 }
 
+fn read_air_table(path: &Path, files: &mut Vec<InputFile>) -> Result<Vec<[f64; 3]>, InputError> {
+    let (text, input) = file::read_input(path, "table of coefficients")?;
+    files.push(input);
+    air_table::parse(&file::shown(path), &text)
+}
+
 fn settings(sets: &[String]) -> Result<Vec<Setting>, InputError> {
     sets.iter().map(|text| Setting::parse(text)).collect()
 }
@@ -175,7 +182,11 @@ pub(crate) fn design_of(root: &Node) -> Result<Design, InputError> {
 }
 
 /// Joins the tables of the materials file, if one is named, to those of the design.
-fn merge_materials(root: &mut Node, design_path: &Path) -> Result<Option<PathBuf>, InputError> {
+fn merge_materials(
+    root: &mut Node,
+    design_path: &Path,
+    files: &mut Vec<InputFile>,
+) -> Result<Option<PathBuf>, InputError> {
     let Some(path) = named_file(root, design_path, "materials")? else {
         return Ok(None);
     };
@@ -198,7 +209,8 @@ fn merge_materials(root: &mut Node, design_path: &Path) -> Result<Option<PathBuf
             "Name another file, or leave the key out",
         );
     }
-    let text = file::read_text(&path, "materials file")?;
+    let (text, input) = file::read_input(&path, "materials file")?;
+    files.push(input);
     let tree = Node::parse_file(&file::shown(&path), &text)?;
     if let Some(node) = tree.get("materials") {
         let message = "a materials file cannot name another one".to_string();
@@ -234,34 +246,6 @@ fn merge_materials(root: &mut Node, design_path: &Path) -> Result<Option<PathBuf
         }
     }
     Ok(Some(path))
-}
-
-/// The path of the file that a key names, relative to the design; it must exist.
-fn named_file(root: &Node, design_path: &Path, key: &str) -> Result<Option<PathBuf>, InputError> {
-    let path = super::path::KeyPath::parse(key).unwrap_or_default();
-    let Some(node) = root.at(&path) else {
-        return Ok(None);
-    };
-    let Some(name) = node.text() else {
-        return Ok(None);
-    };
-    let target = file::beside(design_path, name);
-    if name.is_empty() || !target.is_file() {
-        let message = if target.is_dir() {
-            "is a folder, not a file"
-        } else {
-            "no such file"
-        };
-        let problem = Problem::File {
-            message: message.to_string(),
-        };
-        let cure = format!(
-            "Looked for {}; paths are relative to the design file",
-            file::shown(&target)
-        );
-        return Err(InputError::new(node.place(), key, &node.shown(), problem, cure));
-    }
-    Ok(Some(target))
 }
 
 /// The rows of the case that the design names.

@@ -26,6 +26,8 @@ mod air_table;
 
 mod load;
 
+mod named;
+
 mod set;
 
 mod syntax;

@@ -8,6 +8,7 @@ use super::design::{Flat, Section};
 use super::error::{InputError, Range};
 use super::file;
 use super::table::{Record, Table};
+use crate::origin::InputFile;
 
 /// A rod on the shelf.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -31,12 +32,13 @@ enum Shape {
 }
 
 /// Reads a shelf with the columns `name`, `shape` (round, half-round, tube), `diameter_mm`, `material` and, if wanted,
-/// `inner_diameter_mm` for tubes and `tolerance_mm` of the diameter (0.02 where none is given).
+/// `inner_diameter_mm` for tubes and `tolerance_mm` of the diameter (0.02 where none is given); with what the file is known by.
 ///
 /// # Errors
 /// If the file cannot be read, or a row is no rod.
-pub fn load_stock(path: &Path) -> Result<Vec<StockRod>, InputError> {
-    stock_from_csv(&file::shown(path), &file::read_text(path, "list of rods")?)
+pub fn load_stock(path: &Path) -> Result<(Vec<StockRod>, InputFile), InputError> {
+    let (text, input) = file::read_input(path, "list of rods")?;
+    Ok((stock_from_csv(&file::shown(path), &text)?, input))
 }
 
 /// The same from text.

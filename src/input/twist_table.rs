@@ -5,12 +5,15 @@ use std::path::Path;
 use super::error::{InputError, Range};
 use super::file;
 use super::table::Table;
+use crate::origin::InputFile;
 
 /// Twist along the span, at one phase of the stroke or at several.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TwistTable {
     /// File that it came from, as the user named it.
     pub file: String,
+    /// What the file is known by; none of a text.
+    pub input: Option<InputFile>,
     /// Comment lines at the head of the file, without `#`.
     pub comments: Vec<String>,
     /// Profiles with the phase (deg, 0 is mid-stroke) at which each holds; a single one without phase is that of mid-stroke.
@@ -24,8 +27,12 @@ impl TwistTable {
     /// # Errors
     /// If the file cannot be read, or a row is no number or out of order.
     pub fn load(path: &Path) -> Result<TwistTable, InputError> {
-        let text = file::read_text(path, "twist profile")?;
-        TwistTable::from_csv(&file::shown(path), &text)
+        let (text, input) = file::read_input(path, "twist profile")?;
+        let table = TwistTable::from_csv(&file::shown(path), &text)?;
+        Ok(TwistTable {
+            input: Some(input),
+            ..table
+        })
     }
 
     /// The same from text.
@@ -90,6 +97,7 @@ impl TwistTable {
         }
         Ok(TwistTable {
             file: file.to_string(),
+            input: None,
             comments: table.comments,
             profiles,
         })

@@ -43,7 +43,7 @@ pub struct PreparedCase {
     /// The case as it stands, from which it is solved with other values: fixed by the study, so that results are too.
     base: Option<Arc<Solved>>,
     pub(super) air_table: Option<Vec<[f64; 3]>>,
-    mesh_file: Option<(String, Vec<u8>)>,
+    mesh_file: Option<(String, Arc<[u8]>)>,
 }
 
 /// How a case answers, for the index of a column.
@@ -132,10 +132,6 @@ impl PreparedCase {
             admit(&mut design);
             unnamed::place(&mut design);
         }
-        let mesh_file = case
-            .loaded
-            .read_mesh_file()
-            .map_err(|error| failed(error.to_string()))?;
         Ok(PreparedCase {
             name: case.name.clone(),
             family: case.family.clone(),
@@ -145,7 +141,7 @@ impl PreparedCase {
             is_held_out: case.is_held_out,
             base: None,
             air_table: case.loaded.air_table.clone(),
-            mesh_file,
+            mesh_file: case.loaded.mesh_file.clone(),
         })
     }
 

@@ -48,6 +48,14 @@ pub enum SweepError {
         /// Why.
         reason: String,
     },
+    /// A case may have read something else than its task is known by.
+    #[error(
+        "{file} changed while the cases were solved; give the same command again, what still holds is kept"
+    )]
+    Changed {
+        /// The file, or the base.
+        file: String,
+    },
     /// The user asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

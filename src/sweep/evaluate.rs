@@ -71,32 +71,6 @@ impl Base {
         Ok(Base::Design(Box::new(loaded), None))
     }
 
-    /// All that a result hangs on besides the values of its case: what the files hold, not where they stand.
-    ///
-    /// # Errors
-    /// If a mesh file cannot be read.
-    pub fn content(&self) -> Result<String, SweepError> {
-        let of = |loaded: &Loaded| -> Result<String, SweepError> {
-            let mesh = loaded.read_mesh_file()?.map(|(_, bytes)| bytes);
-            Ok(format!(
-                "{}{:?}{mesh:?}",
-                loaded.design.to_toml(),
-                loaded.air_table
-            ))
-        };
-        match self {
-            Base::Design(loaded, _) => of(loaded),
-            Base::Study(study) => {
-                let mut all = format!("{:?}", study.study);
-                for case in study.cases.iter().chain(&study.experiments) {
-                    all += &of(&case.loaded)?;
-                    all += &format!("{:?}{}", case.rows, case.is_held_out);
-                }
-                Ok(all)
-            }
-        }
-    }
-
     /// Solves the base itself, so that its cases are found sooner; one that has no equilibrium is left as it is.
     ///
     /// # Errors
@@ -152,8 +126,7 @@ fn solve(
     near: Option<&Solution>,
     progress: &Progress,
 ) -> Result<(Solution, crate::geometry::Planform), String> {
-    let mesh_file = loaded.read_mesh_file().map_err(|error| error.to_string())?;
-    let file = mesh_file.as_ref().map(|(name, bytes)| MeshFile { name, bytes });
+    let file = (loaded.mesh_file.as_ref()).map(|(name, bytes)| MeshFile { name, bytes });
     let (planform, mesh) = for_design(&loaded.design, file).map_err(|error| error.to_string())?;
     let table = loaded.air_table.as_deref();
     let solution = solve_from(&loaded.design, &planform, &mesh, table, near, progress);

@@ -5,6 +5,8 @@
 
 pub mod axis;
 
+pub mod content;
+
 pub mod error;
 
 pub mod evaluate;
@@ -18,9 +20,10 @@ pub mod sensitivity;
 pub mod task;
 
 pub use axis::{Axis, Values};
+pub use content::Content;
 pub use error::SweepError;
 pub use evaluate::{Base, Figure, Row};
 pub use plan::SweepPlan;
 pub use points::{Method, points};
 pub use sensitivity::{Sensitivity, sensitivities};
-pub use task::{Task, tasks};
+pub use task::{Task, task_key, tasks};

@@ -2,20 +2,21 @@
 
 use std::ops::Range;
 
-use sha2::{Digest, Sha256};
+use crate::origin::{program_sha256, sha256};
 
-/// What a result hangs on, as one word: SHA-256 of the version of the program and of all `parts`, 32 hexadecimal digits of it.
+/// What a result hangs on, as one word: SHA-256 of the program and of all `parts`, 32 hexadecimal digits of it.
 pub fn key<T: AsRef<str>>(parts: impl IntoIterator<Item = T>) -> String {
-    let mut hash = Sha256::new();
+    let mut all = Vec::new();
     let mut add = |part: &str| {
         // with its length, so that no two lists of parts read the same
-        hash.update((part.len() as u64).to_le_bytes());
-        hash.update(part.as_bytes());
+        all.extend((part.len() as u64).to_le_bytes());
+        all.extend(part.as_bytes());
     };
-    add(env!("CARGO_PKG_VERSION"));
+    add(program_sha256());
     parts.into_iter().for_each(|part| add(part.as_ref()));
-    let digest = hash.finalize();
-    digest.iter().take(16).map(|byte| format!("{byte:02x}")).collect()
+    let mut word = sha256(&all);
+    word.truncate(32);
+    word
 }
 
 /// `count` cases in stretches of `size`, the last one with what is left.

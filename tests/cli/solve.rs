@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use crate::sweep::is_made_of;
 use crate::{below, conforms, contents, design, entries, folder, schema, washout};
 
 const FILES: [&str; 6] = [
@@ -63,6 +64,18 @@ fn standard_output_is_one_document_that_conforms_and_equals_the_file() {
     assert_eq!(schema(&["--output"]), schema(&["--output", "solve"]));
     let file = fs::read_to_string(here.path().join("output/twist-v1/summary.json")).expect("a summary");
     assert_eq!(file, said.out);
+}
+
+#[test]
+fn a_summary_says_what_it_was_made_of() {
+    let here = folder();
+    let said = washout(here.path(), &["solve", &design("twist-v2.toml"), "--json"]);
+    let document = said.document();
+    let measured = "../measurements/colmenares-as-stated.csv";
+    for name in ["twist-v2.toml", "materials.toml", measured] {
+        let bytes = fs::read(design(name)).expect("a shipped file");
+        is_made_of(&document, name.trim_start_matches("../"), &bytes);
+    }
 }
 
 #[test]

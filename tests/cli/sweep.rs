@@ -253,3 +253,57 @@ fn what_a_study_calibrates_is_held_at_the_values_that_a_sweep_gives_it() {
     assert_eq!(stated, column("chi_square_per_number_calibrated"));
     assert!(stated[0] != stated[1], "{table}");
 }
+
+fn table(lift: f64) -> String {
+    format!("alpha_deg,cl,cd\n-90,0,2\n0,0,0.1\n45,{lift},1\n90,0,2\n180,0,0.1\n")
+}
+
+#[test]
+fn what_a_sweep_read_from_a_file_that_has_changed_since_is_done_again() {
+    let here = folder();
+    assert_eq!(washout(here.path(), &["init", "wing"]).code, Some(0));
+    fs::write(here.path().join("a.csv"), table(1.2)).unwrap();
+    let air = ["--set", "air.coefficients=table", "--set", "air.table=a.csv"];
+    let vary = [
+        "--set",
+        "mesh.refine=0.2",
+        "--vary",
+        "air.table=a.csv,b.csv",
+        "--json",
+    ];
+    let sweep = |name: &str| {
+        let said = washout(
+            here.path(),
+            &[&["sweep", "wing.toml", "--output", name], &air[..], &vary[..]].concat(),
+        );
+        assert_eq!(said.code, Some(0), "{}", said.err);
+        let table = fs::read_to_string(here.path().join(name).join("sweep.csv")).unwrap();
+        (table, said.document())
+    };
+    let (lost, _) = sweep("sweep");
+    assert!(lost.contains("no such file"), "{lost}");
+    let mut known = vec![lost];
+    for lift in [1.2, 1.1] {
+        fs::write(here.path().join("b.csv"), table(lift)).unwrap();
+        let (again, document) = sweep("sweep");
+        let (fresh, _) = sweep(&format!("fresh-{lift}"));
+        assert_eq!(again, fresh);
+        assert!(!known.contains(&again), "an old table is given again: {again}");
+        known.push(again);
+        for (name, lift) in [("a.csv", 1.2), ("b.csv", lift)] {
+            is_made_of(&document, name, table(lift).as_bytes());
+        }
+    }
+}
+
+/// Fails unless a document names the program and a file with what it held.
+pub fn is_made_of(document: &serde_json::Value, name: &str, bytes: &[u8]) {
+    let made = &document["made_of"];
+    assert_eq!(made["program_sha256"].as_str().map(str::len), Some(64), "{made}");
+    let files = made["files"].as_array().unwrap();
+    let file = files
+        .iter()
+        .find(|file| file["file"].as_str().unwrap().ends_with(name))
+        .unwrap_or_else(|| panic!("{name} is not in {made}"));
+    assert_eq!(file["sha256"], washout::origin::sha256(bytes), "{name}");
+}

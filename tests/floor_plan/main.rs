@@ -10,15 +10,24 @@ use check::{Fault, effects_not_listed, faults, is_named, room_of};
 /// Each room and the rooms that it may import. The order is the way the data flows.
 const ROOMS: &[(&str, &[&str])] = &[
     ("progress", &[]),
-    ("task", &[]),
-    ("input", &["progress"]),
+    ("origin", &[]),
+    ("task", &["origin"]),
+    ("input", &["progress", "origin"]),
     ("geometry", &["progress", "input"]),
     ("mesh", &["progress", "input", "geometry"]),
     ("structure", &["progress", "input", "geometry", "mesh"]),
     ("aero", &["progress", "input", "geometry"]),
     (
         "effects",
-        &["progress", "input", "geometry", "mesh", "structure", "aero"],
+        &[
+            "progress",
+            "origin",
+            "input",
+            "geometry",
+            "mesh",
+            "structure",
+            "aero",
+        ],
     ),
     (
         "coupling",
@@ -90,6 +99,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "sweep",
         &[
             "progress",
+            "origin",
             "task",
             "input",
             "geometry",
@@ -123,6 +133,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "export",
         &[
             "progress",
+            "origin",
             "task",
             "input",
             "geometry",
@@ -148,6 +159,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "cli",
         &[
             "progress",
+            "origin",
             "task",
             "input",
             "geometry",

@@ -99,7 +99,7 @@ fn lead(document: &Document, summary: &RunSummary) -> String {
         "<p class=\"quiet\">{} · {} · washout {}</p>\n",
         crate::plot::pen::escaped(&summary.design_file),
         air(document, summary),
-        crate::plot::pen::escaped(&summary.washout_version)
+        crate::plot::pen::escaped(&summary.made_of.washout_version)
     );
     let error = summary
         .measured

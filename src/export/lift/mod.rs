@@ -8,12 +8,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::lift::{Forces, Ratios};
+use crate::origin::MadeOf;
 
 /// What `washout lift` prints with `--json`; `summary.json` of its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LiftSummary {
-    /// Version of the program that wrote it.
-    pub washout_version: String,
     /// Where the twist comes from, in words.
     pub twist: String,
     /// The wings, in the order of the command line.
@@ -32,6 +31,8 @@ pub struct LiftSummary {
     pub sensitivity: Vec<Sensitivity>,
     /// Things that limit what the numbers say.
     pub warnings: Vec<String>,
+    /// What it was made of.
+    pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
 }

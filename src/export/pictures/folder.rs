@@ -1,12 +1,15 @@
 //! The pictures of a folder that a verb wrote: those of a run are drawn from its files, all others stand in it.
 
+use std::cell::RefCell;
 use std::fs;
 use std::path::Path;
 
 use crate::export::ExportError;
+use crate::export::file::input_file;
 use crate::export::html::run;
 use crate::export::html::still::still;
 use crate::export::run::{SUMMARY, read_summary};
+use crate::origin::InputFile;
 use crate::plot::Figure;
 
 use super::profile;
@@ -21,11 +24,12 @@ pub struct Picture {
     pub svg: String,
 }
 
-/// The pictures: of a run `wing`, `twist`, `air` and, where it was solved, `stroke`; of all others the SVG files, by name.
+/// The pictures: of a run `wing`, `twist`, `air` and, where it was solved, `stroke`; of all others the SVG files, by name. With the
+/// files that they are drawn from.
 ///
 /// # Errors
 /// If a file cannot be read or is not of a run, or a number is not finite.
-pub fn pictures(folder: &Path) -> Result<Vec<Picture>, ExportError> {
+pub fn pictures(folder: &Path) -> Result<(Vec<Picture>, Vec<InputFile>), ExportError> {
     if folder.join(SUMMARY).is_file() {
         of_run(folder)
     } else {
@@ -33,11 +37,15 @@ pub fn pictures(folder: &Path) -> Result<Vec<Picture>, ExportError> {
     }
 }
 
-fn of_run(folder: &Path) -> Result<Vec<Picture>, ExportError> {
+fn of_run(folder: &Path) -> Result<(Vec<Picture>, Vec<InputFile>), ExportError> {
     let summary = read_summary(folder)?;
+    let files = RefCell::new(vec![input_file(&folder.join(SUMMARY))?]);
     let read = |name: &str| {
         let path = folder.join(name);
-        fs::read(&path).map_err(ExportError::file("read", path))
+        let bytes = fs::read(&path).map_err(ExportError::file("read", &path))?;
+        let file = InputFile::new(path.display().to_string(), &bytes);
+        files.borrow_mut().push(file);
+        Ok(bytes)
     };
     let (wing, strips) = run::drawn(&summary, folder, &read)?;
     let mut pictures = vec![Picture {
@@ -51,7 +59,7 @@ fn of_run(folder: &Path) -> Result<Vec<Picture>, ExportError> {
     if summary.stroke.is_some() {
         pictures.extend(drawn("stroke", &profile::stroke(&summary))?);
     }
-    Ok(pictures)
+    Ok((pictures, files.into_inner()))
 }
 
 /// The sheets of a figure.
@@ -71,8 +79,8 @@ fn drawn(name: &str, figure: &Figure) -> Result<Vec<Picture>, ExportError> {
         .collect()
 }
 
-fn standing(folder: &Path) -> Result<Vec<Picture>, ExportError> {
-    let mut pictures = Vec::new();
+fn standing(folder: &Path) -> Result<(Vec<Picture>, Vec<InputFile>), ExportError> {
+    let (mut pictures, mut files) = (Vec::new(), Vec::new());
     for entry in fs::read_dir(folder).map_err(ExportError::file("read", folder))? {
         let path = entry.map_err(ExportError::file("read", folder))?.path();
         if path.extension().is_none_or(|ending| ending != "svg") {
@@ -84,8 +92,10 @@ fn standing(folder: &Path) -> Result<Vec<Picture>, ExportError> {
             .to_string_lossy()
             .into_owned();
         let svg = fs::read_to_string(&path).map_err(ExportError::file("read", &path))?;
+        files.push(InputFile::new(path.display().to_string(), svg.as_bytes()));
         pictures.push(Picture { name, svg });
     }
     pictures.sort_by(|a, b| a.name.cmp(&b.name));
-    Ok(pictures)
+    files.sort_by(|a, b| a.file.cmp(&b.file));
+    Ok((pictures, files))
 }

@@ -10,6 +10,7 @@ use super::design::{Design, Instrument};
 use super::error::{InputError, Place, Problem, Range};
 use super::file;
 use super::table::Table;
+use crate::origin::InputFile;
 
 mod columns;
 
@@ -27,6 +28,8 @@ use row::{identity, read_row};
 pub struct Measurement {
     /// File that it came from, as the user named it.
     pub file: String,
+    /// What the file is known by; none of rows that were not read from a file.
+    pub input: Option<InputFile>,
     /// Comment lines at the head of the file (source, licence, meaning of columns), without `#`.
     pub comments: Vec<String>,
     /// How a program made them, if the file says so.
@@ -241,8 +244,12 @@ pub(super) fn refuse_planned(file: &str, rows: &[Row]) -> Result<(), InputError>
 impl Measurement {
     /// Reads a measurement file with all its cases.
     pub fn load(path: &Path) -> Result<Measurement, InputError> {
-        let text = file::read_text(path, "measurement file")?;
-        Measurement::from_csv(&text, &file::shown(path))
+        let (text, input) = file::read_input(path, "measurement file")?;
+        let measurement = Measurement::from_csv(&text, &file::shown(path))?;
+        Ok(Measurement {
+            input: Some(input),
+            ..measurement
+        })
     }
 
     /// Reads the rows that belong to a design: of the case it names under `measured`, of the case with its
@@ -295,6 +302,7 @@ impl Measurement {
         }
         Ok(Measurement {
             file: file_name.to_string(),
+            input: None,
             comments: table.comments,
             made: Made::of_file(text, file_name)?,
             rows,
@@ -316,6 +324,7 @@ impl Measurement {
     pub fn case(&self, case: &str) -> Measurement {
         Measurement {
             file: self.file.clone(),
+            input: self.input.clone(),
             comments: self.comments.clone(),
             made: self.made,
             rows: self.rows.iter().filter(|row| row.case == case).cloned().collect(),

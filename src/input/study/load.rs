@@ -13,6 +13,7 @@ use crate::input::error::{InputError, Problem};
 use crate::input::load::Loaded;
 use crate::input::measurement::{Made, Measurement, Row, refuse_planned};
 use crate::input::{file, form, keys};
+use crate::origin::InputFile;
 
 /// A study with all that its file refers to.
 #[derive(Debug, Clone)]
@@ -25,6 +26,8 @@ pub struct LoadedStudy {
     pub cases: Vec<LoadedCase>,
     /// Experiments that could be made next, families written out; their values are yet to be measured.
     pub experiments: Vec<LoadedCase>,
+    /// The study file and all that it names, with what they held.
+    pub files: Vec<InputFile>,
 }
 
 /// A design at one operating point, with its measured rows.
@@ -36,7 +39,9 @@ pub struct LoadedCase {
     pub family: String,
     /// The numbers in which it differs from others of its family.
     pub numbers: Vec<CaseNumber>,
-    /// The design with the changes of the case.
+    /// What changes the design for this case, as `--set` takes it.
+    pub sets: Vec<String>,
+    /// The design with these changes.
     pub loaded: Loaded,
     /// The measurement file, as the user named it.
     pub measurement: String,
@@ -64,7 +69,8 @@ impl LoadedStudy {
     /// # Errors
     /// Whatever is wrong with it, with place and cure.
     pub fn load(path: &Path, sets: &[String]) -> Result<LoadedStudy, InputError> {
-        LoadedStudy::from_text(path, &file::read_text(path, "study file")?, sets)
+        let (text, input) = file::read_input(path, "study file")?;
+        LoadedStudy::of_measured(path, &text, sets, input)
     }
 
     /// Reads a study from its text as if it stood at `path`.
@@ -72,7 +78,17 @@ impl LoadedStudy {
     /// # Errors
     /// As [`LoadedStudy::load`].
     pub fn from_text(path: &Path, text: &str, sets: &[String]) -> Result<LoadedStudy, InputError> {
-        let study = LoadedStudy::from_planned(path, text, sets)?;
+        let input = InputFile::new(file::shown(path), text.as_bytes());
+        LoadedStudy::of_measured(path, text, sets, input)
+    }
+
+    fn of_measured(
+        path: &Path,
+        text: &str,
+        sets: &[String],
+        input: InputFile,
+    ) -> Result<LoadedStudy, InputError> {
+        let study = LoadedStudy::from_planned(path, text, sets, input)?;
         for case in &study.cases {
             refuse_planned(&case.measurement, &case.rows)?;
         }
@@ -84,10 +100,16 @@ impl LoadedStudy {
     /// # Errors
     /// As [`LoadedStudy::load`].
     pub fn load_planned(path: &Path, sets: &[String]) -> Result<LoadedStudy, InputError> {
-        LoadedStudy::from_planned(path, &file::read_text(path, "study file")?, sets)
+        let (text, input) = file::read_input(path, "study file")?;
+        LoadedStudy::from_planned(path, &text, sets, input)
     }
 
-    fn from_planned(path: &Path, text: &str, sets: &[String]) -> Result<LoadedStudy, InputError> {
+    fn from_planned(
+        path: &Path,
+        text: &str,
+        sets: &[String],
+        input: InputFile,
+    ) -> Result<LoadedStudy, InputError> {
         let root = Node::parse_file(&file::shown(path), text)?;
         if root.get("planform").is_some() && root.get("case").is_none() {
             return Err(InputError::about_file(
@@ -104,10 +126,19 @@ impl LoadedStudy {
             InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
         })?;
         check(&study, &root)?;
-        let families = |tables: &[Case], word: &str| {
+        let mut files = vec![input];
+        let mut families = |tables: &[Case], word: &str| {
             let mut cases = Vec::new();
             for (index, case) in tables.iter().enumerate() {
-                family(case, &format!("{word}[{index}]"), path, &root, sets, &mut cases)?;
+                let measured = family(case, &format!("{word}[{index}]"), path, &root, sets, &mut cases)?;
+                files.extend(measured);
+            }
+            for case in &cases {
+                let new: Vec<InputFile> = (case.loaded.files.iter())
+                    .filter(|file| !files.contains(file))
+                    .cloned()
+                    .collect();
+                files.extend(new);
             }
             Ok(cases)
         };
@@ -120,6 +151,7 @@ impl LoadedStudy {
             path: path.to_path_buf(),
             cases,
             experiments,
+            files,
         })
     }
 }
@@ -150,7 +182,7 @@ fn check(study: &Study, root: &Node) -> Result<(), InputError> {
     Ok(())
 }
 
-/// Adds the cases of one table.
+/// Adds the cases of one table; gives its measurement file.
 fn family(
     case: &Case,
     table: &str,
@@ -158,7 +190,7 @@ fn family(
     root: &Node,
     sets: &[String],
     cases: &mut Vec<LoadedCase>,
-) -> Result<(), InputError> {
+) -> Result<Option<InputFile>, InputError> {
     let key = |name: &str| format!("{table}.{name}");
     let beside = |name: &str, value: &str| {
         let path = file::beside(study_path, value);
@@ -237,6 +269,7 @@ fn family(
             name: name.to_string(),
             family: case.measured.clone(),
             numbers: case_numbers(&case.set, &numbers),
+            sets: changes,
             loaded,
             measurement: measurement.file.clone(),
             made: measurement.made,
@@ -244,7 +277,7 @@ fn family(
             is_held_out: case.purpose == Purpose::HeldOut || case.held_out.iter().any(|held| held == name),
         });
     }
-    Ok(())
+    Ok(all.input)
 }
 
 /// Refuses rulers of which no run is that of a reading of their channel; some may belong to cases that were taken out.
