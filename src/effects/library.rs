@@ -9,10 +9,10 @@ use super::{
     film_cure_tension, film_slack, film_softening, film_wrinkling, gravity, half_rod_shear_centre,
     inertia_off_mid_stroke, inflow_momentum, inflow_uniform, large_rotation, leading_edge_frame,
     leading_edge_vortex_loss, lift_gain_linear, lift_gain_saturating, phase_lag, rod_ends_early,
-    rod_shear_modulus, rod_split, root_bending, root_chord_held, root_flexure, rotational_damping,
-    rotational_lift, skin_bending, skin_torsion, skin_yielding, spar_joint_compliance, spar_stiffness,
-    stall_shift, stop_backlash, tip_loss_exponential, tip_loss_prandtl, tip_mass, twist_dynamics,
-    warping_restraint,
+    rod_shear_modulus, rod_split, rod_torsion_loss, root_bending, root_chord_held, root_flexure,
+    rotational_damping, rotational_lift, skin_bending, skin_torsion, skin_yielding, spar_joint_compliance,
+    spar_stiffness, stall_shift, stop_backlash, tip_loss_exponential, tip_loss_prandtl, tip_mass,
+    twist_dynamics, warping_restraint,
 };
 
 use crate::origin::with_code_of_its_own;
@@ -29,6 +29,7 @@ pub static ALL: &[&dyn Effect] = &[
     &leading_edge_frame::LeadingEdgeFrame,
     &rod_ends_early::RodEndsEarly,
     &rod_split::RodSplit,
+    &rod_torsion_loss::RodTorsionLoss,
     &root_flexure::RootFlexure,
     &root_bending::RootBending,
     &root_chord_held::RootChordHeld,

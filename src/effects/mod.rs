@@ -75,6 +75,8 @@ pub mod rod_ends_early;
 
 pub mod rod_split;
 
+pub mod rod_torsion_loss;
+
 pub mod root_flexure;
 
 pub mod root_bending;

@@ -57,7 +57,7 @@ impl Effect for RodEndsEarly {
 
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
         let missing = values.strength();
-        for (beam, outboard) in wing.rod_outboard(values.at(1)) {
+        for (beam, outboard) in wing.rod_between(values.at(1), 1.0) {
             wing.model.change_section(beam, |section| {
                 section.soften(outboard * missing / (1.0 - missing));
                 section.mass_kg_m *= 1.0 - missing * outboard;

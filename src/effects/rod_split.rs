@@ -65,7 +65,7 @@ impl Effect for RodSplit {
     }
 
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
-        for (beam, outboard) in wing.rod_outboard(values.at(1)) {
+        for (beam, outboard) in wing.rod_between(values.at(1), 1.0) {
             let share = outboard * values.strength();
             wing.model.change_section(beam, |section| {
                 section.soften_torsion(TORSION * share);

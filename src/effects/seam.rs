@@ -38,12 +38,14 @@ impl Structure<'_> {
         self.elements(|part| part == BeamPart::Spar(spar))
     }
 
-    /// Elements of the rod that reach beyond a fraction of its length, each with the share of it that does.
-    pub fn rod_outboard(&self, fraction: f64) -> Vec<(usize, f64)> {
+    /// Elements of the rod between two fractions of its length, each with the share of it that lies there; none if `to` is not
+    /// beyond `from`.
+    pub fn rod_between(&self, from: f64, to: f64) -> Vec<(usize, f64)> {
         let rod = self.rod_elements();
-        let station_m = fraction * rod.last().map_or(0.0, |(_, [_, end_m])| *end_m);
+        let length_m = rod.last().map_or(0.0, |(_, [_, end_m])| *end_m);
+        let (inner_m, outer_m) = (from * length_m, to * length_m);
         let share = |(beam, [from_m, to_m]): Element| {
-            let covered_m = to_m - station_m.clamp(from_m, to_m);
+            let covered_m = to_m.min(outer_m) - from_m.max(inner_m);
             (covered_m > 0.0).then(|| (beam, covered_m / (to_m - from_m)))
         };
         rod.into_iter().filter_map(share).collect()

@@ -5,6 +5,8 @@ mod air_forms;
 
 mod closed_forms;
 
+mod damage_forms;
+
 mod motion_forms;
 
 mod own;

@@ -1,0 +1,47 @@
+//! Effects of a damaged rod: for each the case of its card, a closed form in the full model.
+
+use crate::closed_forms::{rectangle, with};
+use crate::structure_forms::{FORCE, TORQUE, also, assert_near, relative_deflection, relative_twist};
+
+/// Half of it at half the stiffness: ½ + ½ · 2; with the station inside an element: 0.53 + 0.47 · 2.
+#[test]
+fn a_rod_that_is_half_as_stiff_from_the_middle_on_twists_by_half_more() {
+    let from = |station: f64| {
+        let design = with(rectangle(TORQUE), "rod-ends-early", 0.5);
+        relative_twist(&also(design, "effects.rod-ends-early.from", station))
+    };
+    assert_near(from(0.5), 1.5, 1e-9);
+    assert_near(from(0.53), 1.47, 1e-9);
+    assert_near(from(0.5371), 1.4629, 1e-9);
+}
+
+/// A tenth of GJ is left from 0.3 to 0.7 of the length: 0.6 + 0.4 · 10; with the station inside an element as well. From 0.5 to the tip
+/// 0.5 + 0.5 · 10.
+#[test]
+fn a_rod_that_lost_torsion_between_two_stations_twists_more_there_and_bends_as_before() {
+    let lost = |load: &str, from: f64, to: f64| {
+        let design = with(rectangle(load), "rod-torsion-loss", 0.9);
+        let design = also(design, "effects.rod-torsion-loss.from", from);
+        also(design, "effects.rod-torsion-loss.to", to)
+    };
+    assert_near(relative_twist(&lost(TORQUE, 0.3, 0.7)), 4.6, 1e-9);
+    assert_near(relative_twist(&lost(TORQUE, 0.3371, 0.7)), 4.2661, 1e-9);
+    assert_near(relative_twist(&lost(TORQUE, 0.5, 1.0)), 5.5, 1e-9);
+    assert_near(relative_twist(&lost(TORQUE, 0.7, 0.7)), 1.0, 1e-9);
+    assert_near(
+        relative_deflection(&lost(FORCE, 0.0, 1.0)),
+        relative_deflection(&rectangle(FORCE)),
+        1e-6,
+    );
+}
+
+/// J: 1.5708 over 2 · 0.29756 a⁴; I: 0.7854 over 2 · 0.10976 a⁴.
+#[test]
+fn a_split_rod_twists_by_the_ratio_of_two_halves_to_the_whole() {
+    let split = |load: &str| {
+        let design = with(rectangle(load), "rod-split", 1.0);
+        also(design, "effects.rod-split.from", 0.0)
+    };
+    assert_near(relative_twist(&split(TORQUE)), 2.6395, 1e-4);
+    assert_near(relative_deflection(&split(FORCE)), 3.5779, 1e-3);
+}
