@@ -8,11 +8,11 @@ use super::{
     centre_of_pressure_shift, centrifugal_load, coefficient_scale, distributed_mass, drag_scale, film_camber,
     film_cure_tension, film_slack, film_softening, film_wrinkling, gravity, half_rod_shear_centre,
     inertia_off_mid_stroke, inflow_momentum, inflow_uniform, large_rotation, leading_edge_frame,
-    leading_edge_vortex_loss, lift_gain_linear, lift_gain_saturating, phase_lag, rod_ends_early,
-    rod_shear_modulus, rod_split, rod_torsion_loss, root_bending, root_chord_held, root_flexure,
-    rotational_damping, rotational_lift, skin_bending, skin_torsion, skin_yielding, spar_joint_compliance,
-    spar_stiffness, stall_shift, stop_backlash, tip_loss_exponential, tip_loss_prandtl, tip_mass,
-    twist_dynamics, warping_restraint,
+    leading_edge_vortex_loss, lift_gain_linear, lift_gain_saturating, phase_lag, rod_bending_loss,
+    rod_ends_early, rod_shear_modulus, rod_split, rod_torsion_loss, root_bending, root_chord_held,
+    root_flexure, rotational_damping, rotational_lift, skin_bending, skin_torsion, skin_yielding,
+    spar_joint_compliance, spar_stiffness, stall_shift, stop_backlash, tip_loss_exponential,
+    tip_loss_prandtl, tip_mass, twist_dynamics, warping_restraint,
 };
 
 use crate::origin::with_code_of_its_own;
@@ -30,6 +30,7 @@ pub static ALL: &[&dyn Effect] = &[
     &rod_ends_early::RodEndsEarly,
     &rod_split::RodSplit,
     &rod_torsion_loss::RodTorsionLoss,
+    &rod_bending_loss::RodBendingLoss,
     &root_flexure::RootFlexure,
     &root_bending::RootBending,
     &root_chord_held::RootChordHeld,

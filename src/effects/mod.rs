@@ -77,6 +77,8 @@ pub mod rod_split;
 
 pub mod rod_torsion_loss;
 
+pub mod rod_bending_loss;
+
 pub mod root_flexure;
 
 pub mod root_bending;

@@ -1,7 +1,11 @@
 //! Effects of a damaged rod: for each the case of its card, a closed form in the full model.
 
+use washout::input::design::Design;
+
 use crate::closed_forms::{rectangle, with};
-use crate::structure_forms::{FORCE, TORQUE, also, assert_near, relative_deflection, relative_twist};
+use crate::structure_forms::{
+    FORCE, TORQUE, also, assert_near, end_of_rod, relative_deflection, relative_twist,
+};
 
 /// Half of it at half the stiffness: ½ + ½ · 2; with the station inside an element: 0.53 + 0.47 · 2.
 #[test]
@@ -33,6 +37,23 @@ fn a_rod_that_lost_torsion_between_two_stations_twists_more_there_and_bends_as_b
         relative_deflection(&rectangle(FORCE)),
         1e-6,
     );
+}
+
+/// δ = F/EI ∫ (L − x)² dx with a tenth of EI from 0.3 to 0.7 of the length: 1 + 9 (0.7³ − 0.3³) = 3.844 times as far.
+#[test]
+fn a_rod_that_lost_bending_between_two_stations_bends_more_there_and_twists_as_before() {
+    let lost = |load: &str, from: f64, to: f64| {
+        let design = with(rectangle(load), "rod-bending-loss", 0.9);
+        let design = also(design, "effects.rod-bending-loss.from", from);
+        also(design, "effects.rod-bending-loss.to", to)
+    };
+    assert_near(relative_deflection(&lost(FORCE, 0.3, 0.7)), 3.844, 2e-3);
+    assert_near(relative_deflection(&lost(FORCE, 0.0, 1.0)), 10.0, 1e-3);
+    assert_near(relative_twist(&lost(TORQUE, 0.0, 1.0)), 1.0, 1e-9);
+    let edgewise = "[[load]]\nat_mm = 100.0\nforce_n = [0.0, 1e-6, 0.0]\n";
+    let across = |design: &Design| end_of_rod(design).1.y;
+    let softer = across(&lost(edgewise, 0.0, 1.0)) / across(&rectangle(edgewise));
+    assert_near(softer, 10.0, 1e-3);
 }
 
 /// J: 1.5708 over 2 · 0.29756 a⁴; I: 0.7854 over 2 · 0.10976 a⁴.

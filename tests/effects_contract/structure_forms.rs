@@ -26,7 +26,7 @@ pub fn also(mut design: Design, key: &str, value: f64) -> Design {
 }
 
 /// Rotation vector and displacement of the rod's end.
-fn end_of_rod(design: &Design) -> (Vector3<f64>, Vector3<f64>) {
+pub fn end_of_rod(design: &Design) -> (Vector3<f64>, Vector3<f64>) {
     let solution = solve(design);
     let tip = *solution.mesh.rod_nodes().last().unwrap();
     let turn = solution.state.rotation[tip].scaled_axis();
