@@ -239,6 +239,10 @@ pub fn lacks(card: &Card, design: &Design) -> Option<String> {
                 (design.rod.iter()).any(|rod| matches!(rod.section, Section::HalfRound { .. })),
                 "the wing has no half-round rod",
             ),
+            Need::SolidRod => (
+                design.rod.iter().any(|rod| is_solid(&rod.section)),
+                "the wing has no solid rod: its rods are tubes, or given as stiffnesses",
+            ),
             Need::Linear => (
                 design.structure.kinematics == Kinematics::Linear,
                 "the model has large rotation already (structure.kinematics is not linear)",
@@ -251,4 +255,8 @@ pub fn lacks(card: &Card, design: &Design) -> Option<String> {
         (!has).then(|| words.to_string())
     };
     card.needs.iter().find_map(lacking)
+}
+
+fn is_solid(section: &Section) -> bool {
+    !matches!(section, Section::Tube { .. } | Section::Given { .. })
 }

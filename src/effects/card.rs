@@ -128,6 +128,8 @@ pub enum Need {
     Spars,
     /// A half-round rod.
     HalfRound,
+    /// A rod that is a solid: round, half-round, a rectangle or plies.
+    SolidRod,
     /// Linear kinematics.
     Linear,
     /// Gravity, as the design or an effect has it, or centrifugal load: what makes mass felt at rest.

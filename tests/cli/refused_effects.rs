@@ -318,8 +318,8 @@ fn what_cannot_be_hidden_names_the_option_the_value_and_the_range() {
             ][..],
         ),
         (
-            "rod-split@rod=2",
-            &["--effect: rod-split: strength 2 is outside 0 to 1.5; plausible is 0 to 1"],
+            "rod-split@rod=20",
+            &["--effect: rod-split: strength 20 is outside 0 to 12; plausible is 0 to 2.7"],
         ),
         (
             "stop-backlash=90",

@@ -1,6 +1,8 @@
 //! Effects of a damaged rod: for each the case of its card, a closed form in the full model.
 
-use washout::input::design::Design;
+use washout::coupling::wing::Wing;
+use washout::input::design::{Design, Flat, Section};
+use washout::mesh::for_design;
 
 use crate::closed_forms::{rectangle, with};
 use crate::structure_forms::{
@@ -65,4 +67,49 @@ fn a_split_rod_twists_by_the_ratio_of_two_halves_to_the_whole() {
     };
     assert_near(relative_twist(&split(TORQUE)), 2.6395, 1e-4);
     assert_near(relative_deflection(&split(FORCE)), 3.5779, 1e-3);
+}
+
+/// Three strips of a rectangle, s = (3² − 1)/3, keep a ninth in bending, exactly. Two of a strip of 10 × 0.1 mm a quarter in torsion but for its
+/// ends: J = β b t³, 4 · 0.331233 / 0.332283; of half a circle, flat in the plane, 1/3.007.
+#[test]
+fn strips_of_a_split_rod_keep_one_over_their_number_squared() {
+    let of = |section: Section, strength: f64, read: &dyn Fn(&Design) -> f64| {
+        let split = |strength: f64, load: &str| {
+            let mut design = rectangle(load);
+            design.rod[0].section = section.clone();
+            let design = with(design, "rod-split", strength);
+            also(design, "effects.rod-split.from", 0.0)
+        };
+        let [load, other] = [FORCE, TORQUE].map(|load| [0.0, strength].map(|s| read(&split(s, load))));
+        [load[1] / load[0], other[1] / other[0]]
+    };
+    let bent = |design: &Design| end_of_rod(design).1.z;
+    let turned = |design: &Design| end_of_rod(design).0.x;
+    let strip = |width: f64, thickness: f64| Section::Rectangle {
+        width_mm: width.into(),
+        thickness_mm: thickness.into(),
+    };
+    let [bending, _] = of(strip(2.0, 0.5), 8.0 / 3.0, &bent);
+    assert_near(bending, 9.0, 1e-3);
+    let [_, torsion] = of(strip(10.0, 0.1), 1.0, &turned);
+    assert_near(torsion, 4.0 * 0.331_233 / 0.332_283, 1e-4);
+    let half = Section::HalfRound {
+        diameter_mm: 1.0.into(),
+        flat: Flat::InPlane,
+    };
+    let [_, torsion] = of(half, 1.0, &turned);
+    assert_near(torsion, 3.007, 1e-4);
+}
+
+#[test]
+fn a_tube_and_a_beam_of_given_stiffness_do_not_split() {
+    let mut design = rectangle(TORQUE);
+    design.rod[0].section = Section::Tube {
+        outer_diameter_mm: 1.0.into(),
+        inner_diameter_mm: 0.6.into(),
+    };
+    let split = with(design, "rod-split", 1.0);
+    let (_, mesh) = for_design(&split, None).unwrap();
+    let refused = Wing::new(&split, &mesh, None).unwrap_err().to_string();
+    assert!(refused.contains("no solid rod"), "{refused}");
 }
