@@ -19,6 +19,8 @@ pub mod law;
 
 pub mod strip;
 
+pub mod lifting_line;
+
 pub mod linear;
 
 pub mod pressure;
@@ -28,6 +30,7 @@ pub use coefficients::CoefficientLaw;
 pub use error::AeroError;
 pub use flow::Flow;
 pub use law::AirLaw;
+pub use lifting_line::LiftingLine;
 pub use linear::{alpha_linear, strip_force_linear};
 pub use number::Number;
 pub use pressure::{pressure_density, pressure_weights};

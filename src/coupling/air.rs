@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::strips::{Strip, Strips};
-use crate::aero::{AeroError, AirLaw, Flow, SectionAir, SectionChange, SectionCoefficients};
+use crate::aero::{AeroError, AirLaw, Flow, LiftingLine, SectionAir, SectionChange, SectionCoefficients};
 use crate::effects::{Bound, Dual, Motion, Seam, StripPlace};
 use crate::input::design::Design;
 
@@ -28,6 +28,7 @@ struct Acting {
     flow: Option<Flow>,
     tip_m: f64,
     mean_chord_m: f64,
+    lifting_lines: Option<[LiftingLine; 2]>,
 }
 
 impl Air {
@@ -57,7 +58,9 @@ impl Air {
         let (width, area) = span.fold((0.0, 0.0), |(width, area), strip| {
             (width + strip.width_m, area + strip.width_m * strip.chord_m)
         });
+        let chord_m = |r_m: f64| strips.chord_m(r_m);
         let acting = Acting {
+            lifting_lines: lifting_lines(strips.tip_m(), chord_m, flow.as_ref(), &effects),
             effects,
             motion: None,
             design: design.clone(),
@@ -98,9 +101,25 @@ impl Air {
                 density_kg_m3: acting.flow.map_or(0.0, |_| self.law.density_kg_m3),
                 root_angle_rad: acting.flow.map_or(0.0, |flow| flow.root_angle_rad()),
                 motion: acting.motion.as_deref(),
+                lifting_lines: acting.lifting_lines.as_ref(),
             },
         })
     }
+}
+
+/// Lifting lines of a wing of this length and chord (m), its root on a wall and free, if it stands in a steady stream with effects that
+/// may ask for them.
+pub(super) fn lifting_lines(
+    length_m: f64,
+    chord_m: impl Fn(f64) -> f64,
+    flow: Option<&Flow>,
+    effects: &[Bound],
+) -> Option<[LiftingLine; 2]> {
+    if effects.is_empty() || !matches!(flow, Some(Flow::Steady { .. })) {
+        return None;
+    }
+    let line = |has_wall| LiftingLine::new(length_m, &chord_m, has_wall);
+    Some([line(true)?, line(false)?])
 }
 
 /// The effects that act on one strip or blade element.

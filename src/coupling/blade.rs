@@ -1,8 +1,8 @@
 //! The air on blade elements of given angle and speed, effects included: for a lift model that knows no deformed shape.
 
-use super::air::ActingOnStrip;
+use super::air::{ActingOnStrip, lifting_lines};
 use super::error::CouplingError;
-use crate::aero::{AeroError, AirLaw, Flow, SectionAir};
+use crate::aero::{AeroError, AirLaw, Flow, LiftingLine, SectionAir};
 use crate::effects::{Bound, Dual, Motion, Need, Seam, StripMotion, StripPlace, bind};
 use crate::geometry::Planform;
 use crate::input::design::Design;
@@ -19,6 +19,7 @@ pub struct BladeAir {
     flow: Option<Flow>,
     tip_m: f64,
     mean_chord_m: f64,
+    lifting_lines: Option<[LiftingLine; 2]>,
     moved_air: f64,
     wants_motion: bool,
 }
@@ -64,12 +65,19 @@ impl BladeAir {
             .filter(|bound| bound.effect.card().seam == Seam::Air)
             .collect();
         let moves = |bound: &Bound| bound.effect.card().needs.contains(&Need::Motion);
+        let flow = Flow::from_design(design);
         Ok(BladeAir {
+            lifting_lines: lifting_lines(
+                planform.tip_m(),
+                |r_m| planform.chord_m(r_m),
+                flow.as_ref(),
+                &effects,
+            ),
             law: AirLaw::from_design(design, air_table)?,
             design: (!effects.is_empty() || moved_air != 0.0).then(|| Box::new(design.clone())),
             wants_motion: effects.iter().any(moves),
             effects,
-            flow: Flow::from_design(design),
+            flow,
             tip_m: planform.tip_m(),
             mean_chord_m: planform.area_m2() / planform.tip_m(),
             moved_air,
@@ -124,6 +132,7 @@ impl BladeAir {
                 density_kg_m3: self.law.density_kg_m3,
                 root_angle_rad: flow.map_or(0.0, |flow| flow.root_angle_rad()),
                 motion: motion.as_ref(),
+                lifting_lines: self.lifting_lines.as_ref(),
             },
         };
         let mut air = SectionAir {

@@ -249,24 +249,10 @@ impl Periodic {
 /// Mass of the air that moves with each shell along its normal, kg/m²: ρ π/4 c, spread evenly over the chord.
 fn moved_air(wing: &Wing, share: f64) -> Vec<f64> {
     let density = share * wing.air.as_ref().map_or(0.0, |air| air.law.density_kg_m3);
-    let strips = &wing.strips.strips;
-    let chord_m = |r_m: f64| {
-        let after = strips.partition_point(|strip| strip.r_m < r_m);
-        let near = strips.get(after).or(strips.last());
-        let before = strips.get(after.saturating_sub(1)).or(near);
-        match (before, near) {
-            (Some(a), Some(b)) if b.r_m > a.r_m => {
-                let share = ((r_m - a.r_m) / (b.r_m - a.r_m)).clamp(0.0, 1.0);
-                a.chord_m + share * (b.chord_m - a.chord_m)
-            }
-            (_, Some(only)) => only.chord_m,
-            _ => 0.0,
-        }
-    };
     let middle = |corners: [usize; 3]| corners.iter().map(|&n| wing.model.nodes[n].x).sum::<f64>() / 3.0;
     let shells = wing.model.shells.iter();
     shells
-        .map(|shell| density * std::f64::consts::FRAC_PI_4 * chord_m(middle(shell.nodes)))
+        .map(|shell| density * std::f64::consts::FRAC_PI_4 * wing.strips.chord_m(middle(shell.nodes)))
         .collect()
 }
 

@@ -118,6 +118,22 @@ impl Strips {
         }
     }
 
+    /// Chord at rest at a span position, m; linear between strips, and beyond the ends that of the end.
+    pub fn chord_m(&self, r_m: f64) -> f64 {
+        let strips = &self.strips;
+        let after = strips.partition_point(|strip| strip.r_m < r_m);
+        let near = strips.get(after).or(strips.last());
+        let before = strips.get(after.saturating_sub(1)).or(near);
+        match (before, near) {
+            (Some(a), Some(b)) if b.r_m > a.r_m => {
+                let share = ((r_m - a.r_m) / (b.r_m - a.r_m)).clamp(0.0, 1.0);
+                a.chord_m + share * (b.chord_m - a.chord_m)
+            }
+            (_, Some(only)) => only.chord_m,
+            _ => 0.0,
+        }
+    }
+
     /// Shapes of all strips, six values each.
     pub fn shapes(&self, state: &State) -> Vec<f64> {
         self.strips

@@ -220,6 +220,10 @@ pub fn lacks(card: &Card, design: &Design) -> Option<String> {
                 "there is no air in this design",
             ),
             Need::Flapping => (design.flapping.is_some(), "the wing does not flap"),
+            Need::Stream => (
+                design.flapping.is_none() && design.steady.is_some(),
+                "the wing is in no steady stream",
+            ),
             Need::Motion => (design.flapping.is_some(), "the wing does not flap"),
             Need::OffMidStroke => (
                 (design.flapping.as_ref()).is_some_and(|flapping| flapping.phase_deg.value() != 0.0),

@@ -114,6 +114,8 @@ pub enum Need {
     Flow,
     /// Flapping.
     Flapping,
+    /// A steady stream.
+    Stream,
     /// The periodic motion over the stroke, so flapping.
     Motion,
     /// A stroke phase off mid-stroke.

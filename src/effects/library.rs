@@ -6,12 +6,12 @@ use super::error::EffectError;
 use super::{
     Effect, added_mass, air_density, amplitude_drag, bend_twist_coupling, broken_spar,
     centre_of_pressure_shift, centrifugal_load, coefficient_scale, distributed_mass, drag_scale, film_camber,
-    film_cure_tension, film_slack, film_softening, film_wrinkling, gravity, half_rod_shear_centre,
-    inertia_off_mid_stroke, inflow_momentum, inflow_uniform, large_rotation, leading_edge_frame,
-    leading_edge_vortex_loss, lift_gain_linear, lift_gain_saturating, phase_lag, rod_bending_loss,
-    rod_ends_early, rod_shear_modulus, rod_split, rod_torsion_loss, root_bending, root_chord_held,
-    root_flexure, rotational_damping, rotational_lift, skin_bending, skin_torsion, skin_yielding,
-    spar_joint_compliance, spar_stiffness, stall_shift, stop_backlash, tip_loss_exponential,
+    film_cure_tension, film_slack, film_softening, film_wrinkling, finite_span_downwash, gravity,
+    half_rod_shear_centre, inertia_off_mid_stroke, inflow_momentum, inflow_uniform, large_rotation,
+    leading_edge_frame, leading_edge_vortex_loss, lift_gain_linear, lift_gain_saturating, phase_lag,
+    rod_bending_loss, rod_ends_early, rod_shear_modulus, rod_split, rod_torsion_loss, root_bending,
+    root_chord_held, root_flexure, rotational_damping, rotational_lift, skin_bending, skin_torsion,
+    skin_yielding, spar_joint_compliance, spar_stiffness, stall_shift, stop_backlash, tip_loss_exponential,
     tip_loss_prandtl, tip_mass, twist_dynamics, warping_restraint,
 };
 
@@ -48,6 +48,7 @@ pub static ALL: &[&dyn Effect] = &[
     &phase_lag::PhaseLag,
     &inflow_uniform::InflowUniform,
     &inflow_momentum::InflowMomentum,
+    &finite_span_downwash::FiniteSpanDownwash,
     &stall_shift::StallShift,
     &film_camber::FilmCamber,
     &coefficient_scale::CoefficientScale,

@@ -37,6 +37,8 @@ pub mod inflow_uniform;
 
 pub mod inflow_momentum;
 
+pub mod finite_span_downwash;
+
 pub mod stall_shift;
 
 pub mod film_camber;

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use num_dual::DualSVec64;
 
-use crate::aero::{AirLaw, Flow};
+use crate::aero::{AirLaw, Flow, LiftingLine};
 use crate::input::design::Design;
 use crate::mesh::{BeamPart, Mesh};
 use crate::structure::Model;
@@ -88,6 +88,8 @@ pub struct StripPlace<'a> {
     pub root_angle_rad: f64,
     /// What the stroke does at the phase of the design; none unless an effect needs it.
     pub motion: Option<&'a Motion>,
+    /// Lifting lines of the wing, its root on a wall and free; none but in a steady stream.
+    pub lifting_lines: Option<&'a [LiftingLine; 2]>,
 }
 
 /// The periodic motion of a flapping wing at the phase of its design, frozen: it comes from the wing without the effects

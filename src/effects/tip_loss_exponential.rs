@@ -14,7 +14,8 @@ const CARD: Card = Card {
     summary: "Air flows around the tip, so that the load falls there, and recovers inward within a part of the mean chord.",
     formula: "C' = C (1 − s exp(−(R − r) / (k c̄)))",
     source: "the tip correction of slender-wing practice, as a fade of free length; k c̄ about half a chord fits lifting-line results of rectangular wings of aspect ratio 3 to 8",
-    when_right: "a wing in a straight stream, or whenever the reach of the loss is to be fitted; prefer tip-loss-prandtl for a turning wing",
+    when_right: "a flapping wing whenever the reach of the loss is to be stated; prefer tip-loss-prandtl for a fast turning one, and finite-span-downwash in a straight \
+                 stream",
     gets_wrong: "the shape of the fade; the part of the load that a tip vortex adds at low aspect ratio",
     case: "exponential_tip_loss_fades_inward_within_half_a_chord",
     seam: Seam::Air,
@@ -22,9 +23,9 @@ const CARD: Card = Card {
         Parameter {
             name: "strength",
             unit: "1",
-            meaning: "share of the load that is lost at the very tip: 1 is all of it",
+            meaning: "share of the load that is lost at the very tip: 1 is all of it; more turns it round there",
             default: 0.0,
-            range: [0.0, 1.0],
+            range: [0.0, 1.5],
             plausible: [0.0, 1.0],
         },
         Parameter {
@@ -37,7 +38,7 @@ const CARD: Card = Card {
         },
     ],
     channels: WING_CHANNELS,
-    needs: &[Need::Flow],
+    needs: &[Need::Flapping],
     has_switch: false,
 };
 

@@ -14,20 +14,22 @@ const CARD: Card = Card {
     summary: "Air flows around the tip, so that the load falls to nothing there.",
     formula: "C' = C (1 − s (1 − F)), F = (2/π) acos(exp(−(B/2) (R − r) / (r' sin φ))), r' = r + r₀, B = 2, tan φ = λ = 0.2",
     source: "Prandtl 1919, appendix to Betz; B = 2 half-strokes as blades, inflow ratio as for a hovering wing",
-    when_right: "a hovering or turning wing; prefer tip-loss-exponential for a wing in a straight stream",
-    gets_wrong: "the strength of the leading-edge vortex near the tip; the inflow ratio is fixed",
+    when_right: "a hovering or turning wing; prefer tip-loss-exponential if the reach of the loss is to be stated, and finite-span-downwash in a straight stream. \
+                 Twist at several stations shows it: the load is missing over the last half chord alone, at every speed alike",
+    gets_wrong: "the strength of the leading-edge vortex near the tip; the inflow ratio is fixed, and so is B: a single wing over both half-strokes is \
+                 something between one blade and two",
     case: "prandtl_factor_scales_the_load_of_every_strip",
     seam: Seam::Air,
     parameters: &[Parameter {
         name: "strength",
         unit: "1",
-        meaning: "share of Prandtl's loss that acts: 1 is his whole factor",
+        meaning: "share of Prandtl's loss that acts: 1 is his whole factor; more: a stronger one, which turns the load of the last strips round",
         default: 0.0,
-        range: [0.0, 1.0],
+        range: [0.0, 1.5],
         plausible: [0.0, 1.0],
     }],
     channels: WING_CHANNELS,
-    needs: &[Need::Flow],
+    needs: &[Need::Flapping],
     has_switch: false,
 };
 

@@ -63,6 +63,7 @@ fn set_for(effect: &str) -> &'static [&'static str] {
             "film.compression=\"carries\"",
             "film.pretension_n_per_m=74",
         ],
+        "finite-span-downwash" => &["steady.speed_m_s=8.0", "steady.root_angle_deg=10.0"],
         "inertia-off-mid-stroke" => &["flapping.phase_deg=20"],
         _ => &[],
     }
@@ -114,6 +115,10 @@ struct Read {
 
 fn read(set: &[String], progress: &Progress) -> Result<Read, ExploreError> {
     let text = EXAMPLE.replace("NAME", "example");
+    let text = match set.iter().any(|set| set.starts_with("steady.")) {
+        true => without_flapping(&text),
+        false => text,
+    };
     let sets = [set, &[COARSE.to_string()]].concat();
     let design: Design = Design::load_text(&text, Path::new("the wing of washout init"), &sets)?.design;
     let planform = Planform::from_design(&design)?;
@@ -132,4 +137,16 @@ fn read(set: &[String], progress: &Progress) -> Result<Read, ExploreError> {
         tip_deflection_mm: tip.map_or(0.0, |tip| 1e3 * tip.deflection_m),
         lift_mn: 1e3 * force.dot(&across),
     })
+}
+
+/// The example without its table of flapping, for one of a steady stream in its place.
+fn without_flapping(text: &str) -> String {
+    let mut is_flapping = false;
+    let kept = text.lines().filter(|line| {
+        if line.starts_with('[') {
+            is_flapping = *line == "[flapping]";
+        }
+        !is_flapping
+    });
+    kept.collect::<Vec<_>>().join("\n")
 }

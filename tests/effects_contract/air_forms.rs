@@ -11,7 +11,7 @@ use washout::structure::state::State;
 
 use super::closed_forms::{rectangle, solve, with};
 
-const FILM: &str = "[film]\nmaterial = 'steel'\nthickness_mm = 0.01\n";
+pub const FILM: &str = "[film]\nmaterial = 'steel'\nthickness_mm = 0.01\n";
 const FLAPPING: &str = "[flapping]\nfrequency_hz = 20.0\nhalf_amplitude_deg = 30.0\n";
 /// Wing, chord and axis of [`rectangle`].
 const LENGTH_M: f64 = 0.1;
@@ -24,17 +24,18 @@ fn wing() -> Design {
 }
 
 /// One strip of the wing turned by `twist_rad` about its leading edge.
-struct Found {
-    r_m: f64,
-    width_m: f64,
+pub struct Found {
+    pub r_m: f64,
+    pub width_m: f64,
+    pub chord_m: f64,
     /// Force per width along and across the stream of the root, N/m.
-    drag: f64,
-    lift: f64,
+    pub drag: f64,
+    pub lift: f64,
     /// Moment about the leading edge per width, N·m/m.
-    moment: f64,
+    pub moment: f64,
 }
 
-fn strips(design: &Design, twist_rad: f64) -> Vec<Found> {
+pub fn strips(design: &Design, twist_rad: f64) -> Vec<Found> {
     let (_, mesh) = for_design(design, None).unwrap();
     let wing = Wing::new(design, &mesh, None).unwrap();
     let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), twist_rad);
@@ -59,6 +60,7 @@ fn strips(design: &Design, twist_rad: f64) -> Vec<Found> {
         Found {
             r_m: strip.r_m,
             width_m: strip.width_m,
+            chord_m: strip.chord_m,
             drag: air.total_n.dot(&stream) / strip.width_m,
             lift: air.total_n.dot(&across) / strip.width_m,
             moment: moment / strip.width_m,
@@ -79,7 +81,7 @@ fn each(base: &Design, effect: &str, strength: f64, twist_rad: f64, check: impl 
 }
 
 #[track_caller]
-fn close(found: f64, expected: f64, tolerance: f64) {
+pub fn close(found: f64, expected: f64, tolerance: f64) {
     assert!((found / expected - 1.0).abs() < tolerance, "{found} {expected}");
 }
 

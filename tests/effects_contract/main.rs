@@ -17,6 +17,8 @@ mod periodic;
 
 mod signatures;
 
+mod stream_forms;
+
 mod structure_forms;
 
 use std::collections::BTreeSet;
@@ -52,6 +54,7 @@ fn wings() -> Vec<(Design, f64)> {
             ribs("[gravity]\nacceleration_m_s2 = [0.0, 6.934, -6.934]\n"),
             1e-5,
         ),
+        (in_stream(), 1e-5),
         (ribs("[structure]\nkinematics = 'linear'\n"), 1e-5),
         film(&[]),
         (thin_plate(), 2e-4),
@@ -70,15 +73,25 @@ fn thin_plate() -> Design {
     design
 }
 
+/// The same wing without flapping, in a stream that turns it by some degrees.
+fn in_stream() -> Design {
+    half_rod("[steady]\nspeed_m_s = 6.0\nroot_angle_deg = 20.0\n")
+}
+
 /// A half-round carbon rod with stiff ribs, which turns its wing by some 20 deg; and `more`.
 fn ribs(more: &str) -> Design {
+    half_rod(&format!(
+        "[flapping]\nfrequency_hz = 22.0\nhalf_amplitude_deg = 34.5\n{more}"
+    ))
+}
+
+fn half_rod(more: &str) -> Design {
     let text = format!(
         "format = 1\nname = 'ribs'\n[planform]\nlength_mm = 70.0\nroot_offset_mm = 38.0\nbase_closure = 0.0\n\
          tip_cut = 1.0\noutline = [[0.0, 20.0], [70.0, 20.0]]\n[ribs]\nbays = 10\n\
          [[rod]]\nfrom_mm = 0.0\nto_mm = 70.0\nmaterial = 'carbon'\n\
          section = {{ shape = 'half-round', diameter_mm = 1.0 }}\n\
          [material.carbon]\ne_gpa = 134.0\ng_gpa = 4.0\ndensity_kg_m3 = 1500.0\n\
-         [flapping]\nfrequency_hz = 22.0\nhalf_amplitude_deg = 34.5\n\
          [coupling]\ntwist_tolerance_deg = 1e-9\nresidual_tolerance = 1e-11\n{more}"
     );
     Design::from_toml(&text, "ribs.toml").unwrap_or_else(|error| panic!("{error}"))
