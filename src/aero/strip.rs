@@ -64,6 +64,16 @@ pub struct SectionCoefficients<D> {
     pub moment_n: D,
 }
 
+impl<D: Number> SectionCoefficients<D> {
+    /// Takes a share of the force across the chord at the angle of attack `alpha` (rad); that along the chord stays.
+    pub fn lose_normal_force(&mut self, alpha: D, share: f64) {
+        let (sin, cos) = alpha.sin_cos();
+        let lost = (self.cl * cos + self.cd * sin) * share;
+        self.cl -= lost * cos;
+        self.cd -= lost * sin;
+    }
+}
+
 /// Physics besides the laws: may change how a section meets the air, and what the laws give for it.
 pub trait SectionChange<D> {
     /// Changes angle and speed.

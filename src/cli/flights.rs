@@ -260,12 +260,13 @@ fn has_no_rates(case: &Case) -> Result<(), Failure> {
 /// Whether the shape follows the speed of the air alone, whatever the phase and the motion.
 fn follows_speed(case: &Case) -> Result<bool, Failure> {
     let bound = bind(&case.loaded.design).map_err(|error| case.fault(error))?;
-    let is_free = |card: crate::effects::Card| {
+    let is_free = |effect: &crate::effects::Acting| {
+        let card = effect.card();
         let moves = |need: &Need| matches!(need, Need::Motion | Need::OffMidStroke);
         let own = crate::effects::named(card.name).is_none();
-        !card.needs.iter().any(moves) && card.name != "phase-lag" && !own
+        !card.needs.iter().any(moves) && !effect.depends_on_stroke() && !own
     };
-    Ok(bound.iter().all(|bound| is_free(bound.effect.card())))
+    Ok(bound.iter().all(|bound| is_free(&bound.effect)))
 }
 
 /// Twist as solved at mid-stroke with these parts of the amplitude, from the largest down.

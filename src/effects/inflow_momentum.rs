@@ -38,6 +38,10 @@ impl Effect for InflowMomentum {
         CARD
     }
 
+    fn depends_on_stroke(&self) -> bool {
+        true
+    }
+
     fn flow(&self, values: &Values, place: &StripPlace, air: &mut SectionAir<Dual>) {
         let Some(Flow::Flapping {
             half_amplitude_rad,

@@ -12,7 +12,7 @@ use super::{
     rod_bending_loss, rod_ends_early, rod_shear_modulus, rod_split, rod_torsion_loss, root_bending,
     root_chord_held, root_flexure, rotational_damping, rotational_lift, skin_bending, skin_torsion,
     skin_yielding, spar_joint_compliance, spar_stiffness, stall_shift, stop_backlash, tip_loss_exponential,
-    tip_loss_prandtl, tip_mass, twist_dynamics, warping_restraint,
+    tip_loss_prandtl, tip_mass, twist_dynamics, wagner_lag, warping_restraint,
 };
 
 use crate::origin::with_code_of_its_own;
@@ -46,6 +46,7 @@ pub static ALL: &[&dyn Effect] = &[
     &large_rotation::LargeRotation,
     &amplitude_drag::AmplitudeDrag,
     &phase_lag::PhaseLag,
+    &wagner_lag::WagnerLag,
     &inflow_uniform::InflowUniform,
     &inflow_momentum::InflowMomentum,
     &finite_span_downwash::FiniteSpanDownwash,

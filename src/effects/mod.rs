@@ -33,6 +33,8 @@ pub mod amplitude_drag;
 
 pub mod phase_lag;
 
+pub mod wagner_lag;
+
 pub mod inflow_uniform;
 
 pub mod inflow_momentum;
@@ -134,6 +136,11 @@ pub trait Effect: Sync + Send + std::fmt::Debug {
 
     /// Whether it is there with its plausible size or not at all, so that a diagnosis fits no strength between.
     fn is_all_or_none(&self) -> bool {
+        false
+    }
+
+    /// Whether phase, amplitude or frequency of the stroke matter to it by themselves, and not by the speed of the air alone.
+    fn depends_on_stroke(&self) -> bool {
         false
     }
 

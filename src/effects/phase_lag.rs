@@ -13,9 +13,11 @@ const CARD: Card = Card {
     family: "unsteady",
     summary: "The air load follows the stroke late, so that an earlier, slower (or faster) part of the stroke is felt.",
     formula: "U'(phase) = U(phase − s)",
-    source: "delay of the load by build-up of circulation (Wagner 1925: half of it at once, 90 % after six half-chords); definition",
-    when_right: "a lag that is short against the stroke; with twist read off mid-stroke it shows in the first order, at mid-stroke as 1 − s² only",
-    gets_wrong: "the shape of the build-up; inertia, for which see twist-dynamics",
+    source: "definition, for a delay of the load of whatever cause; that of circulation by Wagner 1925 is wagner-lag",
+    when_right: "a lag that is short against the stroke. With twist read before and after mid-stroke it shows in the first order, with opposite signs, at mid-stroke \
+                 as 1 − s² only; a reading whose clock is off looks the same",
+    gets_wrong: "a lag that differs along the span: in chords travelled that of circulation is the longer the nearer the base (wagner-lag); inertia, for which see \
+                 twist-dynamics",
     case: "lagging_load_is_that_of_an_earlier_phase",
     seam: Seam::Air,
     parameters: &[Parameter {
@@ -34,6 +36,10 @@ const CARD: Card = Card {
 impl Effect for PhaseLag {
     fn card(&self) -> Card<'_> {
         CARD
+    }
+
+    fn depends_on_stroke(&self) -> bool {
+        true
     }
 
     fn flow(&self, values: &Values, place: &StripPlace, air: &mut SectionAir<Dual>) {
