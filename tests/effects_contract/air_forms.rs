@@ -196,22 +196,54 @@ fn sections_beyond_four_chords_lose_lift() {
     });
 }
 
-/// Thin airfoil at 3 deg with h = 0.02: C_L grows by 4π h cos²α = 0.25064, at half the chord instead of a quarter.
+/// Thin airfoil at 3 deg, U = 5.2638 m/s at mid-span: p = ½ρU² · 6α cos α = 5.215 Pa there. With p₁ = 5 Pa h = 0.02 ∛2 u/(1 + u²)^⅓, and C_L grows by 4π h cos²α at
+/// half the chord instead of a quarter. Turned to −3 deg all of it turns over, and at 0 there is none.
 #[test]
-fn camber_adds_lift_at_half_the_chord() {
+fn the_bulge_of_the_film_goes_with_its_load_and_turns_with_it() {
     let mut base = rectangle(&format!(
         "{FILM}{FLAPPING}stop_angle_deg = 3.0\n[air]\ncoefficients = 'thin-airfoil'\nlift_slope_per_rad = 6.0\n\
          centre_of_pressure = 'fixed'\ncentre_of_pressure_fraction = 0.25\n"
     ));
     base.name = "cambered".into();
-    let alpha = 3f64.to_radians();
-    let gain = 4.0 * PI * 0.02 * alpha.cos().powi(2);
-    each(&base, "film-camber", 0.02, 0.0, |before, after| {
-        close(before.lift, load(before.r_m) * 6.0 * alpha, 1e-9);
-        close(after.lift - before.lift, load(before.r_m) * gain, 1e-9);
-        let arm = 0.5 * CHORD_M * alpha.cos();
-        close(after.moment - before.moment, load(before.r_m) * gain * arm, 1e-9);
+    base = with(base, "film-camber", 0.0);
+    base.set("effects.film-camber.pressure_pa", 5.0).unwrap();
+    for degrees in [3.0_f64, -3.0] {
+        let alpha = degrees.to_radians();
+        let twist = 3f64.to_radians() - alpha;
+        each(&base, "film-camber", 0.02, twist, |before, after| {
+            close(before.lift, load(before.r_m) * 6.0 * alpha, 1e-9);
+            let pressure = load(before.r_m) / CHORD_M * 6.0 * alpha * alpha.cos() / 5.0;
+            let bulge = 0.02 * (2.0 / (1.0 + pressure * pressure)).cbrt() * pressure;
+            let gain = 4.0 * PI * bulge * alpha.cos().powi(2);
+            close(after.lift - before.lift, load(before.r_m) * gain, 1e-9);
+            let arm = 0.5 * CHORD_M * alpha.cos();
+            close(after.moment - before.moment, load(before.r_m) * gain * arm, 1e-9);
+        });
+    }
+    each(&base, "film-camber", 0.02, 3f64.to_radians(), |_, after| {
+        assert!(after.lift.abs() < 1e-12 && after.moment.abs() < 1e-15);
     });
+}
+
+/// At 45 deg of twist a wing at 45 deg is feathered: with a bulge of any size it carries nothing there, and washes out before and in behind, so that no softness takes it beyond.
+#[test]
+fn a_bulging_film_leaves_feathering_where_it_is() {
+    let bulging = with(wing(), "film-camber", 0.3);
+    for degrees in [30.0_f64, 40.0, 44.0, 46.0, 50.0, 60.0] {
+        for strip in strips(&bulging, degrees.to_radians()) {
+            assert!(
+                strip.moment * (45.0 - degrees) > 0.0,
+                "{degrees} {}",
+                strip.moment
+            );
+        }
+    }
+    let feathered = strips(&bulging, 45f64.to_radians());
+    assert!(
+        feathered
+            .iter()
+            .all(|strip| strip.moment.abs() < 1e-12 * load(strip.r_m))
+    );
 }
 
 /// Mean lift of the wing at 45 deg as a uniform disc: w² = C_L Ω² c ((R+r₀)³ − r₀³) / (24 Φ ((R+r₀)² − r₀²)).
