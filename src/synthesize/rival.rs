@@ -71,7 +71,8 @@ pub fn rival(effect: &Hidden) -> Option<Rival> {
             vec![("lift", factor.clone()), ("drag", factor)]
         }
         ("leading-edge-vortex-loss", 0) => {
-            vec![("lift", format!("1 - {s} * 0.5 * (1 + tanh(((x - 0.62) / 0.14)))"))]
+            let factor = format!("1 - {s} * 0.5 * (1 + tanh(((x - 0.62) / 0.14)))");
+            vec![("lift", factor.clone()), ("drag", factor)]
         }
         _ => return None,
     };

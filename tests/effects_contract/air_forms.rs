@@ -184,16 +184,28 @@ fn lift_gain_levels_off_at_its_scale() {
     }
 }
 
-/// Four chords of 20 mm from the axis are 50 mm from the base: half of the loss there, less inside, more outside.
+/// Four chords of 20 mm from the axis are 50 mm from the base: half of the loss there, less inside, more outside; of lift, drag and moment, as all of it is across the
+/// chord.
 #[test]
-fn sections_beyond_four_chords_lose_lift() {
-    each(&wing(), "leading-edge-vortex-loss", 0.4, 0.0, |before, after| {
-        let beyond = (before.r_m + OFFSET_M) / CHORD_M - 4.0;
-        // tanh as a logistic function
-        let lost = 0.4 / (1.0 + (-4.0 * beyond).exp());
-        close(after.lift / before.lift, 1.0 - lost, 1e-9);
-        close(after.drag, before.drag, 1e-9);
-    });
+fn sections_beyond_four_chords_lose_force_across_their_chord() {
+    for twist in [0.0, 0.3] {
+        each(
+            &wing(),
+            "leading-edge-vortex-loss",
+            0.4,
+            twist,
+            |before, after| {
+                let beyond = (before.r_m + OFFSET_M) / CHORD_M - 4.0;
+                // tanh as a logistic function
+                let left = 1.0 - 0.4 / (1.0 + (-4.0 * beyond).exp());
+                let [was, now] = [before, after].map(|strip| across_and_along(strip, twist));
+                close(now[0] / was[0], left, 1e-9);
+                assert!((now[1] - was[1]).abs() < 1e-9 * was[0]);
+                close(after.moment / before.moment, left, 1e-9);
+                assert!(after.lift < before.lift && after.drag < before.drag);
+            },
+        );
+    }
 }
 
 /// Thin airfoil at 3 deg, U = 5.2638 m/s at mid-span: p = ½ρU² · 6α cos α = 5.215 Pa there. With p₁ = 5 Pa h = 0.02 ∛2 u/(1 + u²)^⅓, and C_L grows by 4π h cos²α at
