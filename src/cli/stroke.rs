@@ -43,8 +43,8 @@ pub fn solve(case: &Case, nearby: &Solution, count: u16, progress: &Progress) ->
     };
     progress.say("moving over the stroke");
     let table = case.loaded.air_table.as_deref();
-    let settings = PeriodicSettings::default();
-    let moving = periodic_near(design, &case.mesh, table, &settings, Some(nearby), progress);
+    let moving = PeriodicSettings::of_design(design)
+        .and_then(|settings| periodic_near(design, &case.mesh, table, &settings, Some(nearby), progress));
     let moving = moving.map_err(|source| Failure::Coupling {
         design: case.loaded.path.clone(),
         source,
@@ -111,8 +111,8 @@ pub fn solve(case: &Case, nearby: &Solution, count: u16, progress: &Progress) ->
             )),
             periodic: Some(PeriodicSummary {
                 mode_hz: moving.modes.iter().map(|mode| mode.frequency_hz).collect(),
-                damping_ratio: settings.damping_ratio,
-                flip_share: settings.flip_share,
+                damping_ratio: moving.settings.damping_ratio,
+                flip_share: moving.settings.flip_share,
                 left_out: left_out(design).map_err(|error| case.fault(error))?,
                 largest_swing_deg: largest_swing_deg(&moving),
                 released_deg: released_deg(&moving),

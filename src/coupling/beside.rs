@@ -9,7 +9,8 @@ use crate::input::design::Design;
 use crate::mesh::Mesh;
 
 use super::error::{CouplingError, SensitivityError};
-use super::motion::motion_near;
+use super::motion::motion_by;
+use super::periodic::PeriodicSettings;
 use super::sensitivity::Remesh;
 use super::solution::Solution;
 use super::wing::Wing;
@@ -32,7 +33,7 @@ pub(super) struct Home<'a> {
     /// Outline and mesh of a design.
     pub remesh: Remesh<'a>,
     planform: OnceCell<Planform>,
-    motion: OnceCell<Arc<Motion>>,
+    motion: OnceCell<(PeriodicSettings, Arc<Motion>)>,
 }
 
 /// A design beside the solved one, with its wing.
@@ -89,12 +90,15 @@ impl<'a> Home<'a> {
             let needs_motion = card
                 .as_ref()
                 .is_some_and(|card| card.needs.contains(&Need::Motion));
+            let settings = PeriodicSettings::of_design(&design)?;
+            let moves_alike = settings == PeriodicSettings::of_design(self.design)?;
             let motion = if needs_motion {
-                Some(self.motion()?)
+                Some(self.motion(settings, moves_alike)?)
             } else {
                 self.wing.motion.clone()
             };
-            let seam = card.map(|card| card.seam);
+            // another motion is felt wherever effects rest on it
+            let seam = card.map(|card| card.seam).filter(|_| moves_alike);
             let mesh = &self.solution.mesh;
             let wing = self.wing.beside(&design, mesh, self.air_table, seam, motion)?;
             return Ok(Beside {
@@ -122,13 +126,20 @@ impl<'a> Home<'a> {
         })
     }
 
-    /// What the stroke does at the phase of the design: computed once, whatever is made from it.
-    fn motion(&self) -> Result<Arc<Motion>, SensitivityError> {
-        if let Some(known) = self.wing.motion.as_ref().or(self.motion.get()) {
+    /// What the stroke does at the phase of the design: computed once for the settings that are asked for, whatever is made from it; `is_own`: they are
+    /// those of the solved wing.
+    fn motion(&self, settings: PeriodicSettings, is_own: bool) -> Result<Arc<Motion>, SensitivityError> {
+        if let Some(known) = self.wing.motion.as_ref().filter(|_| is_own) {
+            return Ok(known.clone());
+        }
+        if let Some((_, known)) = self.motion.get().filter(|(of, _)| *of == settings) {
             return Ok(known.clone());
         }
         let mesh = &self.solution.mesh;
-        let found = motion_near(self.design, mesh, self.air_table, Some(self.solution))?;
-        Ok(self.motion.get_or_init(|| Arc::new(found)).clone())
+        let found = motion_by(&settings, self.design, mesh, self.air_table, Some(self.solution))?;
+        let found = Arc::new(found);
+        // of other settings, those that come first stay
+        let _ = self.motion.set((settings, found.clone()));
+        Ok(found)
     }
 }

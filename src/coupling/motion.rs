@@ -26,8 +26,22 @@ pub fn motion_near(
     air_table: Option<&[[f64; 3]]>,
     nearby: Option<&Solution>,
 ) -> Result<Motion, CouplingError> {
-    let settings = PeriodicSettings::default();
-    let periodic = periodic_near(design, mesh, air_table, &settings, nearby, &Progress::quiet())?;
+    let settings = PeriodicSettings::of_design(design)?;
+    motion_by(&settings, design, mesh, air_table, nearby)
+}
+
+/// The same with settings that another design states.
+///
+/// # Errors
+/// As [`super::periodic()`].
+pub fn motion_by(
+    settings: &PeriodicSettings,
+    design: &Design,
+    mesh: &Mesh,
+    air_table: Option<&[[f64; 3]]>,
+    nearby: Option<&Solution>,
+) -> Result<Motion, CouplingError> {
+    let periodic = periodic_near(design, mesh, air_table, settings, nearby, &Progress::quiet())?;
     let phase_deg = design
         .flapping
         .as_ref()

@@ -20,7 +20,7 @@ use super::solution::Solution;
 use super::strip_path::{StripPath, strip_paths};
 use super::stroke::{Stroke, standing_path};
 use super::wing::Wing;
-use crate::effects::NodeLoad;
+use crate::effects::{NodeLoad, bind};
 use crate::geometry::Planform;
 use crate::input::design::Design;
 use crate::mesh::Mesh;
@@ -56,6 +56,24 @@ impl Default for PeriodicSettings {
             moved_air: 1.0,
             air_damping: 1.0,
         }
+    }
+}
+
+impl PeriodicSettings {
+    /// With the numbers that an effect of a design states.
+    ///
+    /// # Errors
+    /// If its effects are not what their cards ask for.
+    pub fn of_design(design: &Design) -> Result<Self, CouplingError> {
+        let stated = bind(design)?
+            .iter()
+            .find_map(|bound| bound.effect.motion(&bound.values));
+        let plain = PeriodicSettings::default();
+        Ok(stated.map_or(plain.clone(), |stated| PeriodicSettings {
+            damping_ratio: stated.damping_ratio,
+            flip_share: stated.flip_share,
+            ..plain
+        }))
     }
 }
 

@@ -243,6 +243,10 @@ pub fn lacks(card: &Card, design: &Design) -> Option<String> {
                 (design.rod.iter()).any(|rod| matches!(rod.section, Section::HalfRound { .. })),
                 "the wing has no half-round rod",
             ),
+            Need::ShapedRod => (
+                (design.rod.iter()).any(|rod| !matches!(rod.section, Section::Given { .. })),
+                "the stiffnesses of the wing's rods are given, with whatever is bonded to them and however they are held",
+            ),
             Need::SolidRod => (
                 design.rod.iter().any(|rod| is_solid(&rod.section)),
                 "the wing has no solid rod: its rods are tubes, or given as stiffnesses",

@@ -130,6 +130,8 @@ pub enum Need {
     Spars,
     /// A half-round rod.
     HalfRound,
+    /// A rod that has a shape, so that its stiffness is not given.
+    ShapedRod,
     /// A rod that is a solid: round, half-round, a rectangle or plies.
     SolidRod,
     /// Linear kinematics.

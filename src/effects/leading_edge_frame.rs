@@ -1,6 +1,6 @@
 //! A strip of prepreg along the leading edge that works with the rod.
 
-use super::card::{Card, Parameter, STRUCTURE_CHANNELS, Seam};
+use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
 use crate::structure::section::BeamMaterial;
 use crate::structure::{Section, StructureError};
@@ -56,7 +56,7 @@ const CARD: Card = Card {
         },
     ],
     channels: STRUCTURE_CHANNELS,
-    needs: &[],
+    needs: &[Need::ShapedRod],
     has_switch: false,
 };
 

@@ -119,7 +119,7 @@ pub use bind::{Acting, Bound, Values, acting, bind, instead_of, is_applicable, l
 pub use card::{Card, Need, Parameter, Places, Seam};
 pub use error::EffectError;
 pub use library::{ALL, all, named, register};
-pub use seam::{Dual, Motion, NodeLoad, StripMotion, StripPlace, Structure};
+pub use seam::{Dual, Motion, MotionNumbers, NodeLoad, StripMotion, StripPlace, Structure};
 
 use crate::aero::{SectionAir, SectionCoefficients};
 use crate::structure::{Loads, StructureError};
@@ -167,6 +167,11 @@ pub trait Effect: Sync + Send + std::fmt::Debug {
 
     /// Adds loads to nodes.
     fn load(&self, _values: &Values, _wing: &Structure, _loads: &mut Loads) {}
+
+    /// Numbers of the motion over the stroke, if it states them.
+    fn motion(&self, _values: &Values) -> Option<MotionNumbers> {
+        None
+    }
 
     /// Share of large rotation in a linear model.
     fn kinematics(&self, _values: &Values) -> Option<f64> {

@@ -108,6 +108,15 @@ pub struct Motion {
     pub drag_ratio: f64,
 }
 
+/// Numbers of the motion over the stroke that nobody measures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MotionNumbers {
+    /// Damping of the structure over the critical one, in every mode.
+    pub damping_ratio: f64,
+    /// Share of the stroke that each flip takes.
+    pub flip_share: f64,
+}
+
 /// Force and moment on a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NodeLoad {

@@ -25,7 +25,7 @@ const CARD: Card = Card {
         Parameter {
             name: "strength",
             unit: "1",
-            meaning: "mass over the wing's own",
+            meaning: "mass over the wing's own, of which more than a fifth is no marker and no repair",
             default: 0.0,
             range: [0.0, 100.0],
             plausible: [0.0, 0.2],

@@ -1,6 +1,6 @@
 //! A rod whose clamped end cannot warp, and therefore hardly twists near it.
 
-use super::card::{Card, Parameter, STRUCTURE_CHANNELS, Seam};
+use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
 use crate::structure::StructureError;
 
@@ -27,7 +27,7 @@ const CARD: Card = Card {
         plausible: [0.0, 3.0],
     }],
     channels: STRUCTURE_CHANNELS,
-    needs: &[],
+    needs: &[Need::ShapedRod],
     has_switch: false,
 };
 

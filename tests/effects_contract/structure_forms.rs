@@ -199,6 +199,20 @@ fn a_frame_adds_its_own_stiffness_to_that_of_the_rod() {
 }
 
 #[test]
+fn a_beam_of_given_stiffness_has_no_frame_and_no_clamp_that_stops_its_warping() {
+    let given =
+        "section = { shape = 'given', ea_n = 1e5, gj_n_m2 = 1e-2, ei_flap_n_m2 = 1e-2, ei_edge_n_m2 = 1e-2 }";
+    let mut design = rectangle("");
+    let table: toml::Table = given.parse().unwrap();
+    design.rod[0].section = table["section"].clone().try_into().unwrap();
+    for name in ["leading-edge-frame", "warping-restraint"] {
+        let refused = washout::effects::bind(&with(design.clone(), name, 1.0)).unwrap_err();
+        assert!(refused.to_string().contains("are given"), "{refused}");
+        assert!(washout::effects::bind(&with(rectangle(""), name, 1.0)).is_ok());
+    }
+}
+
+#[test]
 fn a_beam_of_twice_the_bending_stiffness_bends_half_as_far() {
     let design = with(rectangle(FORCE), "skin-bending", 1.0);
     assert_near(relative_deflection(&design), 0.5, 1e-3);
@@ -399,12 +413,37 @@ fn a_wing_of_twice_the_mass_weighs_twice_as_much() {
 #[test]
 fn a_wing_in_gravity_hangs_with_its_weight() {
     let design = with(rectangle(""), "gravity", 2.0);
-    let design = also(design, "effects.gravity.pitch_deg", 30.0);
+    let design = also(design, "effects.gravity.tilt_deg", 30.0);
     let design = also(design, "effects.gravity.slope_deg", 20.0);
     let held = solve(&design).report.reaction_force_n;
     let weight_n = 8000.0 * std::f64::consts::FRAC_PI_4 * 1e-6 * LENGTH_M * 2.0 * 9.80665;
     for (held, direction) in held.into_iter().zip([0.342_020, 0.469_846, -0.813_798]) {
         assert_near(held, -direction * weight_n, 1e-5);
+    }
+}
+
+/// A level stream at 30 deg to the wing, or a level stroke plane: weight stands across both, so that along the chord it is m g sin 30 and m g sin 45, forward sweep or none.
+#[test]
+fn gravity_stands_by_the_angle_of_the_design() {
+    let flapping = "[flapping]\nfrequency_hz = 0.1\nhalf_amplitude_deg = 1.0\n";
+    let steady = "[steady]\nspeed_m_s = 0.001\nroot_angle_deg = 30.0\n";
+    let swept = format!("{steady}sweep_deg = 20.0\n");
+    let weight_n = 8000.0 * std::f64::consts::FRAC_PI_4 * 1e-6 * LENGTH_M * 9.80665;
+    let aft = 20f64.to_radians();
+    for (flow, [x, y, z]) in [
+        (flapping, [0.0, 0.5_f64.sqrt(), -(0.5_f64.sqrt())]),
+        (steady, [0.0, 0.5, -(0.75_f64.sqrt())]),
+        (&swept, [0.5 * aft.sin(), 0.5 * aft.cos(), -(0.75_f64.sqrt())]),
+    ] {
+        let held = solve(&with(rectangle(flow), "gravity", 1.0))
+            .report
+            .reaction_force_n;
+        for (held, direction) in held.into_iter().zip([x, y, z]) {
+            assert!(
+                (held + direction * weight_n).abs() < 1e-5 * weight_n,
+                "{flow}: {held:?}"
+            );
+        }
     }
 }
 
