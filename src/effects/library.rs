@@ -5,14 +5,15 @@ use std::sync::OnceLock;
 use super::error::EffectError;
 use super::{
     Effect, added_mass, air_density, amplitude_drag, bend_twist_coupling, broken_spar,
-    centre_of_pressure_shift, centrifugal_load, coefficient_scale, distributed_mass, drag_scale, film_camber,
-    film_cure_tension, film_slack, film_softening, film_wrinkling, finite_span_downwash, gravity,
-    half_rod_shear_centre, inertia_off_mid_stroke, inflow_momentum, inflow_uniform, large_rotation,
-    leading_edge_frame, leading_edge_vortex_loss, lift_gain_linear, lift_gain_saturating, phase_lag,
-    rod_bending_loss, rod_ends_early, rod_shear_modulus, rod_split, rod_torsion_loss, root_bending,
-    root_chord_held, root_flexure, rotational_damping, rotational_lift, skin_bending, skin_torsion,
-    skin_yielding, spar_joint_compliance, spar_stiffness, stall_shift, stop_backlash, tip_loss_exponential,
-    tip_loss_prandtl, tip_mass, twist_dynamics, wagner_lag, warping_restraint,
+    centre_of_pressure_shift, centrifugal_load, coefficient_scale, distributed_mass, drag_scale,
+    drive_compliance, film_camber, film_cure_tension, film_slack, film_softening, film_wrinkling,
+    finite_span_downwash, gravity, half_rod_shear_centre, inertia_off_mid_stroke, inflow_momentum,
+    inflow_uniform, large_rotation, leading_edge_frame, leading_edge_vortex_loss, lift_gain_linear,
+    lift_gain_saturating, phase_lag, rod_bending_loss, rod_creep, rod_ends_early, rod_shear_modulus,
+    rod_split, rod_torsion_loss, root_bending, root_chord_held, root_flexure, rotational_damping,
+    rotational_lift, skin_bending, skin_torsion, skin_yielding, spar_joint_compliance, spar_stiffness,
+    stall_shift, stop_backlash, tip_loss_exponential, tip_loss_prandtl, tip_mass, twist_dynamics, wagner_lag,
+    warping_restraint,
 };
 
 use crate::origin::with_code_of_its_own;
@@ -20,6 +21,7 @@ use crate::origin::with_code_of_its_own;
 /// Every effect of washout, in the order in which they act.
 pub static ALL: &[&dyn Effect] = &[
     &rod_shear_modulus::RodShearModulus,
+    &rod_creep::RodCreep,
     &half_rod_shear_centre::HalfRodShearCentre,
     &warping_restraint::WarpingRestraint,
     &bend_twist_coupling::BendTwistCoupling,
@@ -45,6 +47,7 @@ pub static ALL: &[&dyn Effect] = &[
     &distributed_mass::DistributedMass,
     &large_rotation::LargeRotation,
     &amplitude_drag::AmplitudeDrag,
+    &drive_compliance::DriveCompliance,
     &phase_lag::PhaseLag,
     &wagner_lag::WagnerLag,
     &inflow_uniform::InflowUniform,

@@ -25,11 +25,15 @@ pub mod inertia_off_mid_stroke;
 
 pub mod rod_shear_modulus;
 
+pub mod rod_creep;
+
 pub mod rotational_lift;
 
 pub mod rotational_damping;
 
 pub mod amplitude_drag;
+
+pub mod drive_compliance;
 
 pub mod phase_lag;
 

@@ -365,6 +365,27 @@ fn lift_after_the_reversal_is_that_of_wagners_function() {
     }
 }
 
+/// A fifth of the stroke is lost at the reference, and so 1 − 0.8² of the load; at 600 Hz deg of 700, and in air of half the density, less: 1/(1 + 0.25 · 0.7347 ρ/1.2).
+#[test]
+fn a_drive_that_gives_sweeps_less_far_by_its_share() {
+    let mut at_reference = with(wing(), "drive-compliance", 0.0);
+    at_reference
+        .set("effects.drive-compliance.reference_hz_deg", 600.0)
+        .unwrap();
+    let mut thin = wing();
+    thin.air.density_kg_m3 = 0.6.into();
+    for (base, left) in [
+        (at_reference, 0.8),
+        (wing(), 1.0 / (1.0 + 0.25 * 0.734_694)),
+        (thin, 1.0 / (1.0 + 0.25 * 0.367_347)),
+    ] {
+        each(&base, "drive-compliance", 0.2, 0.2, |before, after| {
+            close(after.lift / before.lift, left * left, 1e-6);
+            close(after.moment / before.moment, left * left, 1e-6);
+        });
+    }
+}
+
 /// θ = Σ m r/GJ at the tip of a rod of GJ = 80 GPa · π/32 · (1 mm)⁴ that turns by a fifth of a degree: solved whole, coupled, each effect of the
 /// air turns the wing by what the strips of its card carry at rest.
 #[test]
