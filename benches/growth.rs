@@ -163,7 +163,7 @@ fn one(refine: f64, by_two: bool) -> Grown {
     let start = Instant::now();
     let mut equilibrium = Equilibrium::new(&wing.model).expect("a pattern");
     let analysis = start.elapsed().as_secs_f64();
-    let (load_transfer, loads) = least(|| wing.loads_on(&solution.state));
+    let (load_transfer, loads) = least(|| wing.loads_on(&solution.state).expect("loads"));
     let mut values = equilibrium.tangent_values().to_vec();
     let (assembly, ()) = least(|| {
         values.fill(0.0);

@@ -83,7 +83,7 @@ mod newton_step {
     #[divan::bench(args = WINGS)]
     fn assembly(bencher: Bencher, wing: &str) {
         with_loaded(wing, |wing, solution, equilibrium| {
-            let loads = wing.loads_on(&solution.state);
+            let loads = wing.loads_on(&solution.state).expect("loads");
             let mut values = equilibrium.tangent_values().to_vec();
             bencher.bench_local(|| {
                 values.fill(0.0);
@@ -106,7 +106,7 @@ mod newton_step {
     #[divan::bench(args = WINGS)]
     fn whole(bencher: Bencher, wing: &str) {
         with_loaded(wing, |wing, solution, equilibrium| {
-            let loads = wing.loads_on(&solution.state);
+            let loads = wing.loads_on(&solution.state).expect("loads");
             bencher.bench_local(|| {
                 let pivots = equilibrium.factorize(&solution.state, &loads).expect("a factor");
                 let residual = wing.model.residual(&equilibrium.pattern, &solution.state, &loads);
@@ -123,7 +123,7 @@ mod newton_step {
         let solution = case.solve();
         let wing = Wing::new(&case.design, &case.mesh, None).expect("a wing");
         let mut equilibrium = Equilibrium::new(&wing.model).expect("a pattern");
-        let loads = wing.loads_on(&solution.state);
+        let loads = wing.loads_on(&solution.state).expect("loads");
         let pivots = equilibrium.factorize(&solution.state, &loads).expect("a factor");
         assert_eq!(pivots, 0, "{name} is stable");
         measure(&wing, &solution, &mut equilibrium);

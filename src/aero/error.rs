@@ -62,6 +62,21 @@ pub enum AeroError {
         /// Largest angle that the table covers, deg.
         high_deg: f64,
     },
+    /// A force that is not finite on a section.
+    #[error(
+        "the force of the air is not finite ({force_n_per_m:?} N/m across and along the stream) at {alpha_deg:.3} deg of attack \
+         and {speed_m_s:.3} m/s; {cure}"
+    )]
+    NotFinite {
+        /// Force across the stream and along it, N/m.
+        force_n_per_m: [f64; 2],
+        /// Angle of attack, deg.
+        alpha_deg: f64,
+        /// Speed, m/s.
+        speed_m_s: f64,
+        /// What to do, with the effect that it comes with if one is at fault.
+        cure: String,
+    },
     /// A quantity outside what the laws can use.
     #[error("{key} = {value} lies outside [{low}, {high}]; {cure}")]
     OutOfRange {

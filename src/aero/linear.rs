@@ -33,7 +33,7 @@ pub fn alpha_linear<D: Number>(
     chord_rest_m: f64,
 ) -> D {
     let speed = velocity.y.hypot(velocity.z);
-    if !(speed > 0.0 && chord_rest_m > 0.0) {
+    if speed == 0.0 || chord_rest_m == 0.0 {
         return D::from(0.0);
     }
     let (sin, cos) = (velocity.z / speed, velocity.y / speed);

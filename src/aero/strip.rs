@@ -97,7 +97,8 @@ impl<D> SectionChange<D> for () {
 pub fn section_air<D: Number>(velocity: &Vector3<D>, chord: &Vector3<D>, span: &Vector3<D>) -> SectionAir<D> {
     let zero = D::from(0.0);
     let across = span.cross(chord);
-    if !(chord.dot(chord).re() > 0.0 && across.dot(&across).re() > 0.0) {
+    // a square that is not a number is no zero, and goes on to be seen
+    if chord.dot(chord).re() == 0.0 || across.dot(&across).re() == 0.0 {
         return SectionAir {
             alpha: zero,
             speed_squared: zero,
@@ -110,10 +111,10 @@ pub fn section_air<D: Number>(velocity: &Vector3<D>, chord: &Vector3<D>, span: &
     let along_normal = velocity.dot(&normal);
     let along_chord = velocity.dot(&chord);
     let speed_squared = along_normal * along_normal + along_chord * along_chord;
-    let alpha = if speed_squared.re() > 0.0 {
-        angle_of(along_normal, along_chord)
-    } else {
+    let alpha = if speed_squared.re() == 0.0 {
         zero
+    } else {
+        angle_of(along_normal, along_chord)
     };
     SectionAir {
         alpha,
@@ -198,10 +199,10 @@ impl<D: Number> SectionAir<D> {
 
 /// Square root that has a finite derivative in still air.
 pub(super) fn speed<D: Number>(speed_squared: D) -> D {
-    if speed_squared.re() > 0.0 {
-        speed_squared.sqrt()
-    } else {
+    if speed_squared.re() <= 0.0 {
         D::from(0.0)
+    } else {
+        speed_squared.sqrt()
     }
 }
 

@@ -116,7 +116,8 @@ impl CoefficientTable {
         let right = self
             .alpha_rad
             .partition_point(|angle| *angle <= alpha.re())
-            .min(last);
+            // below no angle stands only what is not a number
+            .clamp(1, last);
         let left = right - 1;
         let width = self.alpha_rad[right] - self.alpha_rad[left];
         let t = (alpha - self.alpha_rad[left]) / width;

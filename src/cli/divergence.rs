@@ -192,6 +192,13 @@ impl<'a> Sweep<'a> {
             Err(error @ CouplingError::OutOfPatience { .. }) => {
                 return Ok(Err(Without::Patience(error.to_string())));
             }
+            // what is not a number says nothing about divergence, at no value
+            Err(source @ CouplingError::NotFinite { .. }) => {
+                return Err(Failure::Coupling {
+                    design: case.loaded.path.clone(),
+                    source,
+                });
+            }
             Err(error) if error.is_not_converged() => {
                 return Ok(Err(Without::Equilibrium(error.to_string())));
             }

@@ -133,6 +133,7 @@ pub fn own_table<'a>(
             EffectError::Own {
                 key, problem, cure, ..
             } => refuse(&key, &problem, &cure),
+            EffectError::NoValue { problem, cure, .. } => refuse("expression", &problem, &cure),
             EffectError::Formula { error, .. } => {
                 let problem = format!("column {} of the formula: {}", error.column, error.problem);
                 refuse("expression", &problem, &error.cure)

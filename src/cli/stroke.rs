@@ -13,6 +13,7 @@ use crate::lift::Forces;
 use crate::observation::field::twist_at_nodes;
 use crate::observation::read_profile;
 use crate::progress::Progress;
+use crate::structure::largest;
 
 use super::Failure;
 use super::case::Case;
@@ -45,22 +46,17 @@ pub fn solve(case: &Case, nearby: &Solution, count: u16, progress: &Progress) ->
     let table = case.loaded.air_table.as_deref();
     let moving = PeriodicSettings::of_design(design)
         .and_then(|settings| periodic_near(design, &case.mesh, table, &settings, Some(nearby), progress));
-    let moving = moving.map_err(|source| Failure::Coupling {
+    let fault = |source| Failure::Coupling {
         design: case.loaded.path.clone(),
         source,
-    })?;
+    };
+    let moving = moving.map_err(fault)?;
     let frequency_hz = flapping.frequency_hz.value();
     let (mut phases, mut shapes, mut profile) = (Vec::new(), Vec::new(), Vec::new());
     for index in 0..count {
-        progress
-            .check()
-            .map_err(CouplingError::from)
-            .map_err(|source| Failure::Coupling {
-                design: case.loaded.path.clone(),
-                source,
-            })?;
+        progress.check().map_err(CouplingError::from).map_err(fault)?;
         let phase_deg = 360.0 * f64::from(index) / f64::from(count);
-        let now = moving.instant(phase_deg.to_radians());
+        let now = moving.instant(phase_deg.to_radians()).map_err(fault)?;
         let solution = now.solution(&moving.still);
         let read = read_profile(design, &case.planform, &solution).map_err(|error| case.fault(error))?;
         profile.extend(
@@ -97,7 +93,7 @@ pub fn solve(case: &Case, nearby: &Solution, count: u16, progress: &Progress) ->
             file: format!("wing-phase-{index:03}.vtu"),
         });
     }
-    let mean = moving.mean_forces();
+    let mean = moving.mean_forces().map_err(fault)?;
     Ok(StrokeRun {
         summary: StrokeSummary {
             kind: StrokeKind::Periodic,
@@ -115,7 +111,7 @@ pub fn solve(case: &Case, nearby: &Solution, count: u16, progress: &Progress) ->
                 flip_share: moving.settings.flip_share,
                 left_out: left_out(design).map_err(|error| case.fault(error))?,
                 largest_swing_deg: largest_swing_deg(&moving),
-                released_deg: released_deg(&moving),
+                released_deg: released_deg(&moving).map_err(fault)?,
             }),
         },
         shapes,
@@ -153,15 +149,15 @@ fn largest_swing_deg(moving: &Periodic) -> f64 {
         Some((twist - still).abs().to_degrees())
     };
     let all = looks().flat_map(|phase_deg| stations.iter().filter_map(move |&r_m| swing(phase_deg, r_m)));
-    all.fold(0.0, f64::max)
+    largest(all)
 }
 
 /// Stretches of the half-stroke, deg, in which the rod is meant to rest on its stop, but the stop would have to pull.
-fn released_deg(moving: &Periodic) -> Vec<[f64; 2]> {
+fn released_deg(moving: &Periodic) -> Result<Vec<[f64; 2]>, CouplingError> {
     let step = 180.0 / LOOKS as f64;
     let mut found: Vec<[f64; 2]> = Vec::new();
     for phase_deg in looks() {
-        let now = moving.instant(phase_deg.to_radians());
+        let now = moving.instant(phase_deg.to_radians())?;
         if now.is_flipping || now.stop_moment_n_m >= 0.0 {
             continue;
         }
@@ -171,7 +167,7 @@ fn released_deg(moving: &Periodic) -> Vec<[f64; 2]> {
             _ => found.push([from, to]),
         }
     }
-    found
+    Ok(found)
 }
 
 impl StrokeRun {

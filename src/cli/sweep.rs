@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use clap::Args;
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
+use crate::effects::bind;
 use crate::export::ExportError;
 use crate::export::file::write_whole;
 use crate::export::html::folder::{Contents, page as report_page, title_of};
@@ -139,6 +140,12 @@ impl Sweep {
         {
             return Err(fault(error));
         }
+        let mut refused = points.iter().map_while(|point| refused_effect(&plan, point));
+        if let Some(first) = refused.next()
+            && refused.count() + 1 == points.len()
+        {
+            return Err(first);
+        }
         let mut content = Content::new(&base);
         let tasks = tasks(&plan, &points, &mut content);
         let files = content.all_files();
@@ -214,6 +221,17 @@ impl Sweep {
             }),
             _ => Ok((plan, folder)),
         }
+    }
+}
+
+/// Why the effects of a case of a design are refused, if they are.
+fn refused_effect(plan: &SweepPlan, point: &[String]) -> Option<Failure> {
+    match Base::load(&plan.base, &plan.sets(point)) {
+        Ok(Base::Design(loaded, _)) => {
+            let error = bind(&loaded.design).err()?;
+            Some(Failure::design(&plan.base, error))
+        }
+        _ => None,
     }
 }
 

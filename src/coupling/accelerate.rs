@@ -8,6 +8,7 @@ use std::collections::VecDeque;
 use nalgebra::{DMatrix, DVector};
 
 use crate::input::design;
+use crate::structure::largest;
 
 /// How many earlier iterates Anderson mixing remembers.
 const DEPTH: usize = 6;
@@ -92,8 +93,12 @@ fn mix(
     }
     let columns: Vec<_> = changes.iter().map(|(r, _)| r.clone()).collect();
     let matrix = DMatrix::from_columns(&columns);
-    let largest = matrix.column_iter().map(|c| c.norm()).fold(0.0, f64::max);
-    let Ok(gamma) = matrix.svd(true, true).solve(residual, 1e-12 * largest) else {
+    let most = largest(matrix.column_iter().map(|c| c.norm()));
+    // the decomposition goes round for ever on what is not a number
+    if !most.is_finite() {
+        return mapped.clone();
+    }
+    let Ok(gamma) = matrix.svd(true, true).solve(residual, 1e-12 * most) else {
         return mapped.clone();
     };
     let mut next = mapped.clone();

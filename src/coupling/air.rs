@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::strips::{Strip, Strips};
 use crate::aero::{AeroError, AirLaw, Flow, LiftingLine, SectionAir, SectionChange, SectionCoefficients};
-use crate::effects::{Bound, Dual, Motion, Seam, StripPlace};
+use crate::effects::{self, Bound, Dual, EffectError, Motion, Seam, StripPlace};
 use crate::input::design::Design;
 
 /// The air that strips meet.
@@ -83,6 +83,39 @@ impl Air {
             acting.motion = motion;
         }
         self
+    }
+
+    /// Names of the effects that act on strips, in the order in which they act.
+    pub(super) fn effects(&self) -> Vec<String> {
+        let bound = self.acting.iter().flat_map(|acting| &acting.effects);
+        bound.map(|bound| bound.effect.card().name.to_string()).collect()
+    }
+
+    /// The same with the first `count` of its effects alone.
+    pub(super) fn with_first(&self, count: usize) -> Air {
+        let mut fewer = self.clone();
+        if let Some(acting) = &mut fewer.acting {
+            acting.effects.truncate(count);
+        }
+        fewer
+    }
+
+    /// Refuses a formula of the user's own that is not finite on a strip.
+    ///
+    /// # Errors
+    /// With the strip and the angle at which it is not.
+    pub(super) fn try_out(&self, strips: &Strips) -> Result<(), EffectError> {
+        for strip in &strips.strips {
+            let Some(acting) = self.acting(strip) else {
+                return Ok(());
+            };
+            for bound in acting.effects {
+                if let effects::Acting::Own(own) = &bound.effect {
+                    own.try_on_strip(&acting.place)?;
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The effects at a strip; none if there are none.

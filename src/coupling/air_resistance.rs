@@ -3,6 +3,7 @@
 use nalgebra::{DVector, Matrix3, Vector3};
 use num_dual::DualSVec64;
 
+use super::error::CouplingError;
 use super::strips::Strip;
 use super::wing::Wing;
 use crate::aero::strip_force;
@@ -21,11 +22,14 @@ pub struct AirResistance<'a> {
 
 impl<'a> AirResistance<'a> {
     /// In a shape; `share` of the law's.
-    pub fn new(wing: &'a Wing, state: &State, modes: &'a [Mode], share: f64) -> Self {
+    ///
+    /// # Errors
+    /// If the air's force is not finite.
+    pub fn new(wing: &'a Wing, state: &State, modes: &'a [Mode], share: f64) -> Result<Self, CouplingError> {
         let shapes = wing.strips.shapes(state);
-        let air = wing.strip_air(&shapes, false);
+        let air = wing.strip_air(&shapes, false)?;
         let strips = wing.strips.strips.iter().zip(air).zip(shapes.chunks_exact(6));
-        AirResistance {
+        Ok(AirResistance {
             wing,
             modes,
             strips: strips
@@ -36,7 +40,7 @@ impl<'a> AirResistance<'a> {
                     )
                 })
                 .collect(),
-        }
+        })
     }
 
     /// Force against the modes when the nodes move at these velocities, m/s.

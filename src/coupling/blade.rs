@@ -2,6 +2,7 @@
 
 use super::air::{ActingOnStrip, lifting_lines};
 use super::error::CouplingError;
+use super::finite::{OF_DESIGN, with_effect};
 use crate::aero::{AeroError, AirLaw, Flow, LiftingLine, SectionAir};
 use crate::effects::{Bound, Dual, Motion, Need, Seam, StripMotion, StripPlace, bind};
 use crate::geometry::Planform;
@@ -102,8 +103,29 @@ impl BladeAir {
     /// Lift across the stream and drag along it, N/m.
     ///
     /// # Errors
-    /// [`AeroError::OutsideTable`] for an angle that a table of coefficients does not cover.
+    /// [`AeroError::OutsideTable`] for an angle that a table of coefficients does not cover; [`AeroError::NotFinite`] for a force
+    /// that is none.
     pub fn force(&self, section: &BladeSection) -> Result<[f64; 2], AeroError> {
+        let force_n_per_m = self.force_with(section, self.effects.len())?;
+        if force_n_per_m.iter().all(|part| part.is_finite()) {
+            return Ok(force_n_per_m);
+        }
+        let is_finite = |force: [f64; 2]| force.iter().all(|part| part.is_finite());
+        let mut names = self.effects.iter().enumerate();
+        let culprit = names.find(|(place, _)| !self.force_with(section, place + 1).is_ok_and(is_finite));
+        Err(AeroError::NotFinite {
+            force_n_per_m,
+            alpha_deg: section.alpha_rad.to_degrees(),
+            speed_m_s: section.speed_m_s,
+            cure: match culprit {
+                Some((_, bound)) => with_effect(bound.effect.card().name),
+                None => OF_DESIGN.to_string(),
+            },
+        })
+    }
+
+    /// The same with the first `count` of the effects alone, whether it is finite or not.
+    fn force_with(&self, section: &BladeSection, count: usize) -> Result<[f64; 2], AeroError> {
         let BladeSection {
             alpha_rad,
             speed_m_s,
@@ -120,7 +142,7 @@ impl BladeAir {
         let flow = self.flow.map(|flow| at_phase(flow, section.phase_rad));
         let motion = self.wants_motion.then(|| still(section));
         let acting = ActingOnStrip {
-            effects: &self.effects,
+            effects: &self.effects[..count],
             place: StripPlace {
                 design,
                 flow: flow.as_ref(),

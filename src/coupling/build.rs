@@ -4,18 +4,21 @@ use std::sync::Arc;
 
 use super::cure::cured;
 use super::error::CouplingError;
+use super::finite::by_effect;
 use crate::effects::{Bound, Motion, Structure};
 use crate::input::design::{Design, Kinematics};
 use crate::mesh::Mesh;
 use crate::progress::Progress;
-use crate::structure::{Blend, Equilibrium, Loads, Model, bench_loads, wing_model_beside};
+use crate::structure::{
+    Blend, Equilibrium, Loads, Model, StructureError, bench_loads, refuse_not_finite, wing_model_beside,
+};
 
 /// The structure, and bench loads with gravity; `motion` as effects see it; `known`: the structure of another design on this
 /// mesh.
 ///
 /// # Errors
-/// If design and mesh do not belong together, an effect makes a section that is none, or a linear model beside large
-/// rotation has no shape without load.
+/// If design and mesh do not belong together, an effect makes a section that is none or a number that is not finite, or a
+/// linear model beside large rotation has no shape without load.
 pub fn built(
     design: &Design,
     mesh: &Mesh,
@@ -24,6 +27,7 @@ pub fn built(
     known: Option<&Model>,
 ) -> Result<(Model, Loads), CouplingError> {
     let mut model = wing_model_beside(design, mesh, known)?;
+    model.refuse_not_finite()?;
     let mut structure = Structure {
         design,
         mesh,
@@ -31,13 +35,21 @@ pub fn built(
         motion,
     };
     for bound in effects {
-        bound.effect.structure(&bound.values, &mut structure)?;
+        let by_effect = by_effect(bound.effect.card().name);
+        match bound.effect.structure(&bound.values, &mut structure) {
+            Err(StructureError::NotFinite(found)) => return Err(by_effect(found)),
+            changed => changed?,
+        }
+        structure.model.refuse_not_finite().map_err(by_effect)?;
     }
     let mut bench = bench_loads(design, mesh, structure.model);
+    bench.refuse_not_finite(structure.model)?;
     for bound in effects {
         bound.effect.load(&bound.values, &structure, &mut bench);
+        let by_effect = by_effect(bound.effect.card().name);
+        bench.refuse_not_finite(structure.model).map_err(by_effect)?;
     }
-    let share = large_share(design, effects);
+    let share = large_share(design, effects)?;
     if 0.0 < share && share < 1.0 {
         let mut equilibrium = Equilibrium::new(&model)?;
         let (rest, _) = cured(&model, &mut equilibrium, &Progress::quiet())?;
@@ -48,10 +60,23 @@ pub fn built(
 }
 
 /// Share of large rotation: all of it unless the design asks for linear kinematics, and then what effects give back.
-pub fn large_share(design: &Design, effects: &[Bound]) -> f64 {
+///
+/// # Errors
+/// If an effect's share is not finite.
+pub fn large_share(design: &Design, effects: &[Bound]) -> Result<f64, CouplingError> {
     if design.structure.kinematics != Kinematics::Linear {
-        return 1.0;
+        return Ok(1.0);
     }
-    let share = |bound: &Bound| bound.effect.kinematics(&bound.values);
-    effects.iter().find_map(share).unwrap_or(0.0)
+    let share = |bound: &Bound| {
+        Some((
+            bound.effect.card().name.to_string(),
+            bound.effect.kinematics(&bound.values)?,
+        ))
+    };
+    let Some((name, share)) = effects.iter().find_map(share) else {
+        return Ok(0.0);
+    };
+    let number = ("the share of large rotation", share);
+    refuse_not_finite(|| "of the wing", [number]).map_err(by_effect(&name))?;
+    Ok(share)
 }

@@ -5,8 +5,9 @@ use super::error::CouplingError;
 use super::newton::carried;
 use super::wing::Wing;
 use crate::progress::Progress;
+use crate::structure::mixed::Distance;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Loads, Mixed, Model, NewtonSettings};
+use crate::structure::{Equilibrium, Loads, Mixed, Model, NewtonSettings, larger};
 
 /// Mixed steps allowed from one start.
 const PATIENCE: usize = 40;
@@ -80,7 +81,8 @@ fn mixed(
     let mut state = start.clone();
     let mut distance = equilibrium.assemble_mixed(&state, &none, &way);
     let mut count = 0;
-    while distance.relative > tolerance.max(distance.rounding) {
+    let is_settled = |distance: &Distance| distance.relative <= larger(tolerance, distance.rounding);
+    while distance.relative.is_finite() && !is_settled(&distance) {
         progress.check()?;
         if count == PATIENCE || equilibrium.factorize_mixed(&state, 0.0, &mut way).is_err() {
             return Ok((None, count));
@@ -91,9 +93,8 @@ fn mixed(
         distance = equilibrium.assemble_mixed(&state, &none, &way);
         count += 1;
     }
-    // what is not a number ends the loop too
     let negative = equilibrium.factorize(&state, &none);
-    let is_stable = distance.relative.is_finite() && negative.is_ok_and(|negative| negative == 0);
+    let is_stable = is_settled(&distance) && negative.is_ok_and(|negative| negative == 0);
     Ok((is_stable.then_some(state), count))
 }
 

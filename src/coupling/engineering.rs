@@ -92,7 +92,7 @@ pub fn engineering(
     let standing = Standing::loaded(design, solution)?;
     let mut found = Engineering::default();
     found.weigh(design, planform, &standing.model);
-    let linear = large_share(design, &bind(design)?) == 0.0;
+    let linear = large_share(design, &bind(design)?)? == 0.0;
     found.load(design, &standing.model, solution, linear);
     found.vibrate(design, planform, standing, progress)?;
     Ok(found)

@@ -5,7 +5,7 @@ use crate::effects::EffectError;
 use crate::input::InputError;
 use crate::mesh::MeshError;
 use crate::progress::Cancelled;
-use crate::structure::StructureError;
+use crate::structure::{NotFinite, StructureError};
 
 /// Why a coupled solve gives no solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -58,6 +58,14 @@ pub enum CouplingError {
         /// Coupled residual relative to the load.
         residual: f64,
         /// What to try, of what is not in use.
+        cure: String,
+    },
+    /// A load, a stiffness or a result that is not finite: such a wing has no equilibrium, whatever its residual says.
+    #[error("{found}; {cure}")]
+    NotFinite {
+        /// What and where.
+        found: NotFinite,
+        /// What to do, with the effect that it comes with if one is at fault.
         cure: String,
     },
     /// A trial that Newton's method did not settle.
@@ -130,6 +138,7 @@ impl From<StructureError> for CouplingError {
     fn from(error: StructureError) -> Self {
         match error {
             StructureError::Interrupted(cancelled) => CouplingError::Interrupted(cancelled),
+            StructureError::NotFinite(found) => found.into(),
             other => CouplingError::Structure(other),
         }
     }
@@ -142,6 +151,7 @@ impl CouplingError {
             CouplingError::Diverged { .. }
             | CouplingError::Unstable { .. }
             | CouplingError::OutOfPatience { .. }
+            | CouplingError::NotFinite { .. }
             | CouplingError::GivenUp { .. }
             | CouplingError::NoPeriodic { .. } => true,
             CouplingError::Structure(error) => {

@@ -12,10 +12,12 @@ use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
 use faer::{MatRef, Par, Spec};
 use nalgebra::{DMatrix, DVector, Vector3};
 
+use super::error::CouplingError;
 use super::recycled::Recycled;
 use super::strips::StripAir;
 use super::wing::Wing;
-use crate::structure::Equilibrium;
+use crate::structure::finite::each;
+use crate::structure::{Equilibrium, refuse_not_finite};
 
 /// Largest number of Krylov vectors.
 const KRYLOV: usize = 80;
@@ -41,13 +43,20 @@ pub struct Feedback<'a, 'm> {
 
 impl<'a, 'm> Feedback<'a, 'm> {
     /// At the given shapes of the strips.
-    pub fn new(wing: &'a Wing, equilibrium: &'a mut Equilibrium<'m>, shapes: &[f64]) -> Self {
-        let air = Cow::Owned(wing.strip_air(shapes, true));
-        Feedback {
+    ///
+    /// # Errors
+    /// If the air's force, or its change with the shape, is not finite.
+    pub fn new(
+        wing: &'a Wing,
+        equilibrium: &'a mut Equilibrium<'m>,
+        shapes: &[f64],
+    ) -> Result<Self, CouplingError> {
+        let air = Cow::Owned(wing.strip_air(shapes, true)?);
+        Ok(Feedback {
             wing,
             equilibrium,
             air,
-        }
+        })
     }
 
     /// With the air on each strip that is known, derivatives included.
@@ -116,10 +125,13 @@ impl<'a, 'm> Feedback<'a, 'm> {
     ///
     /// `None` if there is none within a hundred times that: the air does not drive the wing toward divergence. Exact where the loads are linear in the
     /// shape; an estimate from the present shape elsewhere.
-    pub fn critical_ratio(&mut self) -> Option<f64> {
+    ///
+    /// # Errors
+    /// If the feedback is not finite: nothing is known of its stability then.
+    pub fn critical_ratio(&mut self) -> Result<Option<f64>, CouplingError> {
         let size = 6 * self.air.len();
         if size == 0 {
-            return None;
+            return Ok(None);
         }
         // the response to the present load, and a little of everything so that no direction is left out
         let force = self.wing.air_force(&self.air);
@@ -134,6 +146,8 @@ impl<'a, 'm> Feedback<'a, 'm> {
         let mut calm = 0;
         for k in 0..most {
             let next = self.orthogonal_step(&mut basis, &mut hessenberg, k);
+            let column = hessenberg.column(k);
+            refuse_not_finite(|| "of the wing", each("the feedback of the air", column.iter()))?;
             // nothing is decided before the eighth
             if next && k < 7 && k + 1 < most {
                 continue;
@@ -154,7 +168,7 @@ impl<'a, 'm> Feedback<'a, 'm> {
             }
             last = largest;
         }
-        (last > NEGLIGIBLE).then(|| 1.0 / last)
+        Ok((last > NEGLIGIBLE).then(|| 1.0 / last))
     }
 
     /// One step of Arnoldi's method; `false` when the space is exhausted.

@@ -7,7 +7,7 @@ use super::wing::Wing;
 use crate::input::design::{self, Coupling, Structure};
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Loads, NewtonSettings};
+use crate::structure::{Equilibrium, Loads, NewtonSettings, larger, largest};
 
 /// Angle of attack below which the air hardly loads a strip, rad.
 const FEATHERED_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;
@@ -55,7 +55,7 @@ impl Coupled {
 /// Iterates from the shape `rest` (in equilibrium without load).
 ///
 /// # Errors
-/// If it does not converge, or converges beyond divergence or on a shape that is not stable.
+/// If it does not converge, converges beyond divergence or on a shape that is not stable, or the air's load is not finite.
 pub fn iterate(
     wing: &Wing,
     equilibrium: &mut Equilibrium,
@@ -80,7 +80,7 @@ pub fn iterate(
     while coupled.iterations < coupling.max_iterations {
         progress.check()?;
         coupled.iterations += 1;
-        let loads = wing.loads(&shapes);
+        let loads = wing.loads(&shapes)?;
         settings.tolerance = (0.05 * coupled.residual).clamp(1e-9, 0.1);
         if wing.linear {
             coupled.state = equilibrium.solve_linear(rest, &loads)?;
@@ -100,7 +100,7 @@ pub fn iterate(
                 .map(|(t, r)| (t - r).to_degrees())
                 .collect(),
         );
-        let actual = wing.loads(&mapped);
+        let actual = wing.loads(&mapped)?;
         coupled.residual = residual(wing, equilibrium, &coupled.state, &loads, &actual);
         coupled.loads = loads;
         progress.say(format_args!(
@@ -113,10 +113,13 @@ pub fn iterate(
             2.0 * equilibrium.rounding(&coupled.state, &coupled.loads)
         };
         if coupled.twist_change_deg <= coupling.twist_tolerance_deg
-            && coupled.residual <= coupling.residual_tolerance.max(floor)
+            && coupled.residual <= larger(coupling.residual_tolerance, floor)
         {
             coupled.loads = actual;
             return stable(wing, equilibrium, rest, coupled);
+        }
+        if !(coupled.twist_change_deg.is_finite() && coupled.residual.is_finite()) {
+            break;
         }
         shapes = accelerator.next(&shapes, &mapped);
     }
@@ -143,7 +146,7 @@ fn residual(wing: &Wing, equilibrium: &Equilibrium, state: &State, solved: &Load
 /// The solution with what decides its stability.
 ///
 /// # Errors
-/// If it stands beyond divergence, or is not stable.
+/// If it stands beyond divergence, is not stable, or the air's load does not change with the shape by finite numbers.
 pub(super) fn stable(
     wing: &Wing,
     equilibrium: &mut Equilibrium,
@@ -156,7 +159,7 @@ pub(super) fn stable(
     } else {
         equilibrium.factorize(&coupled.state, &coupled.loads)?
     };
-    coupled.critical_ratio = Feedback::new(wing, equilibrium, &shapes).critical_ratio();
+    coupled.critical_ratio = Feedback::new(wing, equilibrium, &shapes)?.critical_ratio()?;
     match coupled.critical_ratio {
         Some(critical_ratio) if critical_ratio <= 1.0 => {
             let linear_film = wing.has_linear_film();
@@ -215,14 +218,14 @@ fn patience_lost(
 ) -> Result<Coupled, CouplingError> {
     let (iterations, twist_change_deg, residual) =
         (coupled.iterations, coupled.twist_change_deg, coupled.residual);
-    let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false);
+    let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false)?;
     let feathered = air
         .iter()
         .filter(|strip| strip.force.alpha.abs() < FEATHERED_RAD)
         .count();
     let feathered = 2 * feathered > air.len();
     match stable(wing, equilibrium, rest, coupled) {
-        Err(diverged @ CouplingError::Diverged { .. }) => Err(diverged),
+        Err(told @ (CouplingError::Diverged { .. } | CouplingError::NotFinite { .. })) => Err(told),
         _ => Err(CouplingError::OutOfPatience {
             iterations,
             allowed: coupling.max_iterations,
@@ -241,9 +244,9 @@ pub(super) fn twists(shapes: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Largest difference between two lists.
+/// Largest difference between two lists; not a number if one of them has none.
 pub(super) fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    largest(a.iter().zip(b).map(|(a, b)| (a - b).abs()))
 }
 
 #[cfg(test)]

@@ -9,11 +9,14 @@ use std::f64::consts::PI;
 
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 
+use super::error::CouplingError;
+use super::finite::refuse_air;
 use super::periodic::Periodic;
 use super::solution::{Solution, StripLoad};
 use super::strips::{Strip, StripAir, StripShape};
 use super::stroke::standing_path;
 use crate::aero::Flow;
+use crate::structure::refuse_not_finite;
 use crate::structure::state::State;
 
 /// Phases of the means, in the middle of equal parts of a half-stroke.
@@ -60,7 +63,10 @@ pub struct AirForces {
 
 impl Periodic {
     /// The wing at a phase, rad.
-    pub fn instant(&self, phase_rad: f64) -> Instant {
+    ///
+    /// # Errors
+    /// If the air's force, or what the stop carries, is not finite.
+    pub fn instant(&self, phase_rad: f64) -> Result<Instant, CouplingError> {
         let halves = (phase_rad / PI).round();
         let phase = phase_rad - halves * PI;
         let wing = &self.wing;
@@ -78,8 +84,13 @@ impl Periodic {
             let shape = StripShape::from_column_slice(shape);
             let stream = law.flow.velocity(strip.r_m).norm() * direction;
             let own = three_quarters(strip, &moving) * self.settings.air_damping;
-            let felt = strip.air_at(law, &(stream - own), &shape);
-            forces.add(strip, &strip.air_at(law, &stream, &shape), &felt);
+            let met = |velocity: Vector3<f64>| {
+                let found = strip.air_at(law, &velocity, &shape);
+                refuse_air(strip, law, &velocity, &shape, &found)?;
+                Ok::<StripAir, CouplingError>(found)
+            };
+            let felt = met(stream - own)?;
+            forces.add(strip, &met(stream)?, &felt);
             air.push(felt);
         }
         let air_force = wing.air_force(&air);
@@ -97,7 +108,15 @@ impl Periodic {
             let place = self.place(node, &state);
             moment += place.cross(&(force + inertia.force_n)).x + inertia.moment_n_m.x;
         }
-        Instant {
+        let numbers = [
+            ("the moment of the stop (N·m)", moment),
+            ("the lift (N)", forces.lift_n),
+            ("the drag (N)", forces.drag_n),
+            ("the power (W)", forces.power_w),
+        ];
+        let place = || format!("at stroke phase {:.1} deg", phase_rad.to_degrees());
+        refuse_not_finite(place, numbers)?;
+        Ok(Instant {
             phase_rad,
             sweep_rad: self.stroke.half_amplitude_rad * phase.sin(),
             pitch_rad,
@@ -110,20 +129,23 @@ impl Periodic {
             is_first_half: halves.rem_euclid(2.0) == 0.0,
             root_offset_m: self.root_offset_m(),
             state,
-        }
+        })
     }
 
     /// Means of the air's forces over the stroke.
-    pub fn mean_forces(&self) -> AirForces {
+    ///
+    /// # Errors
+    /// As [`Periodic::instant`].
+    pub fn mean_forces(&self) -> Result<AirForces, CouplingError> {
         let phase = |index: usize| PI * ((index as f64 + 0.5) / PHASES as f64 - 0.5);
         let mut mean = AirForces::default();
         for index in 0..PHASES {
-            let now = self.instant(phase(index)).forces;
+            let now = self.instant(phase(index))?.forces;
             mean.lift_n += now.lift_n / PHASES as f64;
             mean.drag_n += now.drag_n / PHASES as f64;
             mean.power_w += now.power_w / PHASES as f64;
         }
-        mean
+        Ok(mean)
     }
 
     /// Shape at a phase of the first half-stroke.

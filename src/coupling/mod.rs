@@ -20,6 +20,8 @@ pub mod error;
 
 pub mod feedback;
 
+mod finite;
+
 pub mod fixed_point;
 
 pub mod newton;
@@ -71,7 +73,7 @@ use wing::Wing;
 /// `air_table`: rows alpha_deg, cl, cd for `air.coefficients = "table"`.
 ///
 /// # Errors
-/// If design and mesh do not belong together, or the wing has no equilibrium that is found.
+/// If design and mesh do not belong together, the wing has no equilibrium that is found, or a load or a result is not finite.
 pub fn solve(
     design: &Design,
     planform: &Planform,
@@ -138,7 +140,7 @@ pub fn solve_wing(
     };
     let mut coupled = couple(design, wing, &mut equilibrium, &rest, near, progress)?;
     coupled.newton_steps += steps;
-    let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false);
+    let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false)?;
     if let Some(Air { law, .. }) = &wing.air {
         for strip in &air {
             law.check(strip.force.alpha)?;
@@ -156,6 +158,7 @@ pub fn solve_wing(
         rest,
         state: coupled.state,
     };
+    solution.refuse_not_finite()?;
     Ok((solution, equilibrium.into_tangent()))
 }
 

@@ -7,6 +7,7 @@ use crate::effects::{Motion, Need, StripMotion, bind};
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::progress::Progress;
+use crate::structure::state::State;
 
 /// The motion of a design at its phase. Effects that are made from it do not act back on it.
 ///
@@ -46,7 +47,7 @@ pub fn motion_by(
         .flapping
         .as_ref()
         .map_or(0.0, |flapping| flapping.phase_deg.value());
-    Ok(periodic.at(phase_deg.to_radians()))
+    periodic.at(phase_deg.to_radians())
 }
 
 /// Names of a design's effects that are made from its motion, or act nowhere but off mid-stroke: the motion is found
@@ -77,7 +78,10 @@ pub(super) fn at_mid_stroke(design: &Design) -> Result<Design, CouplingError> {
 
 impl Periodic {
     /// Loads and rates at a phase (rad), in the frame of its own half-stroke.
-    pub fn at(&self, phase: f64) -> Motion {
+    ///
+    /// # Errors
+    /// If the air's force is not finite.
+    pub fn at(&self, phase: f64) -> Result<Motion, CouplingError> {
         // the other half-stroke mirrors the first
         let phase = phase - (phase / std::f64::consts::PI).round() * std::f64::consts::PI;
         let fields = &self.fields;
@@ -101,36 +105,37 @@ impl Periodic {
                 twist_acceleration_rad_s2,
             })
         });
-        Motion {
+        Ok(Motion {
             inertia: resist(wing, &deforming),
             moved_air: resist(&air, &deforming),
             moved_air_of_stroke: resist(&air, &rigid),
             strips: strips.collect(),
-            drag_ratio: self.drag_ratio(),
-        }
+            drag_ratio: self.drag_ratio()?,
+        })
     }
 
     /// Drag torque about the stroke axis at mid-stroke over that of the untwisted wing; 1 where there is no drag.
-    fn drag_ratio(&self) -> f64 {
+    fn drag_ratio(&self) -> Result<f64, CouplingError> {
         let Some(air) = &self.wing.air else {
-            return 1.0;
+            return Ok(1.0);
         };
         let offset_m = match air.flow {
             crate::aero::Flow::Flapping { root_offset_m, .. } => root_offset_m,
             crate::aero::Flow::Steady { .. } => 0.0,
         };
-        let [twisted, plain] = [&self.still.state, &self.still.rest].map(|state| {
-            let strips = self.wing.strip_air(&self.wing.strips.shapes(state), false);
+        let torque = |state: &State| {
+            let strips = self.wing.strip_air(&self.wing.strips.shapes(state), false)?;
             let torque = strips.iter().zip(&self.wing.strips.strips).map(|(force, strip)| {
                 let stream = air.flow.velocity(strip.r_m);
                 force.total_n.dot(&stream) / stream.norm().max(f64::MIN_POSITIVE) * (strip.r_m + offset_m)
             });
-            torque.sum::<f64>()
-        });
-        if plain > 0.0 && twisted > 0.0 {
+            Ok::<f64, CouplingError>(torque.sum())
+        };
+        let (twisted, plain) = (torque(&self.still.state)?, torque(&self.still.rest)?);
+        Ok(if plain > 0.0 && twisted > 0.0 {
             twisted / plain
         } else {
             1.0
-        }
+        })
     }
 }

@@ -13,7 +13,7 @@ use crate::input::design::Coupling;
 use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Loads, Mixed};
+use crate::structure::{Equilibrium, Loads, Mixed, larger};
 use nalgebra::Vector3;
 
 /// Residual of the linear solve over that of the step: far from the solution, and near it.
@@ -57,14 +57,17 @@ pub fn iterate(
     let mut shapes = wing.strips.shapes(&coupled.state);
     loop {
         progress.check()?;
-        let loads = wing.loads(&shapes);
+        // a step too far may do that: the fixed point tells what is at fault where it meets it too
+        let Ok(loads) = wing.loads(&shapes) else {
+            return Ok(Err(coupled.newton_steps));
+        };
         let distance = equilibrium.assemble_mixed(&coupled.state, &loads, &way);
         coupled.residual = distance.relative;
         progress.say(format_args!(
             "Newton step {}: twist changes by {:.1e} deg, residual {:.1e}",
             coupled.newton_steps, coupled.twist_change_deg, coupled.residual
         ));
-        let allowed = coupling.residual_tolerance.max(2.0 * distance.rounding);
+        let allowed = larger(coupling.residual_tolerance, 2.0 * distance.rounding);
         if coupled.residual <= allowed && coupled.twist_change_deg <= coupling.twist_tolerance_deg {
             coupled.loads = loads;
             return Ok(Ok(coupled));
@@ -85,7 +88,10 @@ pub fn iterate(
         }
         let tolerance = if coupled.residual > 1e-2 { LOOSE } else { TIGHT };
         known.change();
-        let found = Feedback::new(wing, equilibrium, &shapes).solve(&distance.right, tolerance, &mut known);
+        let found = match Feedback::new(wing, equilibrium, &shapes) {
+            Ok(mut feedback) => feedback.solve(&distance.right, tolerance, &mut known),
+            Err(_) => None,
+        };
         let Some(mut step) = found else {
             return Ok(Err(coupled.newton_steps));
         };

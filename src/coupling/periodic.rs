@@ -156,7 +156,7 @@ pub fn periodic_near(
     let (about, loads) = if wing.linear {
         (still.rest.clone(), Loads::none(mesh.nodes.len()))
     } else {
-        (still.state.clone(), wing.loads_on(&still.state))
+        (still.state.clone(), wing.loads_on(&still.state)?)
     };
     let air = moved_air(&wing, settings.moved_air);
     let mut equilibrium = Equilibrium::new(&wing.model)?;
@@ -174,8 +174,8 @@ pub fn periodic_near(
         }
     };
     let fields = Fields::new(&wing, &mut equilibrium, &still, &about, &air, &modes)?;
-    let air_resistance = AirResistance::new(&wing, &still.state, &modes, settings.air_damping);
-    let system = oscillators(&wing, &still.state, &stroke, settings, &modes, &air_resistance);
+    let air_resistance = AirResistance::new(&wing, &still.state, &modes, settings.air_damping)?;
+    let system = oscillators(&wing, &still.state, &stroke, settings, &modes, &air_resistance)?;
     let force = fields.driving(&stroke, &system, &air_resistance);
     let motion = system
         .balance(&settings.orders, &force)
@@ -303,7 +303,7 @@ impl Fields {
         });
         let force = by_freedom(&|node| [Vector3::from(still.air_force_n[node]), Vector3::zeros()]);
         let shapes = wing.strips.shapes(&still.state);
-        let rate = Feedback::new(wing, equilibrium, &shapes)
+        let rate = Feedback::new(wing, equilibrium, &shapes)?
             .solve(&force, EXACT, &mut Recycled::new())
             .ok_or(CouplingError::NoPeriodic {
                 reason: "the wing stands at its divergence",
@@ -397,11 +397,11 @@ fn oscillators(
     settings: &PeriodicSettings,
     modes: &[Mode],
     air_resistance: &AirResistance,
-) -> Oscillators {
+) -> Result<Oscillators, CouplingError> {
     let count = modes.len();
     let angular = |mode: &Mode| std::f64::consts::TAU * mode.frequency_hz;
     let shapes = wing.strips.shapes(state);
-    let air = wing.strip_air(&shapes, true);
+    let air = wing.strip_air(&shapes, true)?;
     let mut air_stiffness = DMatrix::zeros(count, count);
     for (column, mode) in modes.iter().enumerate() {
         let change = wing.air_force_change(&air, &wing.strips.shape_changes(&mode.displacement));
@@ -422,11 +422,11 @@ fn oscillators(
     let own = modes
         .iter()
         .map(|mode| 2.0 * settings.damping_ratio * angular(mode));
-    Oscillators {
+    Ok(Oscillators {
         rate_rad_s: stroke.rate_rad_s,
         stiffness: DVector::from_iterator(count, modes.iter().map(|mode| angular(mode).powi(2))),
         damping: DMatrix::from_diagonal(&DVector::from_iterator(count, own)),
         air_damping,
         air_stiffness,
-    }
+    })
 }

@@ -100,7 +100,7 @@ impl<'a> Sensitivity<'a> {
     /// Factorizes at a solution; `wing` is that of `design` on the solution's mesh.
     ///
     /// # Errors
-    /// If the tangent is singular.
+    /// If the tangent is singular, or the air's force does not change with the shape by finite numbers.
     pub fn new(
         design: &'a Design,
         wing: &'a Wing,
@@ -112,13 +112,22 @@ impl<'a> Sensitivity<'a> {
         if wing.linear {
             equilibrium.factorize(&solution.rest, &wing.bench.growing())?;
         } else {
-            equilibrium.factorize(&solution.state, &wing.loads_on(&solution.state))?;
+            equilibrium.factorize(&solution.state, &wing.loads_on(&solution.state)?)?;
         }
-        let home = Home::new(design, wing, air_table, solution, remesh);
-        Ok(Sensitivity::at(home, equilibrium))
+        Sensitivity::with_tangent(
+            design,
+            wing,
+            air_table,
+            solution,
+            remesh,
+            equilibrium.into_tangent(),
+        )
     }
 
     /// With the tangent that the solve of this wing has left.
+    ///
+    /// # Errors
+    /// If the air's force does not change with the shape by finite numbers.
     pub fn with_tangent(
         design: &'a Design,
         wing: &'a Wing,
@@ -126,21 +135,15 @@ impl<'a> Sensitivity<'a> {
         solution: &'a Solution,
         remesh: Remesh<'a>,
         tangent: Tangent,
-    ) -> Self {
-        let home = Home::new(design, wing, air_table, solution, remesh);
-        Sensitivity::at(home, Equilibrium::of_tangent(&wing.model, tangent))
-    }
-
-    fn at(home: Home<'a>, equilibrium: Equilibrium<'a>) -> Self {
-        let (wing, state) = (home.wing, &home.solution.state);
-        Sensitivity {
-            air: wing.strip_air(&wing.strips.shapes(state), true),
-            home,
-            equilibrium,
+    ) -> Result<Self, SensitivityError> {
+        Ok(Sensitivity {
+            air: wing.strip_air(&wing.strips.shapes(&solution.state), true)?,
+            home: Home::new(design, wing, air_table, solution, remesh),
+            equilibrium: Equilibrium::of_tangent(&wing.model, tangent),
             known: Recycled::new(),
             rest: None,
             last: None,
-        }
+        })
     }
 
     /// The same for a design whose solution is the same, as one that differs in the numbers of an effect that is off.
@@ -177,7 +180,7 @@ impl<'a> Sensitivity<'a> {
                     None => (Cow::Borrowed(state), Vec::new()),
                 };
                 let loads = if is_loaded {
-                    wing.loads_on(&moved)
+                    wing.loads_on(&moved)?
                 } else {
                     Loads::none(nodes)
                 };
@@ -293,7 +296,7 @@ impl<'a> Sensitivity<'a> {
         };
         let state = moved(&solution.state, &rate.state);
         let rest = moved(&solution.rest, &rate.rest);
-        let air = wing.strip_air(&wing.strips.shapes(&state), false);
+        let air = wing.strip_air(&wing.strips.shapes(&state), false)?;
         let solution = Solution {
             strips: wing.strip_loads(&air),
             air_force_n: wing.air_force(&air).into_iter().map(Into::into).collect(),

@@ -59,7 +59,7 @@ impl Standing {
         let (model, bench) = built(design, &solution.mesh, &effects, None, None)?;
         let nodes = model.nodes.len();
         let (mut state, mut loads) = (State::at_rest(nodes), Loads::none(nodes));
-        if large_share(design, &effects) > 0.0 {
+        if large_share(design, &effects)? > 0.0 {
             state = solution.state.clone();
             loads = bench;
             for (load, air) in loads.force_n.iter_mut().zip(&solution.air_force_n) {

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use super::air::Air;
 use super::build::{built, large_share};
 use super::error::CouplingError;
+use super::finite::refuse_air;
 use super::fixed_point::Coupled;
 use super::motion::motion_near;
 use super::solution::{Solution, StripLoad};
@@ -39,7 +40,8 @@ impl Wing {
     /// The wing of a design on a mesh.
     ///
     /// # Errors
-    /// If design and mesh do not belong together, or the air's laws cannot be set up.
+    /// If design and mesh do not belong together, the air's laws cannot be set up, or a number of the structure, of a load or
+    /// of a formula is not finite.
     pub fn new(design: &Design, mesh: &Mesh, air_table: Option<&[[f64; 3]]>) -> Result<Self, CouplingError> {
         Wing::with_motion(design, mesh, air_table, None)
     }
@@ -115,11 +117,12 @@ impl Wing {
             Some((wing, _)) if wing.air.is_some() => wing.strips.clone(),
             _ => Strips::new(mesh),
         };
-        let large_share = large_share(design, &effects);
+        let large_share = large_share(design, &effects)?;
         let air = Air::new(design, &strips, &effects, large_share, air_table)?;
         let air = air.map(|air| air.with_motion(motion.clone()));
-        if air.is_none() {
-            strips = Strips::default();
+        match &air {
+            Some(air) => air.try_out(&strips)?,
+            None => strips = Strips::default(),
         }
         Ok(Wing {
             model,
@@ -152,19 +155,24 @@ impl Wing {
     }
 
     /// Air on each strip in the given shapes (six values a strip).
-    pub fn strip_air(&self, shapes: &[f64], derivative: bool) -> Vec<StripAir> {
+    ///
+    /// # Errors
+    /// If a force, or a derivative that is asked for, is not finite.
+    pub fn strip_air(&self, shapes: &[f64], derivative: bool) -> Result<Vec<StripAir>, CouplingError> {
         let Some(air) = &self.air else {
-            return Vec::new();
+            return Ok(Vec::new());
         };
         let strips = self.strips.strips.iter().zip(shapes.chunks_exact(6));
         strips
             .map(|(strip, shape)| {
                 let shape = StripShape::from_column_slice(shape);
-                if derivative {
+                let found = if derivative {
                     strip.air_and_derivative(air, &shape)
                 } else {
                     strip.air(air, &shape)
-                }
+                };
+                refuse_air(strip, air, &air.flow.velocity(strip.r_m), &shape, &found)?;
+                Ok(found)
             })
             .collect()
     }
@@ -195,20 +203,23 @@ impl Wing {
     }
 
     /// All loads when the strips have the given shapes.
-    pub fn loads(&self, shapes: &[f64]) -> Loads {
+    ///
+    /// # Errors
+    /// If the air's are not finite.
+    pub fn loads(&self, shapes: &[f64]) -> Result<Loads, CouplingError> {
         let mut loads = self.bench.clone();
-        for (load, air) in loads
-            .force_n
-            .iter_mut()
-            .zip(self.air_force(&self.strip_air(shapes, false)))
-        {
+        let air = self.air_force(&self.strip_air(shapes, false)?);
+        for (load, air) in loads.force_n.iter_mut().zip(air) {
             *load += air;
         }
-        loads
+        Ok(loads)
     }
 
     /// All loads on a shape: what equilibrium is judged by.
-    pub fn loads_on(&self, state: &State) -> Loads {
+    ///
+    /// # Errors
+    /// If the air's are not finite.
+    pub fn loads_on(&self, state: &State) -> Result<Loads, CouplingError> {
         self.loads(&self.strips.shapes(state))
     }
 

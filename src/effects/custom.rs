@@ -12,23 +12,24 @@
 
 mod target;
 
+mod trial;
+
 pub use target::VARIABLES;
 
 use num_dual::DualNum;
 
-use target::{ALONG, CHORD, TARGETS, TWIST_RATE, Target};
+use target::{ALONG, ALPHA, CHORD, PRESSURE, SPEED, TARGETS, TWIST, TWIST_RATE, Target};
+use trial::Section;
 
 use super::bind::number;
 use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam, WING_CHANNELS};
 use super::{Dual, Effect, EffectError, StripPlace, Structure, Values};
-use crate::aero::{Flow, SectionAir, SectionCoefficients};
+use crate::aero::{SectionAir, SectionCoefficients};
 use crate::geometry::Planform;
 use crate::input::Expression;
 use crate::input::design::Design;
 use crate::structure::StructureError;
 
-/// Steps in which a formula is tried along a spar.
-const STEPS_ALONG: u32 = 20;
 /// Keys of its table that are no numbers of the formula.
 const KEYS: [&str; 6] = ["kind", "acts_on", "expression", "strength", "units", "summary"];
 
@@ -175,58 +176,6 @@ impl Custom {
         Ok((custom, Values(vec![strength])))
     }
 
-    /// Refuses a formula that is not finite, or a stiffness that is not positive, somewhere on a wing.
-    ///
-    /// # Errors
-    /// With the place where it is not.
-    pub(super) fn try_out(&self, design: &Design, strength: f64) -> Result<(), EffectError> {
-        let length_m = design.planform.length_mm.value() * 1e-3;
-        for x in (0..=20).map(|step| f64::from(step) * 0.05) {
-            for degrees in [-40.0, -5.0, 0.0, 5.0, 45.0, 80.0] {
-                for speed in [0.1, 5.0, 20.0] {
-                    let alpha = f64::to_radians(degrees);
-                    let mut at = self.constants(design, x * length_m);
-                    at[CHORD] = 0.2 * length_m;
-                    (at[3], at[4], at[6]) = (alpha, root_angle(design) - alpha, speed);
-                    at[7] = 0.5 * at[8] * speed * speed;
-                    let is_stiffness = self.target.is_stiffness();
-                    let is_wrong = |value: f64| {
-                        !value.is_finite() || (is_stiffness && 1.0 + strength * (value - 1.0) <= 0.0)
-                    };
-                    let mut values = (0..=STEPS_ALONG).map(|step| {
-                        at[ALONG] = f64::from(step) / f64::from(STEPS_ALONG);
-                        (at[ALONG], self.formula.value(&at))
-                    });
-                    if let Some((along, value)) = values.find(|(_, value)| is_wrong(*value)) {
-                        let place = match self.formula.uses(ALONG) {
-                            true => format!("along = {along:.2}"),
-                            false => format!("alpha = {degrees} deg, U = {speed} m/s"),
-                        };
-                        return Err(EffectError::Own {
-                            name: self.name.clone(),
-                            key: "expression".to_string(),
-                            problem: format!("it is {value} at x = {x:.2}, {place}"),
-                            cure: if is_stiffness {
-                                "write a factor that stays positive from base to tip".to_string()
-                            } else {
-                                "write a formula that stays finite on the whole wing, e.g. with max(…, 1e-6)"
-                                    .to_string()
-                            },
-                        });
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// The outline, if the formula asks for its chord; a wing that is meshed has one.
-    fn planform(&self, design: &Design) -> Option<Planform> {
-        self.formula
-            .uses(CHORD)
-            .then(|| Planform::from_design(design).ok())?
-    }
-
     /// Factor of a beam's stiffness in its middle; of a spar `along` it.
     fn factor(
         &self,
@@ -259,6 +208,24 @@ impl Custom {
         Ok(())
     }
 
+    /// The variables on a strip, then the numbers.
+    fn on_strip(&self, section: &Section, alpha: Dual, speed_squared: Dual) -> Vec<Dual> {
+        let constants = self.constants(section.design, section.r_m).into_iter();
+        let mut at: Vec<Dual> = constants.map(Dual::from).collect();
+        at[CHORD] = Dual::from(section.chord_m);
+        at[ALPHA] = alpha;
+        at[TWIST] = -alpha + section.root_angle_rad;
+        at[TWIST_RATE] = Dual::from(section.twist_rate_rad_s);
+        // in still air the speed has no derivative, and its square none but zero
+        if speed_squared.re != 0.0 {
+            if speed_squared.re.is_nan() || speed_squared.re > 0.0 {
+                at[SPEED] = speed_squared.sqrt();
+            }
+            at[PRESSURE] = speed_squared * (0.5 * section.density_kg_m3);
+        }
+        at
+    }
+
     /// The variables with those known that do not depend on the air, then the numbers.
     fn constants(&self, design: &Design, r_m: f64) -> Vec<f64> {
         let mut at = vec![0.0; VARIABLES.len()];
@@ -272,10 +239,6 @@ impl Custom {
         at.extend(&self.numbers);
         at
     }
-}
-
-fn root_angle(design: &Design) -> f64 {
-    Flow::from_design(design).map_or(0.0, |flow| flow.root_angle_rad())
 }
 
 /// A number, stated or assumed within its range.
@@ -360,19 +323,7 @@ impl Effect for Custom {
         air: &SectionAir<Dual>,
         now: &mut SectionCoefficients<Dual>,
     ) {
-        let mut at: Vec<Dual> = self
-            .constants(place.design, place.r_m)
-            .into_iter()
-            .map(Dual::from)
-            .collect();
-        at[CHORD] = Dual::from(place.chord_m);
-        at[5] = Dual::from(place.twist_rate_rad_s());
-        at[3] = air.alpha;
-        at[4] = -air.alpha + place.root_angle_rad;
-        if air.speed_squared.re > 0.0 {
-            at[6] = air.speed_squared.sqrt();
-        }
-        at[7] = air.speed_squared * (0.5 * place.density_kg_m3);
+        let at = self.on_strip(&Section::of(place), air.alpha, air.speed_squared);
         let value = self.formula.value(&at) * values.strength();
         let factor = value - values.strength() + 1.0;
         match self.target {

@@ -96,6 +96,18 @@ pub enum EffectError {
         /// What to do.
         cure: String,
     },
+    /// The formula of an effect of the user's own cannot be computed somewhere on the wing.
+    #[error("effects.{name}.expression = '{}': {problem}; {cure}", shortened(.text))]
+    NoValue {
+        /// Name of the effect.
+        name: String,
+        /// The formula.
+        text: String,
+        /// What it is instead, and where.
+        problem: String,
+        /// What to do.
+        cure: String,
+    },
     /// The formula of an effect of the user's own cannot be read.
     #[error("effects.{name}.expression: {error}")]
     Formula {
@@ -104,4 +116,13 @@ pub enum EffectError {
         /// Where and why.
         error: ExpressionError,
     },
+}
+
+/// A formula as far as it fits into a sentence.
+fn shortened(text: &str) -> String {
+    const MOST: usize = 100;
+    match text.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_string(),
+    }
 }

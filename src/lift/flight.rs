@@ -64,7 +64,8 @@ impl InertialPower {
         let scale = inertia_kg_m2 * flight.stroke.half_amplitude_rad.powi(2) * rate.powi(3);
         let total = |instant: &Instant| {
             let (sin, cos) = instant.phase_rad.sin_cos();
-            (instant.power_w - scale * sin * cos).max(0.0)
+            let power_w = instant.power_w - scale * sin * cos;
+            if power_w < 0.0 { 0.0 } else { power_w }
         };
         let means = instants.windows(2).map(|pair| {
             let width = (pair[1].phase_rad - pair[0].phase_rad) / std::f64::consts::PI;

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::split_search::best_knots;
+use crate::structure::largest;
 
 /// A continuous broken line y(x): value at its start, rate of each piece, places where it bends.
 ///
@@ -164,10 +165,7 @@ impl Scale {
     fn of(points: &[[f64; 2]], anchor: Option<[f64; 2]>) -> Option<Scale> {
         let start = anchor.unwrap_or(points[0]);
         let length = points[points.len() - 1][0] - start[0];
-        let height = points
-            .iter()
-            .map(|point| (point[1] - start[1]).abs())
-            .fold(0.0, f64::max);
+        let height = largest(points.iter().map(|point| (point[1] - start[1]).abs()));
         let finite = points
             .iter()
             .flatten()

@@ -29,13 +29,17 @@ pub fn read_channel(
     profile: &TwistProfile,
     whole_wing: &BTreeMap<Channel, f64>,
 ) -> Result<ChannelReading, String> {
-    match row.channel {
+    let reading = match row.channel {
         Channel::Twist => twist(row, observer),
         Channel::TwistRate => twist_rate(row, profile),
         Channel::Deflection => displacement(row, observer, 2),
         Channel::ChordwiseDisplacement => displacement(row, observer, 1),
         Channel::SpanwiseDisplacement => displacement(row, observer, 0),
         channel => whole(channel, whole_wing),
+    }?;
+    match reading.value.is_finite() {
+        true => Ok(reading),
+        false => Err("the model gives no finite value for it".to_string()),
     }
 }
 
@@ -71,8 +75,7 @@ fn displacement(row: &Row, observer: &Observer, axis: usize) -> Result<ChannelRe
 
 fn whole(channel: Channel, whole_wing: &BTreeMap<Channel, f64>) -> Result<ChannelReading, String> {
     match whole_wing.get(&channel) {
-        Some(modelled) if modelled.is_finite() => Ok(value(*modelled)),
-        Some(_) => Err("the model gives no finite value for it".to_string()),
+        Some(modelled) => Ok(value(*modelled)),
         None => Err(why_missing(channel).to_string()),
     }
 }

@@ -3,6 +3,7 @@
 use crate::input::study::RulerKind;
 
 use super::video::VideoTwist;
+use crate::structure::{largest, smaller};
 
 /// Share of the smallest standard deviation of a reading below which a shared error does not matter.
 const NEGLIGIBLE: f64 = 0.1;
@@ -30,7 +31,7 @@ pub fn ruler_hints(video: &VideoTwist) -> Vec<RulerHint> {
         .readings
         .iter()
         .map(|r| r.sigma_rad)
-        .fold(f64::INFINITY, f64::min);
+        .fold(f64::INFINITY, smaller);
     let mut hints: Vec<RulerHint> = Vec::new();
     for shared in &video.shared {
         let moves: Vec<f64> = shared.moves_rad.iter().map(|rad| rad.to_degrees()).collect();
@@ -53,7 +54,7 @@ pub fn ruler_hints(video: &VideoTwist) -> Vec<RulerHint> {
             let left = moves.iter().zip(shape).map(|(m, s)| m - size * s);
             let left: Vec<f64> = left.collect();
             let misfit: f64 = weight.iter().zip(&left).map(|(w, l)| w * l * l).sum();
-            let most = left.iter().fold(0.0_f64, |most, l| most.max(l.abs()));
+            let most = largest(left.iter().map(|l| l.abs()));
             (kind, size.abs(), misfit, most)
         });
         let [offset, scale] = fits;

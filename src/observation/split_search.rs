@@ -4,6 +4,8 @@
 //! Assoc. 61, 1966, 1097) or bends at a point. Every split is tried with both kinds of break; a split whose free
 //! lines already leave more than the best so far is passed over.
 
+use crate::structure::larger;
+
 /// Knots `[x, y]` (start, bends, end) of the best continuous line with `pieces` pieces and at least `min_points`
 /// points on each; `points` rise and are scaled to the order of one. None if no split has a line.
 pub(super) fn best_knots(
@@ -166,7 +168,7 @@ impl Search<'_> {
             .map(|k| right[k] * y[k])
             .sum();
         let knots = x.iter().zip(&y).map(|(x, y)| [*x, *y]).collect();
-        Some(((total - explained).max(0.0), knots))
+        Some((larger(total - explained, 0.0), knots))
     }
 
     /// Knots of the continuous line: free neighbours must cross between their points; none if they do not.

@@ -8,6 +8,7 @@ use nalgebra::{Matrix2, Matrix6, Matrix6x2, SymmetricEigen, Vector6};
 
 use super::StructureError;
 use super::beam::Beam;
+use super::finite::{at, numbers_of_section, refuse_not_finite};
 use super::model::Model;
 use super::section::Section;
 use super::sheet::Sheet;
@@ -92,7 +93,7 @@ impl Section {
         about
     }
 
-    /// Whether it has a compliance that is none: no strain may give back energy.
+    /// Whether it has a compliance that is none, where all of it is finite: no strain may give back energy.
     fn check(&self) -> Result<(), StructureError> {
         let scale = self
             .compliance
@@ -100,9 +101,6 @@ impl Section {
             .map(|c| if c > 0.0 { 1.0 / c.sqrt() } else { 1.0 });
         let scale = Matrix6::from_diagonal(&scale);
         let scaled = scale * self.compliance * scale;
-        if !scaled.iter().all(|c| c.is_finite()) {
-            return Err(StructureError::SectionNotPositive { lowest: f64::NAN });
-        }
         let lowest = SymmetricEigen::new(scaled).eigenvalues.min();
         // a shear that is rigid leaves a zero
         if lowest < -1e-12 {
@@ -116,7 +114,7 @@ impl Model {
     /// Gives one beam element a section of its own, made from that which it has.
     ///
     /// # Errors
-    /// If the new section is none.
+    /// If the new section is none, or a number of it is not finite.
     pub fn change_section(
         &mut self,
         beam: usize,
@@ -124,10 +122,13 @@ impl Model {
     ) -> Result<(), StructureError> {
         let mut section = self.sections[self.beams[beam].section].clone();
         change(&mut section);
-        section.check()?;
-        let index = self.add_section(section);
         let old = &self.beams[beam];
         let ends = old.nodes.map(|node| self.nodes[node]);
+        let place = || format!("of the beam element {}", at((ends[0] + ends[1]) / 2.0));
+        refuse_not_finite(place, numbers_of_section(&section))?;
+        section.check()?;
+        self.sections.push(section);
+        let index = self.sections.len() - 1;
         let normal = old.axes().column(2).into_owned();
         self.beams[beam] = Beam::new(old.nodes, ends, &normal, index, &self.sections[index])?;
         Ok(())

@@ -4,6 +4,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::StructureError;
 use super::factor::Factor;
+use super::largest::larger;
 use super::loads::Loads;
 use super::model::Model;
 use super::pattern::Pattern;
@@ -149,15 +150,15 @@ impl<'m> Equilibrium<'m> {
     /// Scales of force (N) and moment (N·m) for the relative residual.
     pub fn scale(&self, state: &State, loads: &Loads) -> (f64, f64) {
         let (force, moment) = loads.size(state);
-        let force = force.max(self.rest_force_n).max(moment / self.extent_m);
-        let force = if force > 0.0 { force } else { 1.0 };
+        let force = larger(larger(force, self.rest_force_n), moment / self.extent_m);
+        let force = if force == 0.0 { 1.0 } else { force };
         (force, force * self.extent_m)
     }
 
-    /// Relative residual of the free freedoms.
+    /// Relative residual of the free freedoms; not a number if a force, a load or the shape is none.
     pub fn relative(&self, residual: &[f64], (force, moment): (f64, f64)) -> f64 {
         let (f, m) = split_norm(residual, |at| !self.held[at]);
-        (f / force).max(m / moment)
+        larger(f / force, m / moment)
     }
 
     /// Relative residual that rounding of displacements and of lengths of elements alone makes.
@@ -177,7 +178,7 @@ impl<'m> Equilibrium<'m> {
                 }
             }
         }
-        4.0 * f64::EPSILON * (force_floor.sqrt() / force).max(moment_floor.sqrt() / moment)
+        4.0 * f64::EPSILON * larger(force_floor.sqrt() / force, moment_floor.sqrt() / moment)
     }
 
     /// Factorizes the tangent at `state` under `loads` as it is; gives the number of negative pivots.
@@ -264,8 +265,8 @@ fn longest_sides(model: &Model) -> Vec<f64> {
     let beams = model.beams.iter().map(|beam| beam.nodes);
     for [a, b] in shells.flatten().chain(beams) {
         let side = (model.nodes[a] - model.nodes[b]).norm();
-        longest[a] = longest[a].max(side);
-        longest[b] = longest[b].max(side);
+        longest[a] = larger(longest[a], side);
+        longest[b] = larger(longest[b], side);
     }
     longest
 }

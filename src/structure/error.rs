@@ -1,5 +1,7 @@
 //! Why a structure cannot be built or solved.
 
+use super::finite::NotFinite;
+
 /// Why a structure cannot be built or solved.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StructureError {
@@ -65,6 +67,9 @@ pub enum StructureError {
         /// Newton steps in all.
         steps: usize,
     },
+    /// A number of it is not finite.
+    #[error("{0}; correct the numbers of the design that it is made from")]
+    NotFinite(#[from] NotFinite),
     /// The search for eigenvalues found none.
     #[error("the lowest mode was not found in {iterations} iterations")]
     NoMode {

@@ -13,6 +13,7 @@ use faer::sparse::linalg::cholesky::{
 use faer::{Conj, MatMut, Par, Side};
 
 use super::StructureError;
+use super::finite::NotFinite;
 use super::pattern::Pattern;
 
 /// Factor of a symmetric matrix with a fixed pattern.
@@ -99,7 +100,7 @@ impl Factor {
     /// LDLᵀ factor of a matrix that may be indefinite; gives the number of negative pivots.
     ///
     /// # Errors
-    /// If a pivot vanishes.
+    /// If a pivot vanishes or is not finite.
     pub fn indefinite(&mut self, pattern: &Pattern, matrix: &[f64]) -> Result<usize, StructureError> {
         let view = SparseColMatRef::new(pattern.symbolic(), matrix);
         self.kind = Kind::None;
@@ -113,13 +114,19 @@ impl Factor {
             Default::default(),
         );
         if let Err(faer::linalg::cholesky::ldlt::factor::LdltError::ZeroPivot { index }) = done {
-            let place = (index / 6).min(pattern.node_at.len() - 1);
-            return Err(StructureError::Singular {
-                node: pattern.node_at[place],
-            });
+            let node = node_of(pattern, index);
+            return Err(StructureError::Singular { node });
+        }
+        let pivots = self.pivots();
+        if let Some(index) = pivots.iter().position(|pivot| !pivot.is_finite()) {
+            return Err(StructureError::NotFinite(NotFinite {
+                quantity: "the stiffness",
+                place: format!("at node {}", node_of(pattern, index)),
+                value: pivots[index],
+            }));
         }
         self.kind = Kind::Ldlt;
-        Ok(self.pivots().into_iter().filter(|&pivot| pivot < 0.0).count())
+        Ok(pivots.into_iter().filter(|&pivot| pivot < 0.0).count())
     }
 
     fn pivots(&self) -> Vec<f64> {
@@ -174,6 +181,11 @@ impl Factor {
             Kind::None => right.fill(f64::NAN),
         }
     }
+}
+
+/// Node of a freedom in the order of the factor.
+fn node_of(pattern: &Pattern, freedom: usize) -> usize {
+    pattern.node_at[(freedom / 6).min(pattern.node_at.len() - 1)]
 }
 
 /// Memory that factorizing and one solve need.

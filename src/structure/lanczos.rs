@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, SymmetricEigen};
 
 use super::StructureError;
 use super::equilibrium::Equilibrium;
+use super::largest::smaller;
 use super::pattern::Pattern;
 use crate::progress::Progress;
 
@@ -83,7 +84,9 @@ impl Krylov {
     }
 
     fn norm(&self, pattern: &Pattern, vector: &[f64]) -> f64 {
-        dot(&pattern.multiply(&self.mass, vector), vector).max(0.0).sqrt()
+        // rounding may leave a little less than nothing
+        let square = dot(&pattern.multiply(&self.mass, vector), vector);
+        if square < 0.0 { 0.0 } else { square.sqrt() }
     }
 
     /// Mass matrix that it was made with.
@@ -124,6 +127,9 @@ impl Krylov {
             let forces = self.momentum[from..].to_vec();
             for vector in answer(equilibrium, forces) {
                 let parts = self.add(&equilibrium.pattern, vector);
+                if parts.iter().any(|part| !part.is_finite()) {
+                    return Err(self.none_found());
+                }
                 self.projected.push(parts);
             }
             let exhausted = self.projected.len() == self.basis.len();
@@ -131,9 +137,13 @@ impl Krylov {
                 return Ok(found);
             }
         }
-        Err(StructureError::NoMode {
+        Err(self.none_found())
+    }
+
+    fn none_found(&self) -> StructureError {
+        StructureError::NoMode {
             iterations: self.basis.len(),
-        })
+        }
     }
 
     /// The lowest modes of the projected problem, if they have converged.
@@ -166,8 +176,8 @@ impl Krylov {
             let others = order.iter().map(|&other| (value(other) - value(k)).abs());
             let apart = others
                 .filter(|&apart| apart > 10.0 * missing)
-                .fold(value(k), f64::min);
-            missing.min(missing * missing / apart) <= TOLERANCE * value(k)
+                .fold(value(k), smaller);
+            smaller(missing, missing * missing / apart) <= TOLERANCE * value(k)
         };
         let wanted = &order[..count.min(order.len())];
         let all = wanted.iter().all(met);

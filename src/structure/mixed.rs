@@ -13,6 +13,7 @@ use nalgebra::{SVector, UnitQuaternion, Vector3};
 use super::StructureError;
 use super::corotational::Response;
 use super::equilibrium::Equilibrium;
+use super::largest::larger;
 use super::loads::Loads;
 use super::model::{Aid, Guess};
 use super::newton::TURN_OF_FILM;
@@ -93,7 +94,7 @@ impl Equilibrium<'_> {
     /// Tension that holds flat films of the structure against the first step under `loads`, N/m; 0 without films.
     pub fn starting_tension_n_per_m(&self, state: &State, loads: &Loads) -> f64 {
         let (force, moment) = loads.size(state);
-        Taming::new(self.model, force.max(moment / self.extent_m)).tension_n_per_m()
+        Taming::new(self.model, larger(force, moment / self.extent_m)).tension_n_per_m()
     }
 }
 

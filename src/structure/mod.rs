@@ -14,7 +14,11 @@ pub mod error;
 
 pub mod factor;
 
+pub mod finite;
+
 pub mod lanczos;
+
+pub mod largest;
 
 pub mod loads;
 
@@ -60,6 +64,8 @@ pub use beam::Beam;
 pub use blend::Blend;
 pub use equilibrium::{Equilibrium, Tangent};
 pub use error::StructureError;
+pub use finite::{NotFinite, refuse_not_finite};
+pub use largest::{larger, largest, smaller};
 pub use loads::{ArmForce, BeamTwist, LinearForce, Loads};
 pub use mass::{MassProperties, mass_matrix};
 pub use mixed::Mixed;

@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 use super::StructureError;
 use super::equilibrium::Equilibrium;
 use super::factor::Factor;
+use super::finite::{each, refuse_not_finite};
 use super::lanczos::{Krylov, Ritz};
 use super::loads::Loads;
 use super::mass::mass_matrix;
@@ -47,7 +48,7 @@ pub struct Mode {
 /// `across_kg_m2`: see [`mass_matrix`]; empty in a vacuum. Held freedoms do not move.
 ///
 /// # Errors
-/// If the tangent is singular, the search finds fewer modes than Sturm's count, or the user asks to stop.
+/// If the tangent is singular, a mass is not finite, the search finds fewer modes than Sturm's count, or the user asks to stop.
 pub fn lowest_modes(
     equilibrium: &mut Equilibrium,
     state: &State,
@@ -66,6 +67,11 @@ pub fn lowest_modes(
         for (component, _) in held.iter().enumerate().filter(|(_, held)| **held) {
             mass[equilibrium.pattern.diagonal(node, component)] = 0.0;
         }
+    }
+    for node in 0..equilibrium.model.nodes.len() {
+        let of_node = (0..6).map(|part| &mass[equilibrium.pattern.diagonal(node, part)]);
+        let place = || format!("that moves with the wing {}", equilibrium.model.place(node));
+        refuse_not_finite(place, each("the mass (kg, kg·m²)", of_node))?;
     }
     let mut space = Krylov::new(mass);
     for start in 0..MAX_STARTS {

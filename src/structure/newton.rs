@@ -6,6 +6,7 @@
 
 use super::StructureError;
 use super::equilibrium::Equilibrium;
+use super::largest::{larger, largest};
 use super::loads::Loads;
 use super::model::{Aid, Guess};
 use super::sheet::{Compression, Sheet};
@@ -64,7 +65,7 @@ impl Equilibrium<'_> {
     /// Moves `state`, in equilibrium under `from`, to equilibrium under `to`.
     ///
     /// # Errors
-    /// If none is found; `state` is then left as it was.
+    /// If none is found, or a load is not finite; `state` is then left as it was.
     pub fn solve(
         &mut self,
         state: &mut State,
@@ -73,6 +74,7 @@ impl Equilibrium<'_> {
         settings: &NewtonSettings,
         progress: &Progress,
     ) -> Result<NewtonReport, StructureError> {
+        to.refuse_not_finite(self.model)?;
         let mut report = NewtonReport::default();
         let mut step = 1.0 / settings.increments.max(1) as f64;
         let mut share = 0.0;
@@ -132,7 +134,7 @@ impl Equilibrium<'_> {
         let mut state = start.clone();
         let scale = self.scale(&state, loads);
         let (force, moment) = loads.size(&state);
-        let mut taming = Taming::new(self.model, force.max(moment / self.extent_m));
+        let mut taming = Taming::new(self.model, larger(force, moment / self.extent_m));
         let mut aid = Aid::default();
         let mut raise = 0.0;
         let (mut best, mut last) = (f64::INFINITY, f64::INFINITY);
@@ -172,7 +174,10 @@ impl Equilibrium<'_> {
             } else {
                 way
             };
-            let step = self.step(&state, &residual, taming.tension_n_per_m(), way, &mut raise)?;
+            let step = match self.step(&state, &residual, taming.tension_n_per_m(), way, &mut raise) {
+                Err(StructureError::NotFinite(_)) => return Ok(Err(best)),
+                found => found?,
+            };
             report.steps += 1;
             let next = match way {
                 Way::Whole => {
@@ -335,7 +340,7 @@ impl Equilibrium<'_> {
     /// Longest share of a step to take: no node turns by more than `turn`, rad.
     pub(super) fn longest(&self, step: &[f64], turn: f64) -> f64 {
         let square = |spin: &[f64]| spin[3..6].iter().map(|r| r * r).sum::<f64>();
-        let largest = step.chunks_exact(6).map(square).fold(0.0, f64::max).sqrt();
-        if largest > turn { turn / largest } else { 1.0 }
+        let most = largest(step.chunks_exact(6).map(square)).sqrt();
+        if most > turn { turn / most } else { 1.0 }
     }
 }

@@ -7,6 +7,7 @@
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3};
 
 use super::StructureError;
+use super::largest::largest;
 use super::skin::Skin;
 
 /// Elastic and inertial properties of a section about its reference axis.
@@ -71,6 +72,9 @@ impl Section {
                 .map(|d| if d > 0.0 { 1.0 / d.sqrt() } else { 1.0 }),
         );
         let scaled = scale * stiffness * scale;
+        if !scaled.iter().all(|part| part.is_finite()) {
+            return Err(StructureError::SectionNotPositive { lowest: f64::NAN });
+        }
         let lowest = SymmetricEigen::new(scaled).eigenvalues.min();
         let inverse = stiffness.try_inverse().filter(|_| lowest > 1e-12);
         let compliance = inverse.ok_or(StructureError::SectionNotPositive { lowest })?;
@@ -239,7 +243,7 @@ impl Section {
             mass_kg_m: mass,
             inertia_kg_m: Vector3::new(inertia_edge + inertia_flap, inertia_flap, inertia_edge),
             fibres,
-            shear_per_twist_rate_pa_m: plies.iter().map(|p| p.q_pa[(2, 2)]).fold(0.0, f64::max) * total,
+            shear_per_twist_rate_pa_m: largest(plies.iter().map(|p| p.q_pa[(2, 2)])) * total,
             skin: None,
         })
     }

@@ -6,6 +6,7 @@
 
 use nalgebra::{Matrix3, SVector, Vector2, Vector3, Vector6};
 
+use super::largest::{larger, smaller};
 use super::model::Model;
 use super::section::Section;
 use super::sheet::Sheet;
@@ -122,8 +123,8 @@ pub fn film_stress(
     for (shell, n) in model.shells.iter().zip(force_n_per_m) {
         let sheet = &model.sheets[shell.sheet];
         let [first, second] = principal(n);
-        largest = largest.max(first);
-        smallest = smallest.min(second);
+        largest = larger(largest, first);
+        smallest = smaller(smallest, second);
         area += shell.area_m2();
         // rounding of an unloaded film is no wrinkle
         if second < -1e-15 * sheet.e_pa * sheet.thickness_m {
@@ -136,11 +137,11 @@ pub fn film_stress(
             let stress: [f64; 3] =
                 std::array::from_fn(|i| membrane[i] / t + side * 6.0 * bending[i] / (t * t));
             let [a, b] = principal(&stress);
-            a.abs().max(b.abs())
+            larger(a.abs(), b.abs())
         });
         let place: Vector3<f64> = shell.nodes.iter().map(|&node| model.nodes[node]).sum();
         peaks.push(Peak {
-            stress_pa: faces[0].max(faces[1]),
+            stress_pa: larger(faces[0], faces[1]),
             place_m: place / 3.0,
             strength_pa,
         });
@@ -214,9 +215,13 @@ fn worst(peaks: Vec<Peak>) -> Option<Peak> {
         Some(strength) if all => peak.stress_pa / strength,
         _ => peak.stress_pa,
     };
-    peaks
-        .into_iter()
-        .reduce(|a, b| if rank(&b) > rank(&a) { b } else { a })
+    peaks.into_iter().reduce(|a, b| {
+        if rank(&a).is_nan() || rank(&a) >= rank(&b) {
+            a
+        } else {
+            b
+        }
+    })
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 //! regimes (taut, wrinkled, slack) chatter. Two additions to the tangent damp both: a fictitious tension, and a share of
 //! compression that it pretends to carry. Both fall away as the residual does; the residual itself never has them.
 
+use super::largest::largest;
 use super::model::Model;
 use super::sheet::Compression;
 
@@ -42,9 +43,7 @@ impl Taming {
             matches!(sheet.compression, Compression::TensionField { .. })
                 || bending < 1e-3 * force_n * area.sqrt()
         });
-        let stretching = films
-            .map(|sheet| sheet.e_pa * sheet.thickness_m)
-            .fold(0.0, f64::max);
+        let stretching = largest(films.map(|sheet| sheet.e_pa * sheet.thickness_m));
         let tension_n_per_m = if area > 0.0 {
             TENSION_SHARE * (force_n * force_n / area * stretching / 24.0).cbrt()
         } else {

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::StructureError;
+use super::largest::larger;
 use super::loads::{ArmForce, Loads};
 use super::material;
 use super::model::{Model, PointMass, Spring};
@@ -206,8 +207,8 @@ fn rib_section(design: &Design) -> Result<Section, StructureError> {
     let (mut bending, mut axial) = (0.0_f64, 0.0_f64);
     for rod in &design.rod {
         let section = material::section(design, &rod.section, rod.material.as_ref())?;
-        bending = bending.max(section.gj_n_m2()).max(section.ei_flap_n_m2());
-        axial = axial.max(section.axial_stiffness_n());
+        bending = larger(larger(bending, section.gj_n_m2()), section.ei_flap_n_m2());
+        axial = larger(axial, section.axial_stiffness_n());
     }
     let bending = bending * design.ribs.as_ref().map_or(1.0, |ribs| ribs.stiffness_ratio);
     Ok(Section::uncoupled(axial, bending, bending, bending))

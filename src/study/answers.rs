@@ -41,9 +41,9 @@ impl PreparedCase {
         let elsewhere = self.elsewhere(design, columns)?;
         let mut sensitivity = match tangent {
             Some(tangent) => Sensitivity::with_tangent(design, wing, table, solution, &remesh, tangent),
-            None => Sensitivity::new(design, wing, table, solution, &remesh)
-                .map_err(|error| self.failed(error))?,
-        };
+            None => Sensitivity::new(design, wing, table, solution, &remesh),
+        }
+        .map_err(|error| self.failed(error))?;
         let mut rates = Vec::new();
         for (
             Asked {

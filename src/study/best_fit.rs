@@ -3,6 +3,7 @@
 use super::calibrate::{Fit, Task, calibrate};
 use super::error::StudyError;
 use super::forward::{Forward, UnknownKind};
+use crate::structure::largest;
 
 /// Q by which a fit must be better than another to stand in its place; and the part of the plausible size by which its strength must lie
 /// nearer to what is plausible if it is as good.
@@ -27,7 +28,7 @@ pub fn best_fit(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> {
         let [low, high] = unknown.range;
         let beyond = |fit: &Fit| {
             let strength = fit.at[effect];
-            (plausible[0] - strength).max(strength - plausible[1]).max(0.0)
+            largest([plausible[0] - strength, strength - plausible[1]])
         };
         for size in [scale, -scale] {
             if !(low..=high).contains(&size) {

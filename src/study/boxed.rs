@@ -2,6 +2,8 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+use crate::structure::larger;
+
 /// Minimizes ½ dᵀ `curvature` d − `push`ᵀ d with `low` ≤ d ≤ `high`, by active sets.
 ///
 /// `curvature` is positive definite; where it is not, the push itself is taken, clamped.
@@ -21,7 +23,7 @@ pub fn least_in_box(
             break;
         };
         best = found;
-        let beyond = |k: usize| (low[k] - best[k]).max(best[k] - high[k]);
+        let beyond = |k: usize| larger(low[k] - best[k], best[k] - high[k]);
         let worst = (0..size)
             .filter(|&k| !held[k])
             .max_by(|&a, &b| beyond(a).total_cmp(&beyond(b)));

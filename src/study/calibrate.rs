@@ -7,6 +7,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::input::measurement::Bound;
+use crate::structure::{larger, smaller};
 
 use super::boxed::least_in_box;
 use super::error::StudyError;
@@ -75,8 +76,8 @@ pub fn misfit(observable: &Observable, modelled: f64) -> f64 {
     let error = observable.value - modelled;
     match observable.bound {
         Bound::None => error,
-        Bound::Upper => error.min(0.0),
-        Bound::Lower => error.max(0.0),
+        Bound::Upper => smaller(error, 0.0),
+        Bound::Lower => larger(error, 0.0),
     }
 }
 
@@ -219,7 +220,7 @@ impl Local {
             let [low, high] = unknowns[i].range;
             moved[i] = (at[i] + step[k] * unknowns[i].sigma).clamp(low, high);
             let width = unknowns[i].sigma / diagonal[k].sqrt();
-            size = size.max((moved[i] - at[i]).abs() / width);
+            size = larger(size, (moved[i] - at[i]).abs() / width);
         }
         Moved { at: moved, size }
     }

@@ -8,6 +8,8 @@
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
+use crate::structure::largest;
+
 /// A sparse quadratic polynomial.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surrogate {
@@ -58,8 +60,8 @@ impl Surrogate {
     pub fn fit(points: &[Vec<f64>], values: &[f64]) -> Option<Surrogate> {
         let inputs = points.first()?.len();
         let total = centred(values).norm_squared();
-        let size = values.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
-        if values.len() < 4 || total <= (1e-12 * size).powi(2) * values.len() as f64 {
+        let size = largest(values.iter().map(|value| value.abs()));
+        if values.len() < 4 || !(total > (1e-12 * size).powi(2) * values.len() as f64) {
             return None;
         }
         let mut chosen: Vec<Term> = Vec::new();

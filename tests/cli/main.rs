@@ -29,6 +29,8 @@ mod modes;
 
 mod modest;
 
+mod not_finite;
+
 mod one_wing;
 
 mod overlooked;

@@ -135,7 +135,7 @@ fn force_and_moment_on_a_stretched_and_turned_wing_are_the_sums_over_its_strips(
         for (u, x) in state.displacement.iter_mut().zip(&wing.mesh.nodes) {
             *u = stretch * Vector3::from(*x) - Vector3::from(*x);
         }
-        let air = coupled.strip_air(&coupled.strips.shapes(&state), false);
+        let air = coupled.strip_air(&coupled.strips.shapes(&state), false).unwrap();
         let nodal = coupled.air_force(&air);
         let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
         for ((f, x), u) in nodal.iter().zip(&wing.mesh.nodes).zip(&state.displacement) {

@@ -31,20 +31,23 @@ fn tangent_error(name: &str, refine: &str, move_m: f64) -> f64 {
     let wing = Wing::new(&shipped.design, &shipped.mesh, None).unwrap();
     let mut equilibrium = Equilibrium::new(&wing.model).unwrap();
     let state = &solution.state;
-    equilibrium.factorize(state, &wing.loads_on(state)).unwrap();
+    equilibrium
+        .factorize(state, &wing.loads_on(state).unwrap())
+        .unwrap();
     let shapes = wing.strips.shapes(state);
     let mut worst = 0.0_f64;
     let mut known = Recycled::new();
     for seed in 0..4 {
         let right = loads(&wing, &equilibrium, &mut Noise(seed));
         let x = Feedback::new(&wing, &mut equilibrium, &shapes)
+            .unwrap()
             .solve(&right, EXACT, &mut known)
             .unwrap();
         let step = move_m / x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let residual = |share: f64| {
             let moved = equilibrium.moved(state, &x, share);
             wing.model
-                .residual(&equilibrium.pattern, &moved, &wing.loads_on(&moved))
+                .residual(&equilibrium.pattern, &moved, &wing.loads_on(&moved).unwrap())
         };
         let (up, down) = (residual(step), residual(-step));
         let slope: Vec<f64> = up
@@ -53,6 +56,7 @@ fn tangent_error(name: &str, refine: &str, move_m: f64) -> f64 {
             .map(|(a, b)| (a - b) / (2.0 * step))
             .collect();
         let back = Feedback::new(&wing, &mut equilibrium, &shapes)
+            .unwrap()
             .solve(&slope, EXACT, &mut known)
             .unwrap();
         let norm = |v: &mut dyn Iterator<Item = f64>| v.map(|v| v * v).sum::<f64>().sqrt();
@@ -76,7 +80,9 @@ fn what_solves_before_have_told_spares_work_and_changes_no_digit_that_counts() {
     let wing = Wing::new(&shipped.design, &shipped.mesh, None).unwrap();
     let mut equilibrium = Equilibrium::new(&wing.model).unwrap();
     let state = &solution.state;
-    equilibrium.factorize(state, &wing.loads_on(state)).unwrap();
+    equilibrium
+        .factorize(state, &wing.loads_on(state).unwrap())
+        .unwrap();
     let shapes = wing.strips.shapes(state);
     // the same wing with its strips turned a little: a feedback nearby
     let turned: Vec<f64> = shapes
@@ -100,10 +106,12 @@ fn what_solves_before_have_told_spares_work_and_changes_no_digit_that_counts() {
         }
         let mut alone = Recycled::new();
         let fresh = Feedback::new(&wing, &mut equilibrium, shapes)
+            .unwrap()
             .solve(right, EXACT, &mut alone)
             .unwrap();
         let (before, is_first) = (kept.len(), kept.is_empty() && !change);
         let again = Feedback::new(&wing, &mut equilibrium, shapes)
+            .unwrap()
             .solve(right, EXACT, &mut kept)
             .unwrap();
         let size = fresh.iter().fold(0.0_f64, |m, v| m.max(v.abs()));

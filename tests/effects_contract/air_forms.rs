@@ -47,7 +47,7 @@ pub fn strips(design: &Design, twist_rad: f64) -> Vec<Found> {
     let flow = wing.air.as_ref().unwrap().flow;
     let stream = flow.velocity(0.05).normalize();
     let across = flow.lift_direction();
-    let air = wing.strip_air(&wing.strips.shapes(&state), false);
+    let air = wing.strip_air(&wing.strips.shapes(&state), false).unwrap();
     let found = |(strip, air): (
         &washout::coupling::strips::Strip,
         &washout::coupling::strips::StripAir,

@@ -39,7 +39,9 @@ pub fn solve(design: &Design) -> Solution {
 fn air_at_rest(design: &Design) -> (Vec<f64>, Vector3<f64>) {
     let (_, mesh) = for_design(design, None).unwrap();
     let wing = Wing::new(design, &mesh, None).unwrap();
-    let air = wing.strip_air(&wing.strips.shapes(&State::at_rest(mesh.nodes.len())), false);
+    let air = wing
+        .strip_air(&wing.strips.shapes(&State::at_rest(mesh.nodes.len())), false)
+        .unwrap();
     let nodal = wing.air_force(&air);
     let moment = nodal
         .iter()

@@ -23,7 +23,9 @@ const CHORD_M: f64 = 0.02;
 fn strips(design: &Design, motion: &Motion) -> Vec<[f64; 3]> {
     let (_, mesh) = for_design(design, None).unwrap();
     let wing = Wing::with_motion(design, &mesh, None, Some(Arc::new(motion.clone()))).unwrap();
-    let air = wing.strip_air(&wing.strips.shapes(&State::at_rest(mesh.nodes.len())), false);
+    let air = wing
+        .strip_air(&wing.strips.shapes(&State::at_rest(mesh.nodes.len())), false)
+        .unwrap();
     let strips = wing.strips.strips.iter().zip(&air);
     strips
         .map(|(strip, air)| {

@@ -22,7 +22,7 @@ fn air(design: &Design) -> (f64, f64) {
     let (_, mesh) = for_design(design, None).unwrap();
     let wing = Wing::new(design, &mesh, None).unwrap();
     let shapes = wing.strips.shapes(&State::at_rest(mesh.nodes.len()));
-    let force = wing.air_force(&wing.strip_air(&shapes, false));
+    let force = wing.air_force(&wing.strip_air(&shapes, false).unwrap());
     let nodes = force.iter().zip(&mesh.nodes);
     nodes.fold((0.0, 0.0), |(total, moment), (force, x)| {
         (total + force.z, moment + force.z * x[1])
@@ -155,7 +155,7 @@ fn a_formula_of_ones_own_may_brake_by_the_twist_rate() {
     let motion = wing.motion.clone().unwrap();
     let shapes = wing.strips.shapes(&State::at_rest(mesh.nodes.len()));
     let sum = |wing: &Wing| -> f64 {
-        let force = wing.air_force(&wing.strip_air(&shapes, false));
+        let force = wing.air_force(&wing.strip_air(&shapes, false).unwrap());
         force
             .iter()
             .zip(&mesh.nodes)

@@ -120,7 +120,7 @@ fn energy_over_the_stroke_closes_and_half_strokes_mirror_each_other() {
                 still.to_degrees(),
                 twist.to_degrees(),
                 rate.to_degrees(),
-                found.at(0.0).drag_ratio
+                found.at(0.0).unwrap().drag_ratio
             );
         }
         let frequencies: Vec<f64> = found.modes.iter().map(|mode| mode.frequency_hz.round()).collect();
@@ -205,7 +205,7 @@ fn a_stiff_plate_needs_the_moment_of_its_inertia_about_the_rod() {
         let turning = mass * width * width / 3.0 * jerk * found.stroke.rate_rad_s.powi(2);
         let sweeping = mass * 0.5 * width * (0.05 + 0.03) * found.stroke.sweep_acceleration(phase);
         let exact = -(turning + sweeping);
-        let moment = found.instant(phase).stop_moment_n_m;
+        let moment = found.instant(phase).unwrap().stop_moment_n_m;
         let size = turning.abs() + sweeping.abs();
         assert!(
             (moment - exact).abs() < 0.01 * size,
@@ -235,7 +235,7 @@ fn as_inertia_vanishes_forces_and_stop_are_those_of_standing_still() {
         let forces = Forces::of_strips("still", &still.strips);
         let stop = -still.report.reaction_moment_n_m[0];
         for half in [0.0, PI] {
-            let now = found.instant(f64::to_radians(degrees) + half);
+            let now = found.instant(f64::to_radians(degrees) + half).unwrap();
             for (moving, standing) in [
                 (now.forces.lift_n * 1e3, forces.lift_mn),
                 (now.forces.drag_n * 1e3, forces.drag_mn),

@@ -18,8 +18,16 @@ pub static VARIABLES: [&str; 13] = [
     "phase",
     "along",
 ];
+/// Units of [`VARIABLES`] behind x; along has none.
+pub(super) const UNITS: [&str; 12] = [
+    "m", "m", "rad", "rad", "rad/s", "m/s", "Pa", "kg/m³", "Hz", "rad", "rad", "",
+];
 pub(super) const CHORD: usize = 2;
+pub(super) const ALPHA: usize = 3;
+pub(super) const TWIST: usize = 4;
 pub(super) const TWIST_RATE: usize = 5;
+pub(super) const SPEED: usize = 6;
+pub(super) const PRESSURE: usize = 7;
 pub(super) const ALONG: usize = 12;
 /// Those that a rod knows.
 const OF_A_ROD: [&str; 7] = ["x", "r", "chord", "rho", "f", "Phi", "phase"];

@@ -3,25 +3,15 @@
 //! Numbers, names, `+ - * / ^` (power binds tighter than a sign, and to the right), brackets, and the functions of
 //! [`FUNCTIONS`]. Nothing else can be written, so that a formula can neither hang nor reach outside.
 
+mod functions;
+
+pub use functions::FUNCTIONS;
+
 use num_dual::DualNum;
 use thiserror::Error;
 
 use super::nearest_word;
-
-/// Functions, with the number of their arguments.
-pub const FUNCTIONS: &[(&str, usize)] = &[
-    ("sin", 1),
-    ("cos", 1),
-    ("tan", 1),
-    ("atan", 1),
-    ("tanh", 1),
-    ("exp", 1),
-    ("ln", 1),
-    ("sqrt", 1),
-    ("abs", 1),
-    ("min", 2),
-    ("max", 2),
-];
+use functions::{call, divide, power, power_of};
 
 /// Brackets and powers within each other at most.
 const DEEPEST: usize = 64;
@@ -112,7 +102,8 @@ impl Expression {
         self.steps.contains(&Step::Variable(variable))
     }
 
-    /// The value, for the variables in the order of the names; not finite where the formula is not (1/0, ln 0).
+    /// The value, for the variables in the order of the names, of numbers or dual numbers of first order; not finite where the
+    /// formula is not (1/0, ln 0), and its derivative only where that is not (√0).
     pub fn value<D: DualNum<Primitive = f64> + Copy>(&self, variables: &[D]) -> D {
         let nothing = D::from(f64::NAN);
         if variables.len() < self.variables {
@@ -142,41 +133,14 @@ impl Expression {
                         Step::Add => first + last,
                         Step::Subtract => first - last,
                         Step::Multiply => first * last,
-                        Step::Divide => first / last,
-                        _ => (first.ln() * last).exp(),
+                        Step::Divide => divide(first, last),
+                        _ => power_of(first, last),
                     }
                 }
             };
             stack.push(last);
         }
         stack.pop().unwrap_or(nothing)
-    }
-}
-
-fn call<D: DualNum<Primitive = f64> + Copy>(name: &str, a: D, b: D) -> D {
-    match name {
-        "sin" => a.sin(),
-        "cos" => a.cos(),
-        "tan" => a.tan(),
-        "atan" => a.atan(),
-        "tanh" => a.tanh(),
-        "exp" => a.exp(),
-        "ln" => a.ln(),
-        "sqrt" => a.sqrt(),
-        "abs" if a.re() < 0.0 => -a,
-        "min" if b.re() < a.re() => b,
-        "max" if b.re() > a.re() => b,
-        _ => a,
-    }
-}
-
-/// a^b; for whole b also for negative a. Positive whole powers are products: the derivative of `powi` is no number at 0.
-fn power<D: DualNum<Primitive = f64> + Copy>(a: D, b: f64) -> D {
-    let is_whole = b.fract() == 0.0 && b.abs() <= 64.0;
-    match is_whole {
-        true if b > 0.0 => (1..b as usize).fold(a, |product, _| product * a),
-        true => a.powi(b as i32),
-        false => a.powf(b),
     }
 }
 

@@ -66,6 +66,83 @@ fn derivatives_come_with_dual_numbers() {
     assert_eq!(slope("abs(x) + max(x, 0) + x^2", -1.0), -3.0);
 }
 
+/// Value and slope by hand, where parts of the way to them overflow or vanish.
+#[test]
+fn value_and_slope_are_finite_wherever_mathematics_has_them_so() {
+    for (text, x, value, slope) in [
+        ("tanh(x)", 1e3, 1.0, 0.0),
+        ("tanh(x)", -400.0, -1.0, 0.0),
+        ("tanh(1e6 * x)", 3e-4, 1.0, 0.0),
+        ("tanh(exp(x))", 705.0, 1.0, 0.0),
+        ("atan(exp(x))", 800.0, std::f64::consts::FRAC_PI_2, 0.0),
+        ("atan(-exp(x))", 705.0, -std::f64::consts::FRAC_PI_2, 0.0),
+        ("1 / (1 + exp(x))", 400.0, (-400f64).exp(), -(-400f64).exp()),
+        ("1 / (1 + exp(2000 * x))", 0.354, 0.0, 0.0),
+        ("1 / (1 + exp(x))", 800.0, 0.0, 0.0),
+        ("(1 + exp(x))^-1", 800.0, 0.0, 0.0),
+        ("(1 + exp(x))^-1.5", 800.0, 0.0, 0.0),
+        ("(exp(x) - exp(-x)) / (exp(x) + exp(-x))", 600.0, 1.0, 0.0),
+        ("exp(-exp(x))", 800.0, 0.0, 0.0),
+        ("x^2.5", 0.0, 0.0, 0.0),
+        ("x^1.5", 1e-250, 0.0, 1.5e-125),
+        ("x^0.5", 1e-200, 1e-100, 5e99),
+        ("x^-3", 1e80, 1e-240, 0.0),
+        ("x^-1", 1e-100, 1e100, -1e200),
+        ("x^x * 0 + x^(x + 2)", 1.0, 1.0, 3.0),
+        ("x^(x + 2)", 0.0, 0.0, 0.0),
+        ("abs(x)", 0.0, 0.0, 1.0),
+        ("max(x, 0)", 0.0, 0.0, 1.0),
+        ("sqrt(max(abs(x), 1e-6))", 0.0, 1e-3, 0.0),
+        ("abs(x)^3", 0.0, 0.0, 0.0),
+        ("x^0", 0.0, 1.0, 0.0),
+    ] {
+        let read = Expression::parse(text, &["x"]).unwrap();
+        let dual = read.value(&[Dual64::new(x, 1.0)]);
+        let near = |found: f64, by_hand: f64| (found - by_hand).abs() <= 1e-12 * by_hand.abs().max(1e-90);
+        assert!(near(dual.re, value), "{text} at {x}: {} is not {value}", dual.re);
+        assert!(
+            near(dual.eps, slope),
+            "{text} at {x}: slope {} is not {slope}",
+            dual.eps
+        );
+        let plain: f64 = read.value(&[x]);
+        assert!(near(plain, value), "{text} at {x}: {plain} is not {value}");
+    }
+}
+
+/// Their value is 0, and they rise upright from there.
+#[test]
+fn a_root_at_zero_has_its_value_and_no_finite_slope() {
+    for text in ["sqrt(x)", "x^0.5", "abs(x)^0.3", "sqrt(abs(x))", "x^(x + 0.5)"] {
+        let read = Expression::parse(text, &["x"]).unwrap();
+        let found = read.value(&[Dual64::new(0.0, 1.0)]);
+        assert_eq!(found.re, 0.0, "{text}");
+        assert!(!found.eps.is_finite(), "{text}: {}", found.eps);
+        assert_eq!(read.value(&[0.0]), 0.0, "{text}");
+    }
+}
+
+#[test]
+fn no_function_loses_what_is_not_a_number() {
+    for text in [
+        "min(sqrt(x), 1)",
+        "min(1, sqrt(x))",
+        "max(sqrt(x), 1)",
+        "max(1, sqrt(x))",
+        "abs(sqrt(x))",
+        "tanh(ln(x))",
+        "1 / sqrt(x)",
+        "sqrt(x)^3",
+        "sqrt(x)^-3",
+        "2^sqrt(x)",
+        "0 * sqrt(x)",
+    ] {
+        let read = Expression::parse(text, &["x"]).unwrap();
+        assert!(read.value(&[-1f64]).is_nan(), "{text}");
+        assert!(read.value(&[Dual64::new(-1.0, 1.0)]).re.is_nan(), "{text}");
+    }
+}
+
 /// A formula as text, with its value computed beside.
 fn formula() -> impl Strategy<Value = (String, f64)> {
     let leaf = prop_oneof![
