@@ -114,14 +114,8 @@ impl<'a> Sensitivity<'a> {
         } else {
             equilibrium.factorize(&solution.state, &wing.loads_on(&solution.state)?)?;
         }
-        Sensitivity::with_tangent(
-            design,
-            wing,
-            air_table,
-            solution,
-            remesh,
-            equilibrium.into_tangent(),
-        )
+        let tangent = equilibrium.into_tangent();
+        Sensitivity::with_tangent(design, wing, air_table, solution, remesh, tangent)
     }
 
     /// With the tangent that the solve of this wing has left.

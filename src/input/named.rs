@@ -97,7 +97,7 @@ mod tests {
             files.map(|file| file.sha256).collect()
         };
         let [mesh, air] = ["mesh", "air"].map(|text| crate::origin::sha256(text.as_bytes()));
-        assert_eq!(named(&[]), [mesh.clone()]);
+        assert_eq!(named(&[]), std::slice::from_ref(&mesh));
         assert_eq!(
             named(&["no.such=1", "air={coefficients=\"table\", table=\"air.csv\"}"]),
             [mesh, air]

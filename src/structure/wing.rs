@@ -66,7 +66,7 @@ pub fn wing_model_beside(
     support(design, mesh, &mut model);
     for load in &design.load {
         let mass_kg = load.mass_kg.value();
-        if mass_kg > 0.0 || load.inertia_kg_m2.iter().any(|&i| i > 0.0) {
+        if mass_kg != 0.0 || load.inertia_kg_m2.iter().any(|&i| i != 0.0) {
             for (node, arm_m, share) in carriers(mesh, load) {
                 let inertia_kg_m2 = Vector3::from(load.inertia_kg_m2) * share;
                 model.masses.push(PointMass {

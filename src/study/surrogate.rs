@@ -61,7 +61,8 @@ impl Surrogate {
         let inputs = points.first()?.len();
         let total = centred(values).norm_squared();
         let size = largest(values.iter().map(|value| value.abs()));
-        if values.len() < 4 || !(total > (1e-12 * size).powi(2) * values.len() as f64) {
+        let is_varied = total > (1e-12 * size).powi(2) * values.len() as f64;
+        if values.len() < 4 || !is_varied {
             return None;
         }
         let mut chosen: Vec<Term> = Vec::new();

@@ -135,16 +135,16 @@ fn a_second_effect_that_is_as_good_as_nothing_is_no_hypothesis_beside_the_first(
 /// A rod that is 25 times as soft has more strips than six: the strength ends where no more is accepted, and that is said.
 #[test]
 fn a_strength_at_the_end_of_what_is_accepted_is_marked() {
-    for (softer, is_at_end) in [(2.5, false), (25.0, true)] {
+    for (softer, is_at_end) in [(12.0, false), (25.0, true)] {
         let all = bench(&[2], softer, 1.0, None, 1);
         let head: Vec<&str> = all.lines().take(6).collect();
-        let candidates = "candidates = ['rod-split', 'warping-restraint']";
+        let candidates = "candidates = ['rod-shear-modulus', 'warping-restraint']";
         let said = on_bench(&(head.join("\n") + "\n"), candidates);
         let hypotheses = said["hypotheses"].as_array().unwrap().iter();
-        let mut split = hypotheses.filter(|h| h["effects"] == serde_json::json!(["rod-split"]));
-        let strength = &split.next().unwrap()["strengths"][0];
+        let mut own = hypotheses.filter(|h| h["effects"] == serde_json::json!(["rod-shear-modulus"]));
+        let strength = &own.next().unwrap()["strengths"][0];
         assert_eq!(strength["at_end"], is_at_end, "{strength}");
-        assert_eq!(strength["value"] == 12.0, is_at_end, "{strength}");
+        assert_eq!(strength["value"] == 20.0, is_at_end, "{strength}");
     }
 }
 

