@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 washout() { target/release/washout --quiet "$@" --json; }
 try=output/hidden-effect
 run=$try/three-rods.toml
+rm -rf "$try"
 
 echo "1. What could this campaign see at all, before anybody measures?"
 washout diagnose studies/three-rods.toml --plan | grep '"sentence"'

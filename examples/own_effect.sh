@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 washout() { target/release/washout --quiet "$@" --json; }
 try=output/own-effect
 run=$try/three-rods.toml
+rm -rf "$try"
 
 washout synthesize studies/three-rods.toml --own examples/loose_seam.toml --seed 21 --output $try >/dev/null
 washout diagnose $run --output $try/diagnosis | grep -m2 -E '"(sentence|verdict)"' | tee $try/first.txt

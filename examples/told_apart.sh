@@ -6,7 +6,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 washout() { target/release/washout --quiet "$@"; }
 try=output/told-apart
-mkdir -p $try
+rm -rf "$try"
+mkdir -p "$try"
 head=case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound
 rows() { for r in "${@:2}"; do echo "$1,twist,chord_rotation,deg,washout,,$r,,,0.01,stated,none"; done; }
 

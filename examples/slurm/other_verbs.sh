@@ -33,4 +33,4 @@ board() { sed 's/ Median time .*//; s/| [0-9]* |$/|/' "$1/scoreboard.md"; }
 washout "${blind[@]}" --output "$here/alone-blind"
 washout "${blind[@]}" --output "$here/cluster-blind" "${cluster[@]}"
 cmp <(board "$here/alone-blind") <(board "$here/cluster-blind")
-echo "blind: the same scoreboard ($(find "$here/cluster-blind/cases" -name '*.json' | wc -l) cases)"
+echo "blind: the same scoreboard ($(find "$here/cluster-blind-tasks/cases" -name '*.json' | wc -l) cases)"

@@ -101,7 +101,7 @@ impl Solved {
 
 impl Solved {
     fn written(&self, target: &Path, report: bool) -> Result<PathBuf, Failure> {
-        let mut folder = RunFolder::create(target)?;
+        let mut folder = RunFolder::create(target, "solve")?;
         self.run.add_files(&mut folder, report)?;
         Ok(folder.commit()?)
     }

@@ -11,7 +11,6 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item, value};
 use crate::compare::ladder::{StudyRung, ladder};
 use crate::compare::study::{StudyComparison, compare_study};
 use crate::effects::{Card, named};
-use crate::export::file::write_whole;
 use crate::export::html::{self, Document};
 use crate::export::ladder as ladder_text;
 use crate::export::pictures::ladder::Fall;
@@ -24,6 +23,7 @@ use crate::study::Campaign;
 
 use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths};
 use super::study::{listed, target as target_of};
+use super::study_file::StudyFile;
 use super::{Console, Failure, joining};
 
 /// The document that lists the files of a ladder.
@@ -100,14 +100,12 @@ impl Add {
             return Err(joining::no_such_effect(&self.effect));
         }
         let study = LoadedStudy::load(&self.to, &[])?;
+        let file = StudyFile::read(&self.to, self.output.as_ref())?;
+        let text = file.text.as_str();
         let (scale, table, own) = self.effect(&study)?;
-        let target = self.output.clone().unwrap_or_else(|| self.to.clone());
         let name = study.study.name.clone();
-        let mut folder = RunFolder::listed_by(&target_of(self.ladder.as_ref(), &name, "ladder"), LADDER)?;
-        let text = std::fs::read_to_string(&self.to).map_err(|error| Failure::Option {
-            option: "--to",
-            reason: format!("{}: {error}", self.to.display()),
-        })?;
+        let mut folder =
+            RunFolder::listed_by(&target_of(self.ladder.as_ref(), &name, "ladder"), "add", LADDER)?;
         let on = match self.on.is_empty() {
             true => study.study.candidates_on.as_deref().unwrap_or_default(),
             false => &self.on,
@@ -118,7 +116,7 @@ impl Add {
             true => (scale, None),
             false => (0.0, Some(1.5 * scale)),
         };
-        let changed = self.changed(&text, first, sigma, &table, on)?;
+        let changed = self.changed(text, first, sigma, &table, on)?;
         let compared = |text: &str| self.compared(&LoadedStudy::from_text(&self.to, text, &[])?, console);
         let added = added_effects(&study);
         let mut steps = Vec::new();
@@ -128,7 +126,7 @@ impl Add {
                 _ => format!("+ {}", added[count - 1]),
             };
             console.progress().say(&step);
-            steps.push((step, compared(&without(&text, &added[count..])?)?));
+            steps.push((step, compared(&without(text, &added[count..])?)?));
         }
         let stands = study.study.effect.iter().any(|effect| effect.name == self.effect);
         let change = match (self.remove, added.contains(&self.effect), stands) {
@@ -148,18 +146,18 @@ impl Add {
         notes.extend(elsewhere(&study, &self.effect, &self.on));
         steps.push((change, after));
         let ladder = ladder(&steps);
-        let text = match strength {
-            Some([value, _]) => self.changed(&text, value, sigma, &table, on)?,
+        let written = match strength {
+            Some([value, _]) => self.changed(text, value, sigma, &table, on)?,
             None => changed,
         };
-        let text = with_strengths(&text, &others)?;
+        let written = with_strengths(&written, &others)?;
         // one that stood there had its fall before
         if !self.remove && !stands {
             notes.extend(no_fall(&ladder));
         }
         add_falls(&mut folder, &name, &Fall::of_study(&ladder))?;
         let report = AddReport {
-            written: target,
+            written: file.target.clone(),
             effect: self.effect.clone(),
             strength,
             others,
@@ -173,7 +171,7 @@ impl Add {
         }
         folder.add_summary(&report)?;
         console.progress().check()?;
-        write_whole(&report.written, text.as_bytes())?;
+        file.write(&written)?;
         let pictures = folder.commit()?;
         let page = format!("{}\n{}", page(&report), listed(&pictures, &report.files));
         console.result(&page, &report)

@@ -13,7 +13,8 @@ use crate::blind::{Blind, BlindError, Failed, Kind, Outcome, Ranges, Scoreboard,
 use crate::diagnose::DiagnoseError;
 use crate::export::ExportError;
 use crate::export::blind::page;
-use crate::export::file::write_whole;
+use crate::export::lock::Lock;
+use crate::export::run::RunFolder;
 use crate::export::tasks::{read_json, write_json};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
@@ -23,8 +24,10 @@ use crate::synthesize::SynthesizeError;
 use crate::task::{key, stretches};
 
 use super::candidates::{candidates, known};
-use super::tasks::{Job, TaskArguments, Work, gone};
+use super::tasks::{Job, TaskArguments, Work, beside, gone};
 use super::{Console, Failure};
+
+const VERB: &str = "blind";
 
 /// A case as its file holds it.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -56,7 +59,8 @@ struct Run {
   washout blind 290 --output night --slurm --partition night --minutes 120 --task-size 2
 
 A development benchmark: the cases are made by washout itself, with other meshes and formulas and with background errors.
-Every case is a file in the output folder; scoreboard.md there lists the figures, every case and every miss.")]
+Writes output/blind/: scoreboard.md, which lists the figures, every case and every miss, and scoreboard.json. Every case is a file
+in output/blind-tasks/cases/, and is diagnosed only once.")]
 pub struct TryBlind {
     /// How many cases
     #[arg(value_parser = clap::value_parser!(u32).range(1..=100_000))]
@@ -110,7 +114,10 @@ impl TryBlind {
         let study = LoadedStudy::load_planned(&self.study, &self.set)?;
         let effects = candidates(&study, &self.effect, console)?;
         let names: Vec<&str> = effects.names.iter().map(String::as_str).collect();
-        let folder = self.output.join("cases");
+        if self.tasks.task.is_none() {
+            RunFolder::refuse(&self.output, VERB)?;
+        }
+        let folder = self.parts().join("cases");
         std::fs::create_dir_all(&folder).map_err(ExportError::file("create", &folder))?;
         let cases: Vec<(Kind, u64, PathBuf)> = (0..self.cases as usize)
             .map(|index| {
@@ -128,7 +135,7 @@ impl TryBlind {
             tasks: stretches(cases.len(), self.task_size as usize).collect(),
             cases,
         };
-        let job = Job::as_said(&self.output)?;
+        let job = Job::as_said(&self.parts())?;
         if !self.tasks.finish(&mut ready, &job, console)? {
             return Ok(());
         }
@@ -143,8 +150,11 @@ impl TryBlind {
         let run = read_json::<Run>(&self.run_file())?.unwrap_or(ready.run);
         let board: Scoreboard = scoreboard(&outcomes, &failed, run.turned.as_deref().unwrap_or_default());
         let page = page(&study.study.name, &board, &outcomes);
-        write_whole(&self.output.join("scoreboard.md"), page.as_bytes())?;
-        write_json(&self.output.join("scoreboard.json"), &board)?;
+        let text = serde_json::to_string_pretty(&board).map_err(|error| Failure::Output(error.into()))?;
+        let mut written = RunFolder::create(&self.output, VERB)?;
+        written.add("scoreboard.md", page.as_bytes())?;
+        written.add("scoreboard.json", text.as_bytes())?;
+        written.commit()?;
         console.result(&page, &board)
     }
 
@@ -170,6 +180,7 @@ impl TryBlind {
             turned: None,
         };
         let path = self.run_file();
+        let _lock = Lock::when_free(&self.parts())?;
         if !path.exists() {
             write_json(&path, &run)?;
             return Ok(run);
@@ -179,8 +190,8 @@ impl TryBlind {
             _ => Err(Failure::Option {
                 option: "--output",
                 reason: format!(
-                    "{} holds cases of another study, other effects or another version; give another folder",
-                    self.output.display()
+                    "{} holds cases of another study, other effects or another program; give another folder",
+                    self.parts().display()
                 ),
             }),
         }
@@ -193,8 +204,12 @@ impl TryBlind {
         }
     }
 
+    fn parts(&self) -> PathBuf {
+        beside(&self.output)
+    }
+
     fn run_file(&self) -> PathBuf {
-        self.output.join("run.json")
+        self.parts().join("run.json")
     }
 
     fn failed(&self, error: BlindError) -> Failure {

@@ -119,7 +119,7 @@ impl Compare {
             return Err(Failure::NoMeasurement { design: loaded.path });
         }
         let target = target(self.output.as_ref(), &loaded.design.name, "compare");
-        let mut folder = RunFolder::listed_by(&target, COMPARISON)?;
+        let mut folder = RunFolder::listed_by(&target, "compare", COMPARISON)?;
         progress.say(format_args!("solving {}", loaded.design.name));
         let case = Case::new(loaded)?;
         let solution = solve(&case, progress)?;

@@ -112,7 +112,7 @@ impl DesignRod {
         let name = &case.loaded.design.name;
         let target = self.output.clone();
         let target = target.unwrap_or_else(|| PathBuf::from("output").join(format!("{name}-design")));
-        let mut folder = RunFolder::create(&target)?;
+        RunFolder::refuse(&target, "design")?;
         let choices = self.choices(&case, stock);
         let workshop = Workshop {
             design: &case.loaded.design,
@@ -205,6 +205,7 @@ impl DesignRod {
         };
         let planform = crate::geometry::Planform::from_design(&design).map_err(|error| case.fault(error))?;
         let template = Template::new(&design, &planform);
+        let mut folder = RunFolder::create(&target, "design")?;
         folder.add("layout.toml", design.to_toml().as_bytes())?;
         folder.add("template.svg", template.to_svg().as_bytes())?;
         folder.add("template.dxf", template.to_dxf().as_bytes())?;

@@ -90,7 +90,7 @@ impl Diagnose {
         let target = target(self.output.as_ref(), &study.study.name, "diagnosis");
         // A plan is words only.
         let folder = (!self.plan)
-            .then(|| RunFolder::listed_by(&target, DIAGNOSIS))
+            .then(|| RunFolder::listed_by(&target, "diagnose", DIAGNOSIS))
             .transpose()?;
         let effects = candidates(&study, &self.effect, console)?;
         let settings = Settings {
@@ -256,6 +256,9 @@ fn answered(
         ));
     }
     diagnosis.notes.extend(effects.left_out.iter().cloned());
+    let not_compared = campaign.not_compared().into_iter();
+    let told = not_compared.map(|row| format!("Not compared: {row}"));
+    diagnosis.notes.extend(told);
     let report = DiagnosisReport {
         diagnosis,
         work: campaign.work(),

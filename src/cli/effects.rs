@@ -9,8 +9,8 @@ use serde_json::Value;
 
 use crate::effects::{Card, all, named};
 use crate::explore::{ExploreError, Signature, signature};
-use crate::export::ExportError;
 use crate::export::effects::{effects_page, picture};
+use crate::export::file::write_page;
 
 use super::{Console, Failure};
 
@@ -34,7 +34,7 @@ impl ListEffects {
         let Some(name) = &self.name else {
             let cards: Vec<Card> = all().map(|effect| effect.card()).collect();
             if let Some(path) = &self.page {
-                std::fs::write(path, effects_page(&cards)).map_err(ExportError::file("write", path))?;
+                write_page(path, &effects_page(&cards))?;
             }
             return console.result(&list(&cards), &cards);
         };

@@ -77,7 +77,7 @@ impl Export {
             Program::Kratos => "kratos",
         };
         let target = self.output.clone().unwrap_or_else(|| self.run.join(place));
-        let mut folder = RunFolder::create(&target)?;
+        let mut folder = RunFolder::create(&target, "export")?;
         let name = summary.name.clone();
         let case = Case::new(summary.design.resolved(summary.design_file.as_ref())?)?;
         let design = &case.loaded.design;

@@ -10,7 +10,6 @@ use crate::diagnose::DiagnoseError;
 use crate::explore::ExploreError;
 use crate::export::ExportError;
 use crate::input::InputError;
-use crate::plot::PlotError;
 use crate::progress::Cancelled;
 use crate::study::StudyError;
 use crate::sweep::SweepError;
@@ -168,6 +167,8 @@ pub enum Failure {
     EmptySweep {
         /// Its cases.
         cases: usize,
+        /// Whether the input of each is at fault.
+        is_refused: bool,
         /// Its table.
         table: PathBuf,
     },
@@ -207,12 +208,6 @@ pub enum Failure {
     /// Results cannot be written or read.
     #[error(transparent)]
     Export(#[from] ExportError),
-    /// A file to be written stands already.
-    #[error("{} exists already; give another name, or move it away", path.display())]
-    Exists {
-        /// The file.
-        path: PathBuf,
-    },
     /// A name that makes no file name.
     #[error("'{name}' is no name for a wing: use letters, digits, '-' and '_' only")]
     Name {
@@ -296,18 +291,14 @@ impl Failure {
                 SweepError::Cancelled(_) => 130,
                 _ => 2,
             },
+            Failure::EmptySweep { is_refused: true, .. } => 2,
             Failure::EmptySweep { .. } => 3,
             Failure::Scheduler { .. } => 1,
             Failure::Study(source) | Failure::OfStudy { source, .. } => source.exit_code(),
             Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
-            Failure::Name { .. } | Failure::Exists { .. } => 2,
+            Failure::Name { .. } => 2,
             Failure::NoMeasurement { .. } | Failure::NothingToShow { .. } => 2,
-            Failure::Export(
-                ExportError::NoRun { .. }
-                | ExportError::ForeignSummary { .. }
-                | ExportError::NoCounterpart { .. }
-                | ExportError::Picture(PlotError::TooLarge { .. }),
-            ) => 2,
+            Failure::Export(source) if source.is_of_input() => 2,
             Failure::UnknownCase { .. } => 2,
             Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) | Failure::Cases { .. } => 1,
             Failure::Interrupted(_) | Failure::Unfinished { .. } => 130,

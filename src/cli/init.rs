@@ -1,14 +1,12 @@
 //! `washout init`: a commented design file, or a study with its design and readings, to start from.
 
-use std::fs::OpenOptions;
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::export::ExportError;
+use crate::export::file::{refuse_any, write_new};
 
 use super::{Console, Failure};
 
@@ -66,21 +64,11 @@ impl Init {
             .into_iter()
             .map(|(file, text)| (folder.join(file), text))
             .collect::<Vec<_>>();
-        if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
-            return Err(Failure::Exists { path: path.clone() });
+        for (path, _) in &files {
+            refuse_any(path)?;
         }
         for (path, text) in &files {
-            let write = || {
-                let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
-                file.write_all(text.as_bytes())
-            };
-            match write() {
-                Ok(()) => {}
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                    return Err(Failure::Exists { path: path.clone() });
-                }
-                Err(error) => return Err(ExportError::file("write", path)(error).into()),
-            }
+            write_new(path, text.as_bytes())?;
         }
         let mut names = files.iter().map(|(path, _)| path.display().to_string());
         let file = names.next().unwrap_or_default();

@@ -91,7 +91,7 @@ impl Lift {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let parts = self.parts()?;
         let (ready, reference) = self.ready()?;
-        let mut folder = RunFolder::create(&self.target())?;
+        let mut folder = RunFolder::create(&self.target(), "lift")?;
         let flown = self.flown(ready, &parts, console)?;
         let means: Vec<StrokeMeans> = flown.iter().map(means).collect::<Result<_, Failure>>()?;
         let mut summary = LiftSummary {

@@ -6,7 +6,7 @@ use clap::{Args, Command, CommandFactory};
 use clap_mangen::Man as Page;
 
 use crate::export::ExportError;
-use crate::export::file::write_whole;
+use crate::export::file::write_over;
 
 use super::{Arguments, Console, Failure};
 
@@ -36,7 +36,9 @@ impl Man {
             let path = self.output.join(format!("{name}.1"));
             let mut page = Vec::new();
             Page::new(command).render(&mut page).map_err(Failure::Output)?;
-            write_whole(&path, &page)?;
+            let title = format!(".TH {name} 1 ");
+            let is_own = |bytes: &[u8]| String::from_utf8_lossy(bytes).contains(&title);
+            write_over(&path, &page, "a page of washout man", is_own)?;
             written.push(path.display().to_string());
         }
         console.result(&(written.join("\n") + "\n"), &written)

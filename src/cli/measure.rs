@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::export::file::write_whole;
-use crate::export::video::MeasureReport;
+use crate::export::file::{refuse_other, write_over};
+use crate::export::video::{MeasureReport, is_measured};
 use crate::input::video::LoadedVideo;
 
 use super::{Console, Failure};
@@ -24,7 +24,7 @@ pub struct Measure {
     /// Write the measurement here [default: NAME.csv in this folder]
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Replace an older file
+    /// Replace an older measurement that was written by this verb
     #[arg(long)]
     pub force: bool,
 }
@@ -35,11 +35,14 @@ impl Measure {
         let loaded = LoadedVideo::load(&self.video)?;
         let output = self.output.clone();
         let path = output.unwrap_or_else(|| PathBuf::from(format!("{}.csv", loaded.video.name)));
-        if path.exists() && !self.force {
-            return Err(Failure::Exists { path });
-        }
+        let is_own = |bytes: &[u8]| self.force && is_measured(bytes);
+        let what = match self.force {
+            true => "a measurement that washout measure wrote",
+            false => "",
+        };
+        refuse_other(&path, what, is_own)?;
         let report = MeasureReport::new(&loaded, path.display().to_string());
-        write_whole(&path, report.csv(&loaded).as_bytes())?;
+        write_over(&path, report.csv(&loaded).as_bytes(), what, is_own)?;
         console.result(&report.page(&loaded), &report)
     }
 }

@@ -67,7 +67,7 @@ impl WriteMesh {
         let design = &case.loaded.design;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(format!("{}-mesh", design.name)));
-        let mut folder = RunFolder::create(&target)?;
+        let mut folder = RunFolder::create(&target, "mesh")?;
         folder.add("mesh.vtu", &mesh_grid(design, &case.mesh).to_vtu()?)?;
         folder.add("mesh.msh", gmsh::write(&case.mesh).as_bytes())?;
         if let Some(outline) = gmsh::geometry(&case.mesh) {

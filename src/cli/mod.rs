@@ -19,6 +19,8 @@ pub mod stroke_quasi_static;
 
 pub mod study;
 
+pub mod study_file;
+
 pub mod compare;
 
 pub mod flights;

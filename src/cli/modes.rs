@@ -59,7 +59,7 @@ impl Modes {
         let design = &case.loaded.design;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(format!("{}-modes", design.name)));
-        let mut folder = RunFolder::create(&target)?;
+        let mut folder = RunFolder::create(&target, "modes")?;
         let standing = self.standing(&case, console)?;
         let modes = self.modes(&case, &standing, console)?;
         let flow = Flow::from_design(design);

@@ -139,11 +139,12 @@ impl Pareto {
         let name = &case.loaded.design.name;
         let target = self.output.clone();
         let target = target.unwrap_or_else(|| PathBuf::from("output").join(format!("{name}-pareto")));
-        let mut folder = RunFolder::create(&target)?;
+        RunFolder::refuse(&target, "pareto")?;
         let found = self.searched(&case, stroke, &family, factor, &marks, &beside(&target), console)?;
         let Some(mut summary) = found else {
             return Ok(());
         };
+        let mut folder = RunFolder::create(&target, "pareto")?;
         pictures::pareto::add(&mut folder, &summary)?;
         summary.files = folder.listed_with(self.report);
         let page = summary.page(&target.display().to_string());

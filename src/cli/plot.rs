@@ -113,7 +113,7 @@ impl Plot {
         if self.list {
             return console.result(&(plotted.pictures.join("\n") + "\n"), &plotted);
         }
-        let mut folder = RunFolder::listed_by(&self.target(), PLOT)?;
+        let mut folder = RunFolder::listed_by(&self.target(), "plot", PLOT)?;
         for picture in found.iter().filter(|picture| self.wants(picture)) {
             console.progress().check()?;
             console.progress().say(format_args!("drawing {}", picture.name));

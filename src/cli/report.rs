@@ -12,16 +12,16 @@ use serde_json::Value;
 
 use crate::export::ExportError;
 use crate::export::diagnosis::DiagnosisReport;
-use crate::export::file::write_whole;
+use crate::export::file::refuse_other;
 use crate::export::html::folder::{Contents, add as add_report, page, title_of};
 use crate::export::html::study::StudyParts;
 use crate::export::html::wing::Wings;
-use crate::export::html::{Document, Page, REPORT, diagnosis, run, study};
+use crate::export::html::{Document, Page, REPORT, diagnosis, is_report, run, study};
 use crate::export::layouts::LayoutSummary;
 use crate::export::lift::LiftSummary;
 use crate::export::modes::ModesSummary;
 use crate::export::pareto::ParetoSummary;
-use crate::export::run::{RunFolder, SUMMARY, is_report, read_summary};
+use crate::export::run::{RunFolder, SUMMARY, read_summary, write_member};
 use crate::export::study::StudyReport;
 use crate::export::sweep::SweepSummary;
 use crate::export::verification::VerifyReport;
@@ -33,6 +33,9 @@ use super::compare::CompareReport;
 use super::study::COMPARISON;
 use super::verify::DOCUMENT as VERIFY;
 use super::{Console, Failure};
+
+/// What may be written over by a report.
+const A_REPORT: &str = "a report of washout";
 
 /// Arguments of `washout report`.
 #[derive(Debug, Args)]
@@ -75,22 +78,22 @@ pub struct ReportMade {
 impl Report {
     /// Makes the report.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let (page, default) = if self.what.is_dir() {
+        let (page, path) = if self.what.is_dir() {
             self.refuse_options()?;
-            (of_folder(&self.what)?, self.what.join(REPORT))
+            let path = self.path(self.what.join(REPORT))?;
+            (of_folder(&self.what)?, path)
         } else {
-            self.of_study(console)?
+            let loaded = self.study()?;
+            let name = format!("{}-{REPORT}", loaded.study.name);
+            let path = self.path(PathBuf::from("output").join(name))?;
+            (self.of_study(&loaded, console)?, path)
         };
-        let path = self.output.clone().unwrap_or(default);
-        if path.exists() && !is_report(&path) {
-            return Err(Failure::Exists { path });
-        }
         if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
             fs::create_dir_all(folder).map_err(ExportError::file("create", folder))?;
         }
         let html = page.html();
         console.progress().check()?;
-        write_whole(&path, html.as_bytes())?;
+        write_member(&path, html.as_bytes(), A_REPORT, is_report)?;
         let shown = page.sections.iter().filter(|section| !section.html.is_empty());
         let made = ReportMade {
             file: path.display().to_string(),
@@ -119,7 +122,14 @@ impl Report {
         }
     }
 
-    fn of_study(&self, console: &Console) -> Result<(Page, PathBuf), Failure> {
+    /// Where the report goes; refused before anything is computed if something else stands there.
+    fn path(&self, default: PathBuf) -> Result<PathBuf, Failure> {
+        let path = self.output.clone().unwrap_or(default);
+        refuse_other(&path, A_REPORT, is_report)?;
+        Ok(path)
+    }
+
+    fn study(&self) -> Result<LoadedStudy, Failure> {
         if !LoadedStudy::is_study(&self.what)? {
             return Err(Failure::NothingToShow {
                 path: self.what.clone(),
@@ -129,14 +139,16 @@ impl Report {
                 ),
             });
         }
-        let loaded = LoadedStudy::load(&self.what, &self.set)?;
-        let default = PathBuf::from("output").join(format!("{}-{REPORT}", loaded.study.name));
-        let compared = super::study::Compared::new(&self.what, &loaded, console)?;
+        Ok(LoadedStudy::load(&self.what, &self.set)?)
+    }
+
+    fn of_study(&self, loaded: &LoadedStudy, console: &Console) -> Result<Page, Failure> {
+        let compared = super::study::Compared::new(&self.what, loaded, console)?;
         let diagnosed = self
             .diagnose
-            .then(|| super::diagnose::diagnosed(&self.what, &loaded, console))
+            .then(|| super::diagnose::diagnosed(&self.what, loaded, console))
             .transpose()?;
-        let mut parts = compared.parts(&loaded, console)?;
+        let mut parts = compared.parts(loaded, console)?;
         if let Some((campaign, report)) = diagnosed {
             parts
                 .wings
@@ -148,7 +160,7 @@ impl Report {
             made_of: MadeOf::files(&loaded.files),
             files: Vec::new(),
         };
-        Ok((study::page(&report, &parts)?, default))
+        Ok(study::page(&report, &parts)?)
     }
 }
 

@@ -10,7 +10,7 @@ use crate::effects::card::Card;
 use crate::export::ExportError;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::difference::Difference;
-use crate::export::file::write_whole;
+use crate::export::file::write_page;
 use crate::export::modes::ModesSummary;
 use crate::export::studies::studies_page;
 use crate::export::study::StudyReport;
@@ -107,7 +107,7 @@ impl Schema {
     /// Prints the schema.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         if let Some(path) = &self.page {
-            std::fs::write(path, studies_page()).map_err(ExportError::file("write", path))?;
+            write_page(path, &studies_page())?;
         }
         if let Some(folder) = &self.pages {
             return self.write_pages(folder, console);
@@ -126,7 +126,7 @@ impl Schema {
         let mut written = Vec::new();
         for (name, page) in reference_pages() {
             let path = folder.join(name);
-            write_whole(&path, page.as_bytes())?;
+            write_page(&path, &page)?;
             written.push(path.display().to_string());
         }
         console.result(&(written.join("\n") + "\n"), &written)

@@ -12,13 +12,15 @@ use std::time::Duration;
 use clap::Args;
 
 use crate::export::ExportError;
-use crate::export::file::write_whole;
+use crate::export::file::write_over;
 
 use super::tasks::Job;
 use super::{Console, Failure};
 
 /// Rounds of tasks that have no result: the first, and what it left.
 const ROUNDS: u8 = 3;
+/// How every script begins.
+const HEAD: &str = "#!/bin/bash\n#SBATCH --job-name=";
 /// Between two looks at the jobs.
 const LOOK: Duration = Duration::from_secs(2);
 
@@ -181,7 +183,7 @@ fn submit(
         words.join(" ")
     );
     let mut head = format!(
-        "#!/bin/bash\n#SBATCH --job-name={}\n#SBATCH --cpus-per-task={cores}\n#SBATCH --time={}\n#SBATCH --requeue\n",
+        "{HEAD}{}\n#SBATCH --cpus-per-task={cores}\n#SBATCH --time={}\n#SBATCH --requeue\n",
         job_name(folder),
         options.minutes
     );
@@ -205,8 +207,10 @@ fn submit(
         quoted(&logs.join("merge-%j.log")),
     );
     let (array_file, merge_file) = (logs.join("array.sh"), logs.join("merge.sh"));
-    write_whole(&array_file, array.as_bytes())?;
-    write_whole(&merge_file, merge.as_bytes())?;
+    for (file, script) in [(&array_file, &array), (&merge_file, &merge)] {
+        let is_own = |bytes: &[u8]| bytes.starts_with(HEAD.as_bytes());
+        write_over(file, script.as_bytes(), "a script of washout", is_own)?;
+    }
     let first = sbatch(&[], &array_file)?;
     sbatch(&[format!("--dependency=afterany:{first}")], &merge_file)
 }

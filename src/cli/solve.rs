@@ -79,7 +79,7 @@ impl Solve {
         let case = self.design.case(console)?;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(&case.loaded.design.name));
-        let mut folder = RunFolder::create(&target)?;
+        let mut folder = RunFolder::create(&target, "solve")?;
         let run = Run::new(case, &self.asked, progress)?;
         let summary = run.add_files(&mut folder, self.report)?;
         progress.check()?;

@@ -33,7 +33,7 @@ pub fn compare(
 ) -> Result<(), Failure> {
     let study = LoadedStudy::load(path, sets)?;
     let target = target(output, &study.study.name, "compare");
-    let mut folder = RunFolder::listed_by(&target, COMPARISON)?;
+    let mut folder = RunFolder::listed_by(&target, "compare", COMPARISON)?;
     let compared = Compared::new(path, &study, console)?;
     let parts = with_report.then(|| compared.parts(&study, console)).transpose()?;
     add_study(&mut folder, &compared.comparison)?;

@@ -1,6 +1,6 @@
 //! `washout sweep`: many cases in one table.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
@@ -8,10 +8,9 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 
 use crate::effects::bind;
 use crate::export::ExportError;
-use crate::export::file::write_whole;
-use crate::export::html::folder::{Contents, page as report_page, title_of};
-use crate::export::html::{Document, REPORT};
+use crate::export::lock::Lock;
 use crate::export::pictures::sweep::scatter;
+use crate::export::run::RunFolder;
 use crate::export::sweep::{SweepSummary, read_plan, table, write_plan};
 use crate::export::tasks::{read_part, write_part};
 use crate::origin::InputFile;
@@ -21,8 +20,12 @@ use crate::sweep::{
     Axis, Base, Content, Method, Row, SweepError, SweepPlan, Task, sensitivities, task_key, tasks,
 };
 
-use super::tasks::{Job, MOST_TASKS, TaskArguments, Work, gone};
+use super::report::finished;
+use super::study::listed;
+use super::tasks::{Job, MOST_TASKS, TaskArguments, Work, beside, gone};
 use super::{Console, Failure};
+
+const VERB: &str = "sweep";
 
 /// Arguments of `washout sweep`.
 #[derive(Debug, Args)]
@@ -33,9 +36,9 @@ use super::{Console, Failure};
   washout sweep --resume output/twist-v2-sweep            after an interruption: only what is missing is done
   washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=15..27:500 --slurm --partition night
 
-Writes output/NAME-sweep/: sweep.csv (one row a case; a case that fails keeps its row and says why), scatter.svg, summary.json,
-and tasks/, the finished parts, from which an interrupted sweep goes on. The table is the same bit for bit for any number of
-threads, tasks and machines.")]
+Writes output/NAME-sweep/: sweep.csv (one row a case; a case that fails keeps its row and says why), scatter.svg, summary.json.
+The finished parts, from which an interrupted sweep goes on, are kept in output/NAME-sweep-tasks/. The table is the same bit for
+bit for any number of threads, tasks and machines.")]
 pub struct Sweep {
     /// The design or study
     #[arg(required_unless_present = "resume")]
@@ -76,6 +79,7 @@ pub struct Sweep {
 struct Ready {
     plan: SweepPlan,
     folder: PathBuf,
+    parts: PathBuf,
     base: Base,
     points: Vec<Vec<String>>,
     tasks: Vec<Task>,
@@ -92,7 +96,7 @@ impl Sweep {
         let here = std::path::absolute(&ready.folder);
         let here = here.map_err(ExportError::file("find", &ready.folder))?;
         let job = Job {
-            folder: ready.folder.clone(),
+            folder: ready.parts.clone(),
             words: ["sweep", "--resume", &here.display().to_string()]
                 .into_iter()
                 .chain(report)
@@ -110,12 +114,12 @@ impl Sweep {
     /// The sweep of the folder, or that of the command line, checked.
     fn ready(&self) -> Result<Ready, Failure> {
         let (plan, folder) = match (&self.resume, &self.base) {
-            (Some(folder), _) => match read_plan(folder)? {
+            (Some(folder), _) => match read_plan(&beside(folder))? {
                 Some(plan) => (plan, folder.clone()),
                 None => {
                     return Err(Failure::Option {
                         option: "--resume",
-                        reason: format!("{} holds no sweep", folder.display()),
+                        reason: format!("{} holds no sweep that was begun", beside(folder).display()),
                     });
                 }
             },
@@ -146,13 +150,20 @@ impl Sweep {
         {
             return Err(first);
         }
+        if self.tasks.task.is_none() {
+            RunFolder::refuse(&folder, VERB)?;
+        }
+        let parts = beside(&folder);
+        if self.resume.is_none() {
+            claim(&parts, &plan)?;
+        }
         let mut content = Content::new(&base);
         let tasks = tasks(&plan, &points, &mut content);
         let files = content.all_files();
-        write_plan(&folder, &plan)?;
         Ok(Ready {
             plan,
             folder,
+            parts,
             base,
             points,
             tasks,
@@ -160,7 +171,7 @@ impl Sweep {
         })
     }
 
-    fn planned(&self, base: &std::path::Path) -> Result<(SweepPlan, PathBuf), Failure> {
+    fn planned(&self, base: &Path) -> Result<(SweepPlan, PathBuf), Failure> {
         let fault = |source: SweepError| Failure::Sweep {
             base: base.to_path_buf(),
             source,
@@ -211,16 +222,25 @@ impl Sweep {
             .output
             .clone()
             .unwrap_or_else(|| PathBuf::from("output").join(format!("{name}-sweep")));
-        match read_plan(&folder)? {
-            Some(other) if other != plan => Err(Failure::Option {
-                option: "--output",
-                reason: format!(
-                    "{} holds another sweep; give another folder, remove it, or go on with it by --resume",
-                    folder.display()
-                ),
-            }),
-            _ => Ok((plan, folder)),
-        }
+        Ok((plan, folder))
+    }
+}
+
+/// Notes what the parts of a folder are of; refuses one that holds those of another sweep.
+fn claim(parts: &Path, plan: &SweepPlan) -> Result<(), Failure> {
+    let parent = parts.parent().unwrap_or(Path::new(""));
+    std::fs::create_dir_all(parent).map_err(ExportError::file("create", parent))?;
+    let _lock = Lock::when_free(parts)?;
+    match read_plan(parts)? {
+        None => Ok(write_plan(parts, plan)?),
+        Some(own) if own == *plan => Ok(()),
+        Some(_) => Err(Failure::Option {
+            option: "--output",
+            reason: format!(
+                "{} holds parts of another sweep; give another folder, remove them, or go on with it by --resume",
+                parts.display()
+            ),
+        }),
     }
 }
 
@@ -270,16 +290,12 @@ impl Work for Ready {
             });
             let rows = rows.collect::<Result<Vec<Row>, Failure>>()?;
             this.still_holds(task).map_err(fault)?;
-            Ok(write_part(&this.parts(), task.number, &task.key, &rows)?)
+            Ok(write_part(&this.parts, task.number, &task.key, &rows)?)
         })
     }
 }
 
 impl Ready {
-    fn parts(&self) -> PathBuf {
-        self.folder.join("tasks")
-    }
-
     /// Refuses what may have been read from files that are not those of the task any more.
     fn still_holds(&self, task: &Task) -> Result<(), SweepError> {
         let base = Base::load(&self.plan.base, &self.plan.set)?;
@@ -297,7 +313,7 @@ impl Ready {
 
     /// What a task gave, if it was done.
     fn kept(&self, task: &Task) -> Result<Option<Vec<Row>>, Failure> {
-        let rows: Option<Vec<Row>> = read_part(&self.parts(), task.number, &task.key)?;
+        let rows: Option<Vec<Row>> = read_part(&self.parts, task.number, &task.key)?;
         Ok(rows.filter(|rows| rows.len() == task.cases.len()))
     }
 
@@ -308,51 +324,29 @@ impl Ready {
             rows.extend(self.kept(task)?.ok_or_else(|| gone(task.number))?);
         }
         let summary = SweepSummary::new(&self.plan, &rows, sensitivities(&self.plan, &rows), &self.files);
-        let table_file = self.folder.join("sweep.csv");
-        let csv = table(&self.plan, &rows)?;
-        write_whole(&table_file, &csv)?;
-        #[cfg(feature = "parquet")]
-        write_whole(
-            &self.folder.join("sweep.parquet"),
-            &crate::export::parquet::of_csv(&csv)?,
-        )?;
+        let mut folder = RunFolder::create(&self.folder, VERB)?;
+        folder.add("sweep.csv", &table(&self.plan, &rows)?)?;
         if let Some(picture) = scatter(&self.plan, &rows) {
-            write_whole(
-                &self.folder.join("scatter.svg"),
-                picture.to_svg().map_err(ExportError::from)?.as_bytes(),
-            )?;
+            let svg = picture.to_svg().map_err(ExportError::from)?;
+            folder.add("scatter.svg", svg.as_bytes())?;
         }
-        let json = serde_json::to_string_pretty(&summary).map_err(|error| Failure::Output(error.into()))?;
-        write_whole(&self.folder.join("summary.json"), json.as_bytes())?;
+        let files = folder.listed_with(with_report);
+        let page = summary.page(&rows);
+        let words = with_report.then_some(page.as_str());
+        let written = finished(folder, words, ("summary", &summary), console)?;
         if summary.failures == summary.cases {
             return Err(Failure::EmptySweep {
                 cases: summary.cases,
-                table: table_file,
+                is_refused: summary.refused == summary.cases,
+                table: written.join("sweep.csv"),
             });
         }
-        let mut page = summary.page(&rows);
-        let mut files = "sweep.csv scatter.svg".to_string();
-        if with_report {
-            let title = title_of(&self.folder);
-            let contents = Contents {
-                title: &title,
-                words: &page,
-                document: Document::new("summary", &summary)?,
-                files: &["scatter.svg", "sweep.csv"].map(str::to_string),
-            };
-            let read = |name: &str| {
-                let path = self.folder.join(name);
-                std::fs::read(&path).map_err(ExportError::file("read", path))
-            };
-            let report = report_page(contents, &read)?.html();
-            write_whole(&self.folder.join(REPORT), report.as_bytes())?;
-            files = format!("{files} {REPORT}");
-        }
-        page += &format!(
-            "\nFiles in {}: {files} summary.json tasks\n",
-            self.folder.display()
-        );
-        console.result(&page, &summary)
+        let parts = self.parts.display();
+        let listed = listed(&written, &files);
+        console.result(
+            &format!("{page}\n{listed}Its parts are kept in {parts}\n"),
+            &summary,
+        )
     }
 }
 

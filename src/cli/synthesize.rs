@@ -8,14 +8,17 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml_edit::{DocumentMut, Item, value};
 
-use crate::export::ExportError;
-use crate::export::file::write_whole;
 use crate::export::measurement::measurement_csv;
+use crate::export::run::RunFolder;
+use crate::export::{ExportError, place};
 use crate::input::measurement::{Formulas, Made, Row};
 use crate::input::study::LoadedStudy;
+use crate::origin::InputFile;
 use crate::synthesize::{Hidden, Recipe, SynthesizeError, Synthetic, synthesize};
 
 use super::{Console, Failure, joining};
+
+const VERB: &str = "synthesize";
 
 /// Arguments of `washout synthesize`.
 #[derive(Debug, Args)]
@@ -82,12 +85,16 @@ impl Synthesize {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let study = LoadedStudy::load_planned(&self.study, &[])?;
         let recipe = self.recipe(&study)?;
-        let made = synthesize(&study, &recipe, console.progress()).map_err(|source| self.refused(source))?;
-        let folder = match &self.output {
+        let target = match &self.output {
             Some(folder) => folder.clone(),
             None => PathBuf::from("output").join(format!("{}-synthetic", study.study.name)),
         };
-        let report = write(&self.study, &folder, &made)?;
+        refuse_own(&study, &target)?;
+        measured(&study, &target)?;
+        RunFolder::refuse(&target, VERB)?;
+        let made = synthesize(&study, &recipe, console.progress()).map_err(|source| self.refused(source))?;
+        let folder = RunFolder::create(&target, VERB)?;
+        let report = write(&self.study, folder, &made)?;
         console.result(&page(&report), &report)
     }
 
@@ -171,22 +178,30 @@ impl Synthesize {
     }
 }
 
-/// Writes study, measurements and answer.
-fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeReport, Failure> {
-    let files = measured(&made.study, folder)?;
-    std::fs::create_dir_all(folder).map_err(ExportError::file("create", folder))?;
-    let whole = |path: &Path| path.canonicalize().map_err(ExportError::file("find", path));
-    let home = study.parent().filter(|home| !home.as_os_str().is_empty());
-    if whole(home.unwrap_or(Path::new(".")))? == whole(folder)? {
-        return Err(Failure::Option {
+/// Refuses a folder that holds a file of the study, which would be written over.
+fn refuse_own(study: &LoadedStudy, target: &Path) -> Result<(), Failure> {
+    let Ok(whole) = target.canonicalize() else {
+        return Ok(());
+    };
+    let is_inside = |file: &&InputFile| {
+        let path = Path::new(&file.file).canonicalize();
+        path.is_ok_and(|path| path.starts_with(&whole))
+    };
+    match study.files.iter().find(is_inside) {
+        None => Ok(()),
+        Some(file) => Err(Failure::Option {
             option: "--output",
             reason: format!(
-                "{} is the folder of the study itself, which would be written over; give another",
-                folder.display()
+                "{} belongs to the study and would be written over; give another folder",
+                file.file
             ),
-        });
+        }),
     }
-    let study_text = study_beside(study, folder)?;
+}
+
+/// Writes study, measurements and answer.
+fn write(study: &Path, mut folder: RunFolder, made: &Synthetic) -> Result<SynthesizeReport, Failure> {
+    let target = folder.target().to_path_buf();
     let answer_text =
         serde_json::to_string_pretty(&made.answer).map_err(|error| Failure::Output(error.into()))?;
     let comments = [
@@ -194,41 +209,22 @@ fn write(study: &Path, folder: &Path, made: &Synthetic) -> Result<SynthesizeRepo
         "These numbers come from no experiment: they are readings of a model with errors of its own."
             .to_string(),
     ];
-    let mut texts = Vec::new();
+    let mut measurements = Vec::new();
     let mut numbers = 0;
-    for (name, rows) in &files {
+    for (name, rows) in &measured(&made.study, &target)? {
         let rows: Vec<Row> = rows.values().cloned().collect();
         numbers += rows.len();
-        texts.push((folder.join(name), measurement_csv(&comments, &rows)?));
+        folder.add(name, measurement_csv(&comments, &rows)?.as_bytes())?;
+        measurements.push(target.join(name));
     }
-    // nothing is written before everything is there
-    let measurements: Vec<PathBuf> = texts.iter().map(|(path, _)| path.clone()).collect();
-    let path = folder.join(file_name(&study.to_string_lossy()));
-    let answer = folder.join("answer.json");
-    texts.extend([(path.clone(), study_text), (answer.clone(), answer_text)]);
-    let own = made
-        .study
-        .cases
-        .iter()
-        .flat_map(|case| [Path::new(&case.measurement), &case.loaded.path]);
-    let own: Vec<PathBuf> = own.filter_map(|path| path.canonicalize().ok()).collect();
-    let is_own = |path: &Path| path.canonicalize().is_ok_and(|path| own.contains(&path));
-    if let Some((path, _)) = texts.iter().find(|(path, _)| is_own(path)) {
-        return Err(Failure::Option {
-            option: "--output",
-            reason: format!(
-                "{} belongs to the study and would be written over; give another folder",
-                path.display()
-            ),
-        });
-    }
-    for (path, text) in &texts {
-        write_whole(path, text.as_bytes())?;
-    }
+    let name = file_name(&study.to_string_lossy());
+    folder.add(&name, study_beside(study, &target)?.as_bytes())?;
+    folder.add("answer.json", answer_text.as_bytes())?;
+    folder.commit()?;
     Ok(SynthesizeReport {
-        study: path,
+        study: target.join(name),
         measurements,
-        answer,
+        answer: target.join("answer.json"),
         numbers,
         unread: made.answer.unread.clone(),
         same_formula: (made.answer.acted.iter())
@@ -297,10 +293,21 @@ fn study_beside(study: &Path, folder: &Path) -> Result<String, Failure> {
     Ok(document.to_string())
 }
 
+/// The whole path of a folder that may be yet to be written.
+fn whole_place(folder: &Path) -> Result<PathBuf, ExportError> {
+    let place = place::of_folder(folder)?;
+    let parent = match place.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let parent = parent.canonicalize().map_err(ExportError::file("find", parent))?;
+    Ok(parent.join(place.file_name().unwrap_or_default()))
+}
+
 /// A path as seen from a folder.
 fn relative(path: &Path, folder: &Path) -> Result<String, Failure> {
     let whole = |path: &Path| path.canonicalize().map_err(ExportError::file("find", path));
-    let (path, folder) = (whole(path)?, whole(folder)?);
+    let (path, folder) = (whole(path)?, whole_place(folder)?);
     let same = path
         .components()
         .zip(folder.components())

@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::export::file::write_whole;
+use crate::export::file::{refuse_page, write_page};
 use crate::export::run::RunFolder;
 use crate::export::text::Table;
-use crate::export::trust::{markdown, trust_page};
+use crate::export::trust::{TRUST_HEAD, markdown, trust_page};
 use crate::export::verification::VerifyReport;
 use crate::input::nearest_word;
 use crate::verify::{ALL, Case, Extent, Kind, named, run};
@@ -60,11 +60,14 @@ impl Verify {
         if self.list {
             return console.result(&list(&cases), &names(&cases));
         }
+        if let Some(page) = &self.page {
+            refuse_page(page, TRUST_HEAD)?;
+        }
         let studies: Result<Vec<_>, Failure> = (self.study.iter())
             .map(|path| compared(path, &[], console))
             .collect();
         let studies = studies?;
-        let mut folder = RunFolder::listed_by(&self.output, DOCUMENT)?;
+        let mut folder = RunFolder::listed_by(&self.output, "verify", DOCUMENT)?;
         let extent = if self.short { Extent::Short } else { Extent::Full };
         let outcomes = run(&cases, extent, console.progress())?;
         let mut report = VerifyReport::new(&outcomes, extent);
@@ -74,7 +77,7 @@ impl Verify {
         let words = self.report.then(|| report.page());
         let path = finished(folder, words.as_deref(), ("verify", &report), console)?;
         if let Some(page) = &self.page {
-            write_whole(page, trust_page(&report, &studies).as_bytes())?;
+            write_page(page, &trust_page(&report, &studies))?;
         }
         let files = format!("\nFiles in {}: {}\n", path.display(), report.files.join(" "));
         console.result(&(report.page() + &files), &report)?;

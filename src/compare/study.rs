@@ -204,19 +204,7 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
             .as_ref()
             .map_or_else(Vec::new, |fit| correlations(campaign, fit)),
         chi_square_per_row: [whitened(&before.value), whitened(after)],
-        not_compared: campaign
-            .skipped
-            .iter()
-            .map(|row| {
-                format!(
-                    "{}, line {}, {}: {}",
-                    row.case,
-                    row.line,
-                    row.channel.name(),
-                    row.reason
-                )
-            })
-            .collect(),
+        not_compared: campaign.not_compared(),
         cases: cases_of(campaign),
         rows: study_rows,
         words: Vec::new(),

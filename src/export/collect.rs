@@ -300,7 +300,7 @@ mod tests {
             engineering: &Engineering::default(),
         };
         let mut summary = summarize(&solved);
-        let mut folder = RunFolder::create(target).expect("a folder");
+        let mut folder = RunFolder::create(target, "solve").expect("a folder");
         write_files(&mut folder, &solved, &mut summary, true).expect("files");
         folder.commit().expect("a run");
         summary

@@ -18,9 +18,9 @@ pub enum ExportError {
         /// What the system said.
         source: io::Error,
     },
-    /// The run's folder holds something that a run does not write; replacing would delete it.
+    /// A folder holds something that washout did not write there; replacing would delete it.
     #[error(
-        "{} holds '{entry}', which no earlier run wrote there; \
+        "{} holds '{entry}', which washout did not write there; \
          move it away, or give another folder with --output",
         path.display()
     )]
@@ -30,6 +30,73 @@ pub enum ExportError {
         /// The first entry that is not known.
         entry: String,
     },
+    /// A folder without a record holds something; replacing would delete it.
+    #[error(
+        "{} holds '{entry}', and no record that washout wrote it (.washout.json; the first versions kept none); \
+         move it away, or give another folder with --output",
+        path.display()
+    )]
+    NoRecord {
+        /// The folder that was to be replaced.
+        path: PathBuf,
+        /// The first entry.
+        entry: String,
+    },
+    /// A file of the folder is not what washout wrote any more; replacing would lose the change.
+    #[error(
+        "{} holds '{entry}', which was changed since washout wrote it; \
+         move it away, or give another folder with --output",
+        path.display()
+    )]
+    ChangedEntry {
+        /// The folder that was to be replaced.
+        path: PathBuf,
+        /// The first file that was changed.
+        entry: String,
+    },
+    /// The folder holds what another verb wrote.
+    #[error(
+        "{} holds what washout {verb} wrote; move it away, or give another folder with --output",
+        path.display()
+    )]
+    OtherVerb {
+        /// The folder that was to be replaced.
+        path: PathBuf,
+        /// The verb.
+        verb: String,
+    },
+    /// A file stands where one is to be written.
+    #[error(
+        "{} exists already{}; give another name, or move it away",
+        path.display(),
+        match *unless {
+            "" => String::new(),
+            what => format!(" and is not {what}"),
+        }
+    )]
+    Exists {
+        /// The file.
+        path: PathBuf,
+        /// What it would have to be to be written over; empty if nothing is.
+        unless: &'static str,
+    },
+    /// Another process is writing there.
+    #[error(
+        "another washout is writing {}; wait until it is done, or give another place with --output",
+        path.display()
+    )]
+    InUse {
+        /// The file or folder.
+        path: PathBuf,
+    },
+    /// What stands where an output is to be written is nothing that can be replaced.
+    #[error("{} {what}; give another place with --output", path.display())]
+    NotPlain {
+        /// What was given.
+        path: PathBuf,
+        /// What it is.
+        what: &'static str,
+    },
     /// A folder that was named as a run is none.
     #[error("{} is not the folder of a run: no readable summary.json in it ({source}); give the folder that `washout solve` wrote", path.display())]
     NoRun {
@@ -37,6 +104,14 @@ pub enum ExportError {
         path: PathBuf,
         /// What the system said.
         source: io::Error,
+    },
+    /// A file that stands where the plan of a sweep should.
+    #[error("{} is not the plan of a sweep ({reason}); move it away, or give another folder with --output", path.display())]
+    NoPlan {
+        /// The file.
+        path: PathBuf,
+        /// What does not fit.
+        reason: String,
     },
     /// A summary that this version does not understand.
     #[error("{} was not written by this version of washout ({reason}); solve that design again", path.display())]
@@ -104,6 +179,24 @@ pub enum ExportError {
 }
 
 impl ExportError {
+    /// Whether what was asked for is at fault: a folder that is no run, or an output in whose place something stands.
+    pub fn is_of_input(&self) -> bool {
+        matches!(
+            self,
+            ExportError::NoRun { .. }
+                | ExportError::NoPlan { .. }
+                | ExportError::ForeignSummary { .. }
+                | ExportError::NoCounterpart { .. }
+                | ExportError::Picture(PlotError::TooLarge { .. })
+                | ExportError::ForeignEntry { .. }
+                | ExportError::NoRecord { .. }
+                | ExportError::ChangedEntry { .. }
+                | ExportError::OtherVerb { .. }
+                | ExportError::Exists { .. }
+                | ExportError::NotPlain { .. }
+        )
+    }
+
     /// For `map_err`: an error of the file system with what was tried and where.
     pub fn file(action: &'static str, path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> ExportError {
         let path = path.into();

@@ -4,6 +4,10 @@ pub mod error;
 
 pub mod file;
 
+pub mod lock;
+
+pub mod place;
+
 pub mod html;
 
 pub mod vtu;

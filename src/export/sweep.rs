@@ -27,6 +27,8 @@ pub struct SweepSummary {
     pub cases: usize,
     /// Cases that gave nothing; the table says why.
     pub failures: usize,
+    /// Those of them whose input is at fault.
+    pub refused: usize,
     /// Figures of the table with their least and largest value.
     pub figures: Vec<Span>,
     /// Shares of the axes in the variance of every figure.
@@ -65,6 +67,7 @@ impl SweepSummary {
             plan: plan.clone(),
             cases: rows.len(),
             failures: rows.iter().filter(|row| row.failure.is_some()).count(),
+            refused: rows.iter().filter(|row| row.is_refused).count(),
             figures: figures(rows).into_iter().map(span).collect(),
             sensitivities,
         }
@@ -169,9 +172,9 @@ pub fn read_plan(folder: &Path) -> Result<Option<SweepPlan>, ExportError> {
     match std::fs::read_to_string(&path) {
         Ok(text) => serde_json::from_str(&text)
             .map(Some)
-            .map_err(|error| ExportError::Encoding {
-                format: "sweep.json",
-                reason: format!("{}: {error}", path.display()),
+            .map_err(|error| ExportError::NoPlan {
+                path: path.clone(),
+                reason: error.to_string(),
             }),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
         Err(error) => Err(ExportError::file("read", &path)(error)),

@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::ExportError;
-use super::file::write_whole;
+use super::file::write_own;
 
 /// A part as its file holds it.
 #[derive(Debug, Serialize, Deserialize)]
@@ -60,7 +60,7 @@ pub fn read_json<T: DeserializeOwned>(path: &Path) -> Result<Option<T>, ExportEr
     }
 }
 
-/// Writes a file of JSON, whole or not at all.
+/// Writes a file of JSON in a folder of parts.
 ///
 /// # Errors
 /// If it cannot be written.
@@ -69,7 +69,7 @@ pub fn write_json(path: &Path, value: &impl Serialize) -> Result<(), ExportError
         format: "JSON",
         reason: error.to_string(),
     })?;
-    write_whole(path, text.as_bytes())
+    write_own(path, text.as_bytes())
 }
 
 #[cfg(test)]

@@ -7,8 +7,8 @@ use crate::compare::StudyComparison;
 use super::text::{number, significant};
 use super::verification::{CaseReport, QuantityReport, VerifyReport, percent, rows};
 
-/// What stands above the tables of the page.
-const HEAD: &str = "\
+/// What stands above the tables of the page "How far to trust washout".
+pub const TRUST_HEAD: &str = "\
 # How far to trust washout
 
 Written by `washout verify --page docs/how-far-to-trust-washout.md`; `tests/verification` runs the cases again and
@@ -42,7 +42,7 @@ together would give on average (ASME V&V 20): where it is less than all, the mod
 /// The page of documentation, with the misfit of studies; no timings, so that it does not change from run to run.
 pub fn trust_page(report: &VerifyReport, studies: &[StudyComparison]) -> String {
     format!(
-        "{HEAD}\n{}{}{}",
+        "{TRUST_HEAD}\n{}{}{}",
         tables(report, false),
         measured(studies),
         notes(report)

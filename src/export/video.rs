@@ -60,6 +60,15 @@ pub struct SharedNuisance {
     pub leaves_deg: f64,
 }
 
+/// How the first line of a measurement file ends.
+const MADE: &str = " from marks in video frames, by washout measure.";
+
+/// Whether a file holds a measurement that [`MeasureReport::csv`] made.
+pub fn is_measured(bytes: &[u8]) -> bool {
+    let first = bytes.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    first.ends_with(MADE.as_bytes())
+}
+
 impl MeasureReport {
     /// Of marks, to be written to `written`.
     pub fn new(loaded: &LoadedVideo, written: String) -> MeasureReport {
@@ -187,7 +196,7 @@ impl MeasureReport {
             _ => "stated",
         };
         let mut text = format!(
-            "# Twist of {} from marks in video frames, by washout measure.\n# source: {}\n# marks: {}\n# view: {view}; {zero}\n\
+            "# Twist of {}{MADE}\n# source: {}\n# marks: {}\n# view: {view}; {zero}\n\
              # sigma: of the clicks ({} px, {kind}); what all readings share is not in it, see below\n",
             video.name,
             match video.source.as_str() {

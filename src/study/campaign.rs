@@ -11,10 +11,10 @@ use super::case::{Asked, PreparedCase, Solved};
 use super::error::StudyError;
 use super::footing::{Ground, Stand};
 use super::forward::{Condition, Footing, Forward, Linear, Observable, Unknown};
+use super::skipped::{SkippedRow, in_words};
 use super::unknowns::{Target, Targets};
 use super::work::{Tally, Work};
-use crate::input::measurement::Channel;
-use crate::input::study::{LoadedStudy, RulerKind};
+use crate::input::study::{LoadedStudy, RulerKind, UnusedRows};
 use crate::progress::Progress;
 use crate::structure::Tangent;
 
@@ -27,6 +27,8 @@ pub struct Campaign {
     pub slop: f64,
     /// Measured rows that the model cannot be asked for, and why not.
     pub skipped: Vec<SkippedRow>,
+    /// Rows of the measurement files that no case uses.
+    pub unused: Vec<UnusedRows>,
     cases: Vec<PreparedCase>,
     targets: Targets,
     observables: Vec<Observable>,
@@ -37,20 +39,12 @@ pub struct Campaign {
     tally: Tally,
 }
 
-/// A measured row that takes no part.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SkippedRow {
-    /// Name of the case.
-    pub case: String,
-    /// Line of the measurement file.
-    pub line: usize,
-    /// Channel.
-    pub channel: Channel,
-    /// Why.
-    pub reason: String,
-}
-
 impl Campaign {
+    /// Every measured row that takes no part, and why, in words.
+    pub fn not_compared(&self) -> Vec<String> {
+        in_words(&self.skipped, &self.unused)
+    }
+
     /// A study with its own effects and, off to begin with, those of `candidates` that can act.
     ///
     /// # Errors
@@ -105,6 +99,7 @@ impl Campaign {
             name: study.study.name.clone(),
             slop: study.study.slop,
             skipped,
+            unused: study.unused.clone(),
             cases,
             targets,
             observables,
@@ -130,6 +125,7 @@ impl Campaign {
         }
         let mut next = study.clone();
         next.cases = std::mem::take(&mut next.experiments);
+        next.unused.clear();
         let has = |key: &str| {
             next.cases
                 .iter()
@@ -175,6 +171,7 @@ impl Campaign {
             name: self.name.clone(),
             slop: self.slop,
             skipped: self.skipped.clone(),
+            unused: self.unused.clone(),
             cases,
             targets: self.targets.clone(),
             observables,

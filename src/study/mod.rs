@@ -36,6 +36,8 @@ pub mod sample;
 
 pub mod shares;
 
+pub mod skipped;
+
 pub mod surrogate;
 
 pub mod uncertainty;
@@ -49,11 +51,12 @@ pub mod work;
 pub use band::{OutputBand, SurrogateQuality};
 pub use best_fit::best_fit;
 pub use calibrate::{Fit, Task, calibrate};
-pub use campaign::{Campaign, SkippedRow};
+pub use campaign::Campaign;
 pub use error::StudyError;
 pub use forward::{Condition, Footing, Forward, Linear, Observable, Unknown, UnknownKind};
 pub use noise::{AdmittedError, Noise};
 pub use output::{Output, ProfileOutputs};
 pub use shares::Share;
+pub use skipped::SkippedRow;
 pub use uncertainty::{Uncertainty, UncertaintySettings, propagate};
 pub use work::Work;

@@ -38,6 +38,8 @@ pub struct Row {
     pub figures: Vec<Figure>,
     /// Why it gives nothing.
     pub failure: Option<String>,
+    /// Whether it gives nothing because its input is at fault.
+    pub is_refused: bool,
 }
 
 impl Row {
@@ -101,22 +103,41 @@ impl Base {
         };
         progress.check()?;
         let found = found.and_then(finite);
-        let (figures, failure) = match found {
-            Ok(figures) => (figures, None),
-            Err(reason) => (Vec::new(), Some(reason)),
+        let (figures, failure, is_refused) = match found {
+            Ok(figures) => (figures, None, false),
+            Err(Nothing::Refused(reason)) => (Vec::new(), Some(reason), true),
+            Err(Nothing::Unsolved(reason)) => (Vec::new(), Some(reason), false),
         };
         Ok(Row {
             case,
             values: values.to_vec(),
             figures,
             failure,
+            is_refused,
         })
     }
 }
 
-fn finite(figures: Vec<Figure>) -> Result<Vec<Figure>, String> {
+/// Why a case gives nothing.
+enum Nothing {
+    /// Its input is at fault.
+    Refused(String),
+    /// It has no solution that could be found.
+    Unsolved(String),
+}
+
+impl Nothing {
+    fn of_input(error: impl ToString) -> Nothing {
+        Nothing::Refused(error.to_string())
+    }
+}
+
+fn finite(figures: Vec<Figure>) -> Result<Vec<Figure>, Nothing> {
     match figures.iter().find(|figure| !figure.value.is_finite()) {
-        Some(figure) => Err(format!("{} is not a finite number", figure.name)),
+        Some(figure) => Err(Nothing::Unsolved(format!(
+            "{} is not a finite number",
+            figure.name
+        ))),
         None => Ok(figures),
     }
 }
@@ -125,17 +146,20 @@ fn solve(
     loaded: &Loaded,
     near: Option<&Solution>,
     progress: &Progress,
-) -> Result<(Solution, crate::geometry::Planform), String> {
+) -> Result<(Solution, crate::geometry::Planform), Nothing> {
     let file = (loaded.mesh_file.as_ref()).map(|(name, bytes)| MeshFile { name, bytes });
-    let (planform, mesh) = for_design(&loaded.design, file).map_err(|error| error.to_string())?;
+    let (planform, mesh) = for_design(&loaded.design, file).map_err(Nothing::of_input)?;
     let table = loaded.air_table.as_deref();
     let solution = solve_from(&loaded.design, &planform, &mesh, table, near, progress);
-    let solution = solution.map_err(|error: CouplingError| error.to_string())?;
+    let solution = solution.map_err(|error: CouplingError| match error.is_not_converged() {
+        true => Nothing::Unsolved(error.to_string()),
+        false => Nothing::of_input(error),
+    })?;
     if let Some(moment_n_m) = solution.pull_of_stop(&loaded.design) {
-        return Err(format!(
+        return Err(Nothing::Refused(format!(
             "the pitch stop would have to pull with {:.3} mN mm, but it only pushes",
             moment_n_m * 1e6
-        ));
+        )));
     }
     Ok((solution, planform))
 }
@@ -145,8 +169,8 @@ fn of_design(
     sets: &[String],
     near: Option<&Solution>,
     progress: &Progress,
-) -> Result<Vec<Figure>, String> {
-    let loaded = Design::load(path, sets).map_err(|error| error.to_string())?;
+) -> Result<Vec<Figure>, Nothing> {
+    let loaded = Design::load(path, sets).map_err(Nothing::of_input)?;
     let (solution, planform) = solve(&loaded, near, &progress.unseen())?;
     let design = &loaded.design;
     let mut figures = Vec::new();
@@ -156,7 +180,7 @@ fn of_design(
             value,
         });
     };
-    let profile = read_profile(design, &planform, &solution).map_err(|error| error.to_string())?;
+    let profile = read_profile(design, &planform, &solution).map_err(Nothing::of_input)?;
     let tip = profile
         .readings
         .iter()
@@ -174,9 +198,9 @@ fn of_design(
     }
     if let Some(flow) = Flow::from_design(design) {
         let law = BladeAir::new(design, &planform, loaded.air_table.as_deref());
-        let law = law.map_err(|error| error.to_string())?;
+        let law = law.map_err(Nothing::of_input)?;
         let report = LiftReport::new(&planform, &law, &flow, &solution.strips);
-        let report = report.map_err(|error| error.to_string())?;
+        let report = report.map_err(Nothing::of_input)?;
         let forces = report.stroke_mean.as_ref().unwrap_or(&report.solved);
         add("lift_mn", forces.lift_mn);
         add("drag_mn", forces.drag_mn);
@@ -194,9 +218,12 @@ fn of_design(
     Ok(figures)
 }
 
-fn of_study(path: &Path, sets: &[String], progress: &Progress) -> Result<Vec<Figure>, String> {
-    let text = |error: StudyError| error.to_string();
-    let mut study = LoadedStudy::load(path, sets).map_err(|error| error.to_string())?;
+fn of_study(path: &Path, sets: &[String], progress: &Progress) -> Result<Vec<Figure>, Nothing> {
+    let text = |error: StudyError| match error.exit_code() {
+        2 => Nothing::of_input(error),
+        _ => Nothing::Unsolved(error.to_string()),
+    };
+    let mut study = LoadedStudy::load(path, sets).map_err(Nothing::of_input)?;
     // what is set is held, and not calibrated away
     let is_set = |key: &str| {
         sets.iter()

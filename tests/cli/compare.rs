@@ -122,7 +122,7 @@ fn pictures_and_their_numbers_are_written_whole_and_replaced_but_nothing_of_the_
 
     fs::write(target.join("notes.txt"), "mine").expect("written");
     let said = run(&["compare", &wing]);
-    assert_eq!((said.code, said.out.as_str()), (Some(1), ""));
+    assert_eq!((said.code, said.out.as_str()), (Some(2), ""));
     assert!(
         said.err.contains("'notes.txt'") && said.err.contains("--output"),
         "{}",

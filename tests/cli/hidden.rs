@@ -269,7 +269,7 @@ fn bad_recipes_are_refused_with_their_cure() {
     let folder = tempfile::tempdir().unwrap();
     campaign(folder.path(), &MANY);
     for (arguments, words) in [
-        (["--output", "."], "the folder of the study itself"),
+        (["--output", "."], "belongs to the study"),
         (["--effect", "root-flexure"], "NAME=STRENGTH"),
         (["--effect", "root-flexture=0.2"], "there is no such effect"),
         (["--effect", "root-flexure=-1"], "outside 0 to 1000"),
@@ -372,7 +372,7 @@ fn a_blind_run_goes_on_where_it_stopped_and_gives_the_same_scoreboard() {
         .unwrap();
     assert_eq!(alarms["hits"], 0, "{whole}");
     for gone in ["single-1.json", "twin-9.json"] {
-        fs::remove_file(folder.path().join("blind/cases").join(gone)).unwrap();
+        fs::remove_file(folder.path().join("blind-tasks/cases").join(gone)).unwrap();
     }
     assert_eq!(run("9", "1"), whole);
     let other = [

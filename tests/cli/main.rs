@@ -1,6 +1,9 @@
 //! The program as its user meets it: words, exit codes, documents, files.
 
 mod alike;
+
+mod at_once;
+
 mod bench;
 
 mod compare;
@@ -40,6 +43,8 @@ mod real_data;
 mod plot;
 
 mod refused_effects;
+
+mod replaced;
 
 mod report;
 
@@ -111,12 +116,13 @@ pub fn design(name: &str) -> String {
     path.to_str().expect("UTF-8 path").to_string()
 }
 
-/// Names in a folder, sorted.
+/// Names in a folder, sorted; without the record of what washout wrote there.
 pub fn entries(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).expect("a readable folder");
     let mut names: Vec<String> = entries
         .map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"))
         .collect();
+    names.retain(|name| name != ".washout.json");
     names.sort();
     names
 }

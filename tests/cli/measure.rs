@@ -74,19 +74,34 @@ fn the_ruler_that_it_tells_is_taken_by_a_study() {
 }
 
 #[test]
-fn an_older_file_is_replaced_only_by_force() {
+fn an_older_measurement_is_replaced_only_by_force_and_no_other_file_at_all() {
     let here = folder();
-    fs::write(here.path().join("t.csv"), "mine").expect("written");
+    let marks = fs::read_to_string(example("video-marks.csv")).expect("read");
+    let video = fs::read_to_string(example("video.toml")).expect("read");
     let asked = ["measure", &example("video.toml"), "--output", "t.csv"];
+    assert_eq!(washout(here.path(), &asked).code, Some(0));
     let said = washout(here.path(), &asked);
     assert_eq!(said.code, Some(2));
     assert_eq!(
         said.err,
         "washout: t.csv exists already; give another name, or move it away\n"
     );
-    let said = washout(here.path(), &[&asked[..], &["--force"]].concat());
+    let forced = [&asked[..], &["--force"]].concat();
+    let said = washout(here.path(), &forced);
     assert_eq!(said.code, Some(0), "{}", said.err);
     assert_eq!(entries(here.path()), ["t.csv"]);
+    for text in ["mine", &marks, &video] {
+        fs::write(here.path().join("t.csv"), text).expect("written");
+        let said = washout(here.path(), &forced);
+        assert_eq!(said.code, Some(2), "{}", said.out);
+        assert!(
+            said.err
+                .contains("is not a measurement that washout measure wrote"),
+            "{}",
+            said.err
+        );
+        assert_eq!(fs::read_to_string(here.path().join("t.csv")).expect("read"), text);
+    }
 }
 
 #[test]

@@ -46,7 +46,7 @@ fn a_run_is_reported_in_one_file_with_its_summary_and_reported_again_to_the_same
     assert_eq!(refused.code, Some(2));
     assert_eq!(
         refused.err,
-        "washout: mine.html exists already; give another name, or move it away\n"
+        "washout: mine.html exists already and is not a report of washout; give another name, or move it away\n"
     );
     assert_eq!(
         fs::read_to_string(here.path().join("mine.html")).expect("a file"),

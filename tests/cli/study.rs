@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use crate::hidden::{MANY, campaign, json};
 use crate::washout;
 
 /// A cantilever whose torsional stiffness was 20 % lower than its design says: 1 mN·m to 3 mN·m at the tip, ten readings.
@@ -217,4 +218,34 @@ fn a_study_and_its_diagnosis_are_reported_with_every_wing_before_and_after() {
     assert_eq!(rows(&of_folder), rows(&of_study));
     // The ruler alone is uncertain, which turns no wing.
     assert_eq!(names(&of_study).len(), 6);
+}
+
+#[test]
+fn rows_of_a_misspelt_condition_are_named_with_what_was_meant() {
+    let here = tempfile::tempdir().unwrap();
+    campaign(here.path(), &MANY);
+    let hide = ["synthesize", "study.toml", "--seed", "3", "--output", "made"];
+    json(&washout(here.path(), &[&hide[..], &["--json"]].concat()));
+    let file = here.path().join("made/m.csv");
+    let text = fs::read_to_string(&file).unwrap();
+    fs::write(&file, text.replace("m-2,", "m_2,")).unwrap();
+    let lines: Vec<usize> = (text.lines().enumerate())
+        .filter(|(_, line)| line.starts_with("m-2,"))
+        .map(|(index, _)| index + 1)
+        .collect();
+    let told = format!(
+        "made/m.csv, lines {}–{}, m_2: no case of the study has this condition; did you mean m-{{moment}}?",
+        lines[0],
+        lines[lines.len() - 1]
+    );
+    let run = |verb: &str| washout(here.path(), &[verb, "made/study.toml"]);
+    let page = run("compare");
+    assert!(page.out.contains(&told), "{told}\n{}", page.out);
+    let page = run("diagnose");
+    let plain = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(plain(&page.out).contains(&told), "{told}\n{}", page.out);
+    let document = |verb: &str| json(&washout(here.path(), &[verb, "made/study.toml", "--json"]));
+    assert_eq!(document("compare")["not_compared"], serde_json::json!([told]));
+    let notes = document("diagnose")["notes"].clone();
+    assert!(notes.to_string().contains(&told), "{notes}");
 }

@@ -21,8 +21,9 @@ fn swept(folder: &Path, more: &[&str]) -> crate::Said {
 }
 
 fn tasks(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder.join("tasks")).unwrap();
+    let entries = fs::read_dir(folder.with_file_name("two-tasks")).unwrap();
     let mut found: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+    found.retain(|path| !path.ends_with("sweep.json"));
     found.sort();
     found
 }
@@ -155,6 +156,25 @@ fn a_case_that_fails_keeps_its_row_with_the_reason() {
         &["--vary", "film.thickness_mm=-1", "--output", "none"],
     );
     assert_eq!(said.code, Some(2), "a base that no case can have: {}", said.err);
+}
+
+#[test]
+fn a_sweep_without_any_result_ends_as_its_cases_do() {
+    let here = folder();
+    // a design that can be read, and of which no wing is made
+    let mesh = here.path().join("no.msh").display().to_string();
+    fs::write(&mesh, "no mesh").unwrap();
+    let vary = format!("mesh.file={mesh},{mesh}");
+    let said = swept(here.path(), &["--vary", &vary, "--output", "refused"]);
+    assert_eq!(said.code, Some(2), "{}", said.err);
+    assert!(said.err.contains("none of the 2 cases"), "{}", said.err);
+    assert!(here.path().join("refused/sweep.csv").is_file());
+    let unsolved = ["--set", "coupling.max_iterations=1", "--output", "unsolved"];
+    let said = swept(
+        here.path(),
+        &[&["--vary", "flapping.frequency_hz=21,22"], &unsolved[..]].concat(),
+    );
+    assert_eq!(said.code, Some(3), "{}", said.err);
 }
 
 #[test]

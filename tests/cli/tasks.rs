@@ -168,7 +168,8 @@ fn a_task_of_a_blind_run_writes_its_cases_and_no_scoreboard() {
     let said = blind(here.path(), &[&many[..], &["--task", "1"]].concat());
     done(&said);
     assert_eq!(said.out, "");
-    let folder = here.path().join("many");
+    assert!(!here.path().join("many").exists());
+    let folder = here.path().join("many-tasks");
     assert_eq!(entries(&folder), ["cases", "run.json"]);
     let last = entries(&folder.join("cases"));
     assert_eq!(last.len(), 1, "{last:?}");

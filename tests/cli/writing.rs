@@ -73,7 +73,7 @@ fn a_folder_with_files_of_the_user_is_left_alone() {
     fs::write(here.path().join("mine/notes.txt"), "mine").expect("written");
     let before = contents(&here.path().join("mine"));
     let said = washout(here.path(), &["mesh", &design("rigid.toml"), "--output", "mine"]);
-    assert_eq!(said.code, Some(1));
+    assert_eq!(said.code, Some(2));
     assert!(said.err.contains("'notes.txt'"), "{}", said.err);
     assert_eq!(contents(&here.path().join("mine")), before);
 }
@@ -131,7 +131,7 @@ fn a_full_disk_ends_with_1_names_the_file_and_keeps_the_earlier_run() {
     assert!(said.err.contains("free some space there"), "{}", said.err);
     assert_eq!(
         said.out,
-        ".:\nrun\n\nrun:\nmesh.msh\nmesh.vtu\noutline.geo\nsummary.json\n"
+        ".:\nrun\n\nrun:\n.washout.json\nmesh.msh\nmesh.vtu\noutline.geo\nsummary.json\n"
     );
 }
 

@@ -37,4 +37,9 @@ pub use wing::Wing;
 pub const REPORT: &str = "report.html";
 
 /// How a report is known as one: this stands in its head.
-pub const GENERATOR: &str = "<meta name=\"generator\" content=\"washout ";
+const GENERATOR: &str = "<meta name=\"generator\" content=\"washout ";
+
+/// Whether a file holds a report that washout wrote.
+pub fn is_report(bytes: &[u8]) -> bool {
+    String::from_utf8_lossy(&bytes[..bytes.len().min(1024)]).contains(GENERATOR)
+}

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 use super::expand::{CaseNumber, Form, case_numbers, put_in};
+use super::unused::{UnusedRows, unused};
 use super::{Case, Purpose, Study};
 use crate::input::check::{format_is_one, refuse};
 use crate::input::design::Design;
@@ -26,6 +27,8 @@ pub struct LoadedStudy {
     pub cases: Vec<LoadedCase>,
     /// Experiments that could be made next, families written out; their values are yet to be measured.
     pub experiments: Vec<LoadedCase>,
+    /// Rows of its measurement files that none of them uses.
+    pub unused: Vec<UnusedRows>,
     /// The study file and all that it names, with what they held.
     pub files: Vec<InputFile>,
 }
@@ -126,19 +129,12 @@ impl LoadedStudy {
             InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
         })?;
         check(&study, &root)?;
-        let mut files = vec![input];
+        let mut measured: Vec<Measurement> = Vec::new();
         let mut families = |tables: &[Case], word: &str| {
             let mut cases = Vec::new();
             for (index, case) in tables.iter().enumerate() {
-                let measured = family(case, &format!("{word}[{index}]"), path, &root, sets, &mut cases)?;
-                files.extend(measured);
-            }
-            for case in &cases {
-                let new: Vec<InputFile> = (case.loaded.files.iter())
-                    .filter(|file| !files.contains(file))
-                    .cloned()
-                    .collect();
-                files.extend(new);
+                let table = format!("{word}[{index}]");
+                measured.push(family(case, &table, path, &root, sets, &mut cases)?);
             }
             Ok(cases)
         };
@@ -147,13 +143,52 @@ impl LoadedStudy {
         known_designs(&study, &root, &cases)?;
         known_runs(&study, &root, cases.iter().chain(&experiments))?;
         Ok(LoadedStudy {
+            unused: unused_rows(&study, &measured, cases.iter().chain(&experiments)),
+            files: all_files(input, &measured, cases.iter().chain(&experiments)),
             study,
             path: path.to_path_buf(),
             cases,
             experiments,
-            files,
         })
     }
+}
+
+/// Rows of the measurement files, one for each table of cases, that no case uses.
+fn unused_rows<'a>(
+    study: &Study,
+    measured: &[Measurement],
+    cases: impl Iterator<Item = &'a LoadedCase> + Clone,
+) -> Vec<UnusedRows> {
+    let tables = || study.case.iter().chain(&study.experiment).zip(measured);
+    let mut found = Vec::new();
+    for (place, file) in measured.iter().enumerate() {
+        if measured[..place].iter().any(|known| known.file == file.file) {
+            continue;
+        }
+        let of_file = cases.clone().filter(|case| case.measurement == file.file);
+        let used: Vec<&str> = of_file.map(|case| case.name.as_str()).collect();
+        let tables = tables().filter(|(_, own)| own.file == file.file);
+        let forms: Vec<&str> = tables.map(|(case, _)| case.measured.as_str()).collect();
+        found.extend(unused(file, &used, &forms));
+    }
+    found
+}
+
+/// The study file and all that it names, each once.
+fn all_files<'a>(
+    input: InputFile,
+    measured: &[Measurement],
+    cases: impl Iterator<Item = &'a LoadedCase>,
+) -> Vec<InputFile> {
+    let measured = measured.iter().filter_map(|file| file.input.as_ref());
+    let named = measured.chain(cases.flat_map(|case| &case.loaded.files));
+    let mut files = vec![input];
+    for file in named {
+        if !files.contains(file) {
+            files.push(file.clone());
+        }
+    }
+    files
 }
 
 fn check(study: &Study, root: &Node) -> Result<(), InputError> {
@@ -182,7 +217,7 @@ fn check(study: &Study, root: &Node) -> Result<(), InputError> {
     Ok(())
 }
 
-/// Adds the cases of one table; gives its measurement file.
+/// Adds the cases of one table; gives all that its measurement file holds.
 fn family(
     case: &Case,
     table: &str,
@@ -190,7 +225,7 @@ fn family(
     root: &Node,
     sets: &[String],
     cases: &mut Vec<LoadedCase>,
-) -> Result<Option<InputFile>, InputError> {
+) -> Result<Measurement, InputError> {
     let key = |name: &str| format!("{table}.{name}");
     let beside = |name: &str, value: &str| {
         let path = file::beside(study_path, value);
@@ -277,7 +312,7 @@ fn family(
             is_held_out: case.purpose == Purpose::HeldOut || case.held_out.iter().any(|held| held == name),
         });
     }
-    Ok(all.input)
+    Ok(all)
 }
 
 /// Refuses rulers of which no run is that of a reading of their channel; some may belong to cases that were taken out.

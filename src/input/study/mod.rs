@@ -12,8 +12,11 @@ mod expand;
 
 mod load;
 
+mod unused;
+
 pub use expand::CaseNumber;
 pub use load::{LoadedCase, LoadedStudy};
+pub use unused::UnusedRows;
 
 /// A study. Unknown keys are refused.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
