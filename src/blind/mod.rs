@@ -34,8 +34,8 @@ use std::time::Instant;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::diagnose::baseline::Shared;
 use crate::diagnose::plan::{Outlook, PlannedEffect};
+use crate::diagnose::table::Table;
 use crate::diagnose::{self, Settings, judged};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
@@ -161,8 +161,8 @@ pub struct Blind<'a> {
     pub outlook: Outlook,
     /// Settings of every diagnosis.
     pub settings: Settings,
-    /// Derivatives where its unknowns start, which all cases share.
-    pub shared: Shared,
+    /// How its campaign answers, which all cases share.
+    pub table: Table,
     /// What could be measured besides, if the study lists anything.
     pub experiments: Option<Campaign>,
     /// Ranges from which cases are drawn.
@@ -190,8 +190,8 @@ impl<'a> Blind<'a> {
             start: Some(campaign.start()),
             ..Settings::default()
         };
-        let outlook = Outlook::new(&campaign, &settings, progress)?;
-        let shared = Shared::new(&campaign, &settings, progress)?;
+        let table = Table::new(&campaign, &settings, progress)?;
+        let outlook = Outlook::new(&campaign, Some(&table), &settings, progress)?;
         let experiments = Campaign::of_experiments(study, &candidates, progress)?;
         let mut blind = Blind {
             study,
@@ -200,7 +200,7 @@ impl<'a> Blind<'a> {
             campaign,
             outlook,
             settings,
-            shared,
+            table,
             ranges,
             turned: Vec::new(),
         };
@@ -245,11 +245,11 @@ impl<'a> Blind<'a> {
     pub fn case(&self, kind: Kind, seed: u64, progress: &Progress) -> Result<Outcome, BlindError> {
         let (recipe, made, redrawn) = self.drawn(kind, seed, progress)?;
         let started = Instant::now();
-        let (campaign, shared) = match self.campaign.with_readings_of(&made.study) {
-            Some(campaign) => (campaign, Some(&self.shared)),
+        let (campaign, table) = match self.campaign.with_readings_of(&made.study) {
+            Some(campaign) => (campaign, Some(&self.table)),
             None => (Campaign::new(&made.study, &self.candidates, progress)?, None),
         };
-        let (baseline, judgement) = judged(&campaign, &self.settings, shared, progress)?;
+        let (baseline, judgement) = judged(&campaign, &self.settings, table, progress)?;
         let experiments = self.experiments.as_ref().filter(|_| kind == Kind::Twin);
         let candidates = experiments.map(|experiments| experiments as &dyn Forward);
         let said = diagnose::report::report(&baseline, &judgement, candidates, progress)?;

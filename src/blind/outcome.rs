@@ -190,7 +190,6 @@ fn names_in_set(said: &Diagnosis) -> usize {
     let mut names: Vec<&[String]> = set
         .map(|hypothesis| match &hypothesis.families[..] {
             [] => &hypothesis.effects[..],
-            [first, _] if !hypothesis.is_shown => std::slice::from_ref(first),
             all => all,
         })
         .collect();

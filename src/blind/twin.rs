@@ -3,7 +3,7 @@
 
 use crate::diagnose::Settings;
 use crate::diagnose::baseline::Baseline;
-use crate::diagnose::library::{Scales, families, heaviest};
+use crate::diagnose::library::Trial;
 use crate::diagnose::refit::Explanation;
 use crate::diagnose::screening::effect_of;
 use crate::progress::Progress;
@@ -12,7 +12,7 @@ use crate::study::{Footing, Forward};
 use super::spot::Spot;
 use super::{Blind, BlindError};
 
-/// Other families that are fitted, the best of the linear model first.
+/// Other families that are fitted, the most probable first.
 const FITTED: usize = 3;
 
 /// How much less well another family explains the readings of the model with the effect at `spot`, sigma: the root of what it leaves
@@ -27,7 +27,7 @@ pub fn apart(blind: &Blind, spot: Spot, strength: f64, progress: &Progress) -> R
         noise_scale: Some(1.0),
         ..blind.settings.clone()
     };
-    let baseline = Baseline::new(&told, &settings, Some(&blind.shared), &progress.unseen())?;
+    let baseline = Baseline::new(&told, &settings, Some(&blind.table), &progress.unseen())?;
     let footing = baseline.footing.as_ref().map(Footing::for_trials);
     let refits = baseline.refits(footing.as_ref());
     let (unknowns, members) = (told.unknowns(), &baseline.data.missing);
@@ -40,17 +40,28 @@ pub fn apart(blind: &Blind, spot: Spot, strength: f64, progress: &Progress) -> R
         found.q - pulls.sum::<f64>()
     };
     let itself = match members.iter().position(|&i| i == spot.strength) {
-        Some(own) => refits.refit_from(&[own], &[at])?,
+        Some(own) => refits.refit_from(&[own], &[at], &baseline.scatter)?,
         None => None,
     };
-    let families = families(&told, &baseline.data, &baseline.directions.lengths);
     let own = effect_of(&unknowns[spot.strength]).map_or("", |(_, family, _, _)| family);
-    let mut trials = Scales::of(&baseline).singles(&families, 1.0);
-    trials.retain(|trial| trial.members.len() == 1 && families[trial.families[0]].name != own);
+    let family = |trial: &&Trial| baseline.families[trial.families[0]].name.as_str();
+    let mut trials: Vec<&Trial> = baseline
+        .weighing
+        .singles
+        .iter()
+        .filter(|trial| family(trial) != own)
+        .collect();
+    trials.sort_by(|a, b| b.ln_weight.total_cmp(&a.ln_weight));
+    let mut known: Vec<usize> = Vec::new();
+    trials.retain(|trial| {
+        let is_new = !known.contains(&trial.families[0]);
+        known.push(trial.families[0]);
+        is_new
+    });
     let mut nearest = f64::INFINITY;
-    for index in heaviest(&trials, FITTED, 1) {
-        let trial = &trials[index];
-        if let Some(found) = refits.refit(&trial.members, &trial.linear.estimate[..1])? {
+    for trial in trials.into_iter().take(FITTED) {
+        let start = refits.stepped(&trial.members, &trial.best);
+        if let Some(found) = refits.refit_from(&trial.members, &[start], &baseline.scatter)? {
             nearest = nearest.min(left(&found));
         }
     }

@@ -1,7 +1,7 @@
 //! Which effects a diagnosis may try: those of `--effect`, those that the study names, or all.
 
 use crate::diagnose::DiagnoseError;
-use crate::effects::{all, instead_of, lacks, named};
+use crate::effects::{Effect, all, instead_of, lacks, named};
 use crate::export::text::first_up;
 use crate::input::refused_in;
 use crate::input::study::LoadedStudy;
@@ -46,8 +46,15 @@ pub fn candidates(study: &LoadedStudy, asked: &[String], console: &Console) -> R
             ));
         }
     }
+    let is_stated = |effect: &&'static dyn Effect| {
+        let key = effect.is_error_of();
+        key.is_some_and(|key| study.study.uncertain.iter().any(|uncertain| uncertain.key == key))
+    };
     let listed = match (asked, of_study) {
-        ([], None) => all().map(|effect| effect.card().name.to_string()).collect(),
+        ([], None) => all()
+            .filter(|effect| !is_stated(effect))
+            .map(|effect| effect.card().name.to_string())
+            .collect(),
         ([], Some(listed)) => listed.to_vec(),
         (asked, _) => asked.to_vec(),
     };

@@ -19,6 +19,7 @@ use crate::progress::Progress;
 use crate::study::{Campaign, Forward};
 
 use super::candidates::{Candidates, candidates, known};
+use super::kept::{self, Prepared};
 use super::study::{listed, target};
 use super::{Console, Failure, joining};
 
@@ -38,7 +39,9 @@ pub const DIAGNOSIS: &str = "diagnosis.json";
 The verdict comes first, in one sentence; then what it rests on. With tables [[experiment]] in the study (as [[case]], the
 values of their measurement files empty) it says which of them to make next.
 Writes output/NAME-diagnosis/: effects against the residual, residuals in sigma, the error step by step and what is
-missing as pictures (SVG), with the numbers behind each (CSV); diagnosis.json. With --plan it writes no files.")]
+missing as pictures (SVG), with the numbers behind each (CSV); diagnosis.json. With --plan it writes no files.
+How the model answers to every effect takes most of the time. It does not depend on what was measured, and is kept for the next
+question in the cache folder of the user: $XDG_CACHE_HOME/washout or ~/.cache/washout; WASHOUT_CACHE names another, and none if empty.")]
 pub struct Diagnose {
     /// The study
     pub study: PathBuf,
@@ -155,10 +158,8 @@ fn to_add(study: &Path, on: &[String], diagnosis: &Diagnosis) -> String {
     let Some(known) = known else {
         return String::new();
     };
-    // a second effect that the data merely allow is none to be added
-    let count = if known.is_shown { known.strengths.len() } else { 1 };
     let mut commands = String::new();
-    let mut strengths: Vec<&Strength> = known.strengths.iter().take(count).collect();
+    let mut strengths: Vec<&Strength> = known.strengths.iter().collect();
     // what is surest first: a fit of the other alone might end elsewhere
     let in_errors = |own: &Strength| own.value.abs() / own.standard_error;
     strengths.sort_by(|a, b| in_errors(b).total_cmp(&in_errors(a)));
@@ -243,11 +244,16 @@ fn answered(
 ) -> Result<(Campaign, DiagnosisReport), Failure> {
     let progress = console.progress();
     let names: Vec<&str> = effects.names.iter().map(String::as_str).collect();
-    let (campaign, settings) = prepared(path, study, &names, settings, progress)?;
+    let (prepared, settings) = prepared(path, study, &names, settings, progress)?;
+    let Prepared {
+        campaign,
+        table,
+        beside,
+    } = prepared;
     let experiments = Campaign::of_experiments(study, &names, progress);
     let experiments = experiments.map_err(|error| fault(path, error.into()))?;
     let next = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
-    let diagnosis = diagnose_with(&campaign, next, &settings, progress);
+    let diagnosis = diagnose_with(&campaign, next, Some(&table), &settings, progress);
     let mut diagnosis = diagnosis.map_err(|error| fault(path, error))?;
     if let Some(wings) = &study.study.candidates_on {
         let wings = wings.join(", ");
@@ -259,9 +265,11 @@ fn answered(
     let not_compared = campaign.not_compared().into_iter();
     let told = not_compared.map(|row| format!("Not compared: {row}"));
     diagnosis.notes.extend(told);
+    let mut work = campaign.work();
+    work += beside;
     let report = DiagnosisReport {
         diagnosis,
-        work: campaign.work(),
+        work,
         made_of: MadeOf::files(&study.files),
         files: Vec::new(),
     };
@@ -277,19 +285,21 @@ fn planned(
     console: &Console,
 ) -> Result<(), Failure> {
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let (campaign, settings) = prepared(path, study, &names, settings, console.progress())?;
-    let plan = plan(&campaign, &settings, console.progress()).map_err(|error| fault(path, error))?;
+    let (prepared, settings) = prepared(path, study, &names, settings, console.progress())?;
+    let Prepared { campaign, table, .. } = prepared;
+    let plan = plan(&campaign, Some(&table), &settings, console.progress());
+    let plan = plan.map_err(|error| fault(path, error))?;
     console.result(&page_of_plan(&campaign.name, &plan), &plan)
 }
 
-/// The campaign of a study, and the settings with what it states of its model.
+/// The campaign of a study with its table, and the settings with what it states of its model.
 fn prepared(
     path: &Path,
     study: &LoadedStudy,
     names: &[&str],
     settings: Settings,
     progress: &Progress,
-) -> Result<(Campaign, Settings), Failure> {
+) -> Result<(Prepared, Settings), Failure> {
     let campaign = Campaign::new(study, names, progress);
     let campaign = campaign.map_err(|error| fault(path, error.into()))?;
     let settings = Settings {
@@ -297,7 +307,8 @@ fn prepared(
         start: Some(campaign.start()),
         ..settings
     };
-    Ok((campaign, settings))
+    let prepared = kept::prepared(campaign, study, names, &settings, progress);
+    Ok((prepared.map_err(|error| fault(path, error))?, settings))
 }
 
 fn fault(study: &Path, source: DiagnoseError) -> Failure {

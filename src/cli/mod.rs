@@ -63,6 +63,8 @@ pub mod diagnose;
 
 pub mod candidates;
 
+pub mod kept;
+
 pub mod add;
 
 pub mod added;

@@ -1,32 +1,31 @@
-//! The model as it is: fitted, with the scatter that the data show, and every direction in which it could be wrong.
+//! The model as it is: fitted, with the errors that the data show, and how it answers to everything that could be missing.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
 use crate::study::calibrate::misfit;
 use crate::study::left_out::Local;
-use crate::study::{AdmittedError, Fit, Footing, Forward, Work};
+use crate::study::{Fit, Footing, Forward, Work};
 
 use super::data::{Data, Scatter, start};
-use super::error::DiagnoseError;
+use super::error::{DiagnoseError, where_solved};
 use super::evidence::Likelihood;
 use super::fields::{Field, Law, fields};
-use super::novel::seen;
-use super::null::{NullTest, Scale, Significance};
-use super::refit::{Explanation, Refits};
+use super::library::{Family, families};
+use super::model_error::{ModelError, Size};
+use super::refit::Refits;
+use super::responses::Responses;
 use super::robust::outlier_widening;
-use super::rough::{FEWEST, Smooth};
-use super::screening::{Directions, Slopes, is_one_sided, slopes_of_missing};
+use super::screening::{Directions, effect_of};
 use super::settings::Settings;
+use super::table::Table;
+use super::weigh::{Weighing, weigh};
 use super::whitened::Whitened;
-use crate::study::draws::Draws;
 
-/// Size of the fields that count as smooth when the noise is judged, over that of the prediction.
+/// Size of the fields that count as smooth when outliers are looked for, over that of the prediction.
 const SMOOTH_AMPLITUDE: f64 = 0.3;
-/// An explanation counts as calmer if the data scatter less about it than this share.
-const CALMER: f64 = 0.8;
-/// Rounds in which the scale of the noise settles.
-const ROUNDS: usize = 3;
+/// Numbers from which on the scale of the scatter can be told from them.
+const FEWEST: usize = 24;
 
 /// The model as it is, seen in the data.
 pub struct Baseline<'a> {
@@ -38,9 +37,11 @@ pub struct Baseline<'a> {
     pub data: Data,
     /// Predictions where the unknowns start.
     pub raw: DVector<f64>,
-    /// The error that is admitted of the model.
-    pub admitted: AdmittedError,
-    /// Scatter that the data show.
+    /// The error that is expected.
+    pub error: ModelError,
+    /// Its size that the data show.
+    pub size: Size,
+    /// The same for fits.
     pub scatter: Scatter,
     /// The fit.
     pub fit: Fit,
@@ -48,6 +49,15 @@ pub struct Baseline<'a> {
     pub local: Local,
     /// The same, whitened.
     pub whitened: Whitened,
+    /// What the model reads with each missing effect.
+    pub responses: Responses,
+    /// How far the data lie with each missing effect at its plausible size from without, in standard deviations, what calibration takes up
+    /// left out; none where the model has no solution there.
+    pub distances: Vec<Option<f64>>,
+    /// Families of the missing effects that can be seen.
+    pub families: Vec<Family>,
+    /// How probable everything is.
+    pub weighing: Weighing,
     /// Derivatives with the missing effects, per prior standard deviation.
     pub slopes: DMatrix<f64>,
     /// Directions of the missing effects.
@@ -56,33 +66,64 @@ pub struct Baseline<'a> {
     pub moment: DMatrix<f64>,
     /// Fields that have no name.
     pub fields: Vec<Field>,
-    /// Their columns, whitened.
-    pub seen: Vec<DMatrix<f64>>,
     /// How the noise enters.
     pub likelihood: Likelihood,
     /// What the derivatives with every effect took; nothing if another diagnosis found them.
     pub screening: Work,
-    /// What the model left at the first fit, with all derivatives.
+    /// What the model left at the first fit.
     pub footing: Option<Footing>,
-    /// Missing effects (positions) of which nothing is known: no derivative, and no solution at their plausible size.
-    pub unanswered: Vec<usize>,
+}
+
+/// What effects are weighed by: the first fit, and the errors about it.
+pub struct Seen<'a> {
+    /// The model.
+    pub forward: &'a dyn Forward,
+    /// What is fitted.
+    pub data: &'a Data,
+    /// The error that is expected.
+    pub error: ModelError,
+    /// Measured minus modelled, inputs at their prior means.
+    pub residual: DVector<f64>,
+    /// Where the unknowns start, and what the model left at the fit.
+    pub start: &'a [f64],
+    pub footing: Option<&'a Footing>,
+}
+
+impl Seen<'_> {
+    /// Change of the fitted readings by two missing effects at these strengths; none if there is no solution.
+    ///
+    /// # Errors
+    /// If the user asked to stop.
+    pub fn with(&self, effects: [(usize, f64); 2]) -> Result<Option<DVector<f64>>, DiagnoseError> {
+        let mut there = self.start.to_vec();
+        for (k, strength) in effects {
+            there[self.data.missing[k]] = strength;
+        }
+        let footing = self.footing.map(Footing::for_trials);
+        let read = |at: &[f64]| where_solved(self.forward.linearize_from(footing.as_ref(), at, &|_| false));
+        let (Some((without, _)), Some((with, _))) = (read(self.start)?, read(&there)?) else {
+            return Ok(None);
+        };
+        let change = (with.value - without.value).select_rows(self.data.rows.iter());
+        Ok(change.iter().all(|own| own.is_finite()).then_some(change))
+    }
 }
 
 impl<'a> Baseline<'a> {
-    /// Fits the model and looks around; `shared`: how another diagnosis found it to answer nearby, which is taken over.
+    /// Fits the model and looks around; `table`: how its campaign answers, if that is known.
     ///
     /// # Errors
     /// If there is nothing to fit, a result is not finite, or the user asked to stop.
     pub fn new(
         forward: &'a dyn Forward,
         settings: &'a Settings,
-        shared: Option<&Shared>,
+        table: Option<&Table>,
         progress: &Progress,
     ) -> Result<Baseline<'a>, DiagnoseError> {
         settings.check()?;
         let start = start(forward, settings)?;
         let data = Data::new(forward, &start)?;
-        let size = data.rows.len();
+        let count = data.rows.len();
         progress.say("fitting the model as it is");
         let raw = forward.predict(&start)?;
         if raw.iter().any(|value| !value.is_finite()) {
@@ -90,137 +131,84 @@ impl<'a> Baseline<'a> {
                 what: "its start".into(),
             });
         }
-        let glanced = AdmittedError::of_predictions(settings.slop, &raw);
-        let stated = Scatter::new(forward, &data, &glanced, 1.0, vec![1.0; size])?;
-        let footing = shared.and_then(|shared| shared.slopes.footing.as_ref());
-        let first = stated.fit(forward, &data, &data.model, &start, footing)?;
+        let typical = Size::typical(settings.slop, settings.noise_scale);
+        let stated = ModelError::new(forward, &data, &raw, &vec![1.0; count], &DMatrix::zeros(count, 0));
+        let stated = Scatter::new(&stated, &typical, vec![1.0; count])?;
+        let first = stated.fit(forward, &data, &data.model, &start, None)?;
+        let footing = first.footing.clone();
         progress.check()?;
-        let before = forward.work();
-        let Shared {
-            slopes:
-                Slopes {
-                    missing: slopes,
-                    mut admitted,
-                    footing,
-                    unanswered,
-                },
-            mut moment,
-        } = match shared {
-            Some(shared) => shared.clone(),
-            None => Shared::at(
-                forward,
-                &data,
-                &first.at,
-                settings,
-                first.footing.as_ref(),
-                progress,
-            )?,
+        let table = match table {
+            Some(table) => table.clone(),
+            None => Table::new(forward, settings, progress)?,
         };
-        let screening = forward.work() - before;
-        admitted.value = first.predicted.clone();
-        let kept = data.kept_bounds(forward, &first.predicted);
-        for &row in &kept {
+        let Table {
+            slopes,
+            mut moment,
+            responses,
+            screening,
+            ..
+        } = table;
+        for row in data.kept_bounds(forward, &first.predicted) {
             moment.row_mut(row).fill(0.0);
         }
-        progress.check()?;
-        let fields = fields(forward, &data, &moment, &admitted.value);
+        let fields = fields(forward, &data, &moment, &first.predicted);
         let local = Local::about(&first, forward, &stated.noise);
-        let glance = Glance {
+        let widening = outliers(forward, &data, &first, &local, &slopes, &fields);
+        let error = ModelError::new(forward, &data, &first.predicted, &widening, &local.slopes);
+        let scatter = Scatter::new(&error, &typical, widening.clone())?;
+        let whitened = Whitened::new(&local, &scatter.noise)?;
+        let visible = distances(forward, &data, &responses, &whitened);
+        let visible: Vec<f64> = visible.iter().map(|own| own.unwrap_or(f64::INFINITY)).collect();
+        let families = families(forward, &data, &visible);
+        progress.say("weighing every effect");
+        let seen = Seen {
             forward,
-            settings,
             data: &data,
-            local: &local,
-            slopes: &slopes,
-            fields: &fields,
-            admitted: &admitted,
+            error,
+            residual: local.at_means,
+            start: &start,
+            footing: footing.as_ref(),
         };
-        let widening = glance.outliers();
-        let scatter = glance.settle(widening)?;
-        progress.say("fitting the model with the scatter that the data show");
+        let weighing = weigh(&seen, &responses, &families, settings)?;
+        let size = Size {
+            share: weighing.share,
+            scale: match settings.noise_scale {
+                None if count >= FEWEST => weighing.scale,
+                known => known.unwrap_or(1.0),
+            },
+            ln_prior: 0.0,
+        };
+        let error = seen.error;
+        let scatter = Scatter::new(&error, &size, widening)?;
+        progress.say("fitting the model with the errors that the data show");
         let fit = scatter.fit(forward, &data, &data.model, &first.at, footing.as_ref())?;
         let local = Local::about(&fit, forward, &scatter.noise);
         let whitened = Whitened::new(&local, &scatter.noise)?;
-        let directions = Directions::new(&data, &slopes, &whitened);
-        let seen = seen(&fields, &whitened);
-        let likelihood = Likelihood::of(size - kept.len(), settings);
+        let kept = data.kept_bounds(forward, &first.predicted).len();
+        let distances = distances(forward, &data, &responses, &whitened);
         Ok(Baseline {
             forward,
             settings,
-            data,
             raw,
-            admitted,
+            error,
+            size,
             scatter,
+            directions: Directions::new(&data, &slopes, &whitened),
+            distances,
             fit,
             local,
             whitened,
+            responses,
+            families,
+            weighing,
             slopes,
-            directions,
             moment,
             fields,
-            seen,
-            likelihood,
+            likelihood: Likelihood::of(count - kept, settings),
             screening,
             footing,
-            unanswered,
+            data,
         })
-    }
-
-    /// The same with the scatter that the data show about an explanation, if that is clearly less than about the model as it
-    /// is: what is missing may be too large and too crooked to count as smooth there.
-    ///
-    /// # Errors
-    /// As [`Baseline::new`].
-    pub fn calmed(
-        &self,
-        explanation: &Explanation,
-        progress: &Progress,
-    ) -> Result<Option<Baseline<'a>>, DiagnoseError> {
-        let (Some(local), Some(found)) = (&explanation.local, &explanation.fit) else {
-            return Ok(None);
-        };
-        let admitted = AdmittedError {
-            value: found.predicted.clone(),
-            ..self.admitted.clone()
-        };
-        let glance = Glance {
-            forward: self.forward,
-            settings: self.settings,
-            data: &self.data,
-            local,
-            slopes: &self.slopes,
-            fields: &self.fields,
-            admitted: &admitted,
-        };
-        let widening = glance.outliers();
-        let scatter = glance.settle(widening)?;
-        if scatter.scale > CALMER * self.scatter.scale {
-            return Ok(None);
-        }
-        progress.say("fitting the model with the scatter that the data show about the best explanation");
-        let footing = self.footing.as_ref();
-        let fit = scatter.fit(self.forward, &self.data, &self.data.model, &self.fit.at, footing)?;
-        let local = Local::about(&fit, self.forward, &scatter.noise);
-        let whitened = Whitened::new(&local, &scatter.noise)?;
-        Ok(Some(Baseline {
-            forward: self.forward,
-            settings: self.settings,
-            data: self.data.clone(),
-            raw: self.raw.clone(),
-            directions: Directions::new(&self.data, &self.slopes, &whitened),
-            seen: seen(&self.fields, &whitened),
-            moment: self.moment.clone(),
-            fields: self.fields.clone(),
-            slopes: self.slopes.clone(),
-            likelihood: self.likelihood,
-            screening: self.screening,
-            footing: self.footing.clone(),
-            unanswered: self.unanswered.clone(),
-            admitted,
-            scatter,
-            fit,
-            local,
-            whitened,
-        }))
     }
 
     /// What fits with effects start from; `footing`: what the model left at the fit.
@@ -241,44 +229,58 @@ impl<'a> Baseline<'a> {
         self.settings.noise_scale.is_none() && self.data.rows.len() < FEWEST
     }
 
-    /// Significance of the residual about a fit, against these directions and all fields.
-    pub fn significance(&self, whitened: &Whitened, directions: &Directions) -> Significance {
-        let fields = seen(&self.fields, whitened);
-        let scale = if self.settings.noise_scale.is_some() {
-            Scale::Known
-        } else if self.on_trust() {
-            Scale::Trusted(self.settings.noise_trust)
-        } else {
-            let columns = smooth_columns(&self.fields, &fields, &directions.columns);
-            Scale::Estimated(self.settings.noise_trust, Smooth::new(whitened, &columns))
-        };
-        let unknowns = self.forward.unknowns();
-        let one_sided: Vec<bool> = directions
-            .unknowns
-            .iter()
-            .map(|&i| is_one_sided(&unknowns[i]))
-            .collect();
-        NullTest::new(&directions.columns, &one_sided, &fields, scale).significance(
-            &whitened.residual,
-            &whitened.rotation_to_readings(),
-            Draws::new(self.settings.seed),
-            self.settings.draws,
-        )
+    /// Change of the fitted readings by a missing effect at a strength.
+    pub fn change(&self, k: usize, strength: f64) -> DVector<f64> {
+        self.responses.each[k]
+            .at(strength)
+            .select_rows(self.data.rows.iter())
     }
 }
 
-/// Everything smooth, of unit prior variance.
-fn smooth_columns(fields: &[Field], seen: &[DMatrix<f64>], directions: &DMatrix<f64>) -> DMatrix<f64> {
-    let smooth = fields.iter().zip(seen).filter(|(field, _)| is_smooth(field.law));
-    let parts: Vec<DMatrix<f64>> = smooth
-        .map(|(_, columns)| columns * SMOOTH_AMPLITUDE)
-        .chain([directions.clone()])
-        .collect();
-    side_by_side(&parts)
+/// How far each missing effect at its plausible size is from none, in standard deviations, what calibration takes up left out.
+pub fn distances(
+    forward: &dyn Forward,
+    data: &Data,
+    responses: &Responses,
+    whitened: &Whitened,
+) -> Vec<Option<f64>> {
+    let distance = |(k, &i): (usize, &usize)| {
+        let (_, _, scale, _) = effect_of(&forward.unknowns()[i])?;
+        let response = &responses.each[k];
+        let size = if response.has(scale) { scale } else { -scale };
+        let change = response.has(size).then(|| response.at(size))?;
+        let change = DMatrix::from_column_slice(change.len(), 1, change.as_slice());
+        Some(whitened.directions(&change).norm())
+    };
+    data.missing.iter().enumerate().map(distance).collect()
 }
 
-fn is_smooth(law: Law) -> bool {
-    matches!(law, Law::Free | Law::Sensor | Law::Compliance)
+/// Factors for numbers that are far from what all the others tell, whatever is missing.
+fn outliers(
+    forward: &dyn Forward,
+    data: &Data,
+    first: &Fit,
+    local: &Local,
+    slopes: &DMatrix<f64>,
+    fields: &[Field],
+) -> Vec<f64> {
+    let rows = &data.rows;
+    if rows.len() < FEWEST {
+        return vec![1.0; rows.len()];
+    }
+    let observables = forward.observables();
+    let inverse = rows.iter().map(|&row| 1.0 / observables[row].sigma);
+    let inverse = DVector::from_iterator(rows.len(), inverse);
+    let errors = rows
+        .iter()
+        .map(|&row| misfit(&observables[row], first.predicted[row]));
+    let residual = DVector::from_iterator(rows.len(), errors).component_mul(&inverse);
+    let mut parts = vec![local.slopes.clone(), slopes.select_rows(rows.iter())];
+    let is_smooth = |field: &&Field| matches!(field.law, Law::Free | Law::Sensor | Law::Compliance);
+    let smooth = fields.iter().filter(is_smooth);
+    parts.extend(smooth.map(|field| &field.columns * SMOOTH_AMPLITUDE));
+    let columns = DMatrix::from_diagonal(&inverse) * side_by_side(&parts);
+    outlier_widening(&residual, &columns)
 }
 
 fn side_by_side(parts: &[DMatrix<f64>]) -> DMatrix<f64> {
@@ -295,103 +297,4 @@ fn side_by_side(parts: &[DMatrix<f64>]) -> DMatrix<f64> {
         return DMatrix::zeros(rows, 0);
     }
     DMatrix::from_columns(&columns)
-}
-
-/// How a model answers about one point: to every effect, and to a moment at each station.
-#[derive(Debug, Clone)]
-pub struct Shared {
-    slopes: Slopes,
-    moment: DMatrix<f64>,
-}
-
-impl Shared {
-    /// Where the unknowns start: for many diagnoses of one campaign with other readings.
-    ///
-    /// # Errors
-    /// As [`Baseline::new`].
-    pub fn new(
-        forward: &dyn Forward,
-        settings: &Settings,
-        progress: &Progress,
-    ) -> Result<Shared, DiagnoseError> {
-        settings.check()?;
-        let start = start(forward, settings)?;
-        let data = Data::new(forward, &start)?;
-        Shared::at(forward, &data, &start, settings, None, progress)
-    }
-
-    fn at(
-        forward: &dyn Forward,
-        data: &Data,
-        at: &[f64],
-        settings: &Settings,
-        footing: Option<&Footing>,
-        progress: &Progress,
-    ) -> Result<Shared, DiagnoseError> {
-        progress.say("derivatives with every effect");
-        let slopes = slopes_of_missing(forward, data, at, settings, footing)?;
-        let moment = forward.moment_response_from(slopes.footing.as_ref(), at, settings.stations)?;
-        Ok(Shared { slopes, moment })
-    }
-}
-
-/// The first fit and all that could be wrong with it, before the scatter is known.
-struct Glance<'a> {
-    forward: &'a dyn Forward,
-    settings: &'a Settings,
-    data: &'a Data,
-    local: &'a Local,
-    slopes: &'a DMatrix<f64>,
-    fields: &'a [Field],
-    admitted: &'a AdmittedError,
-}
-
-impl Glance<'_> {
-    /// Factors for numbers that are far from what all the others tell, whatever is missing.
-    fn outliers(&self) -> Vec<f64> {
-        let rows = &self.data.rows;
-        if rows.len() < FEWEST {
-            return vec![1.0; rows.len()];
-        }
-        let observables = self.forward.observables();
-        let inverse = rows.iter().map(|&row| 1.0 / observables[row].sigma);
-        let inverse = DVector::from_iterator(rows.len(), inverse);
-        let errors = rows
-            .iter()
-            .map(|&row| misfit(&observables[row], self.admitted.value[row]));
-        let residual = DVector::from_iterator(rows.len(), errors).component_mul(&inverse);
-        let mut parts = vec![self.local.slopes.clone(), self.slopes.select_rows(rows.iter())];
-        let smooth = self.fields.iter().filter(|field| is_smooth(field.law));
-        parts.extend(smooth.map(|field| &field.columns * SMOOTH_AMPLITUDE));
-        let columns = DMatrix::from_diagonal(&inverse) * side_by_side(&parts);
-        outlier_widening(&residual, &columns)
-    }
-
-    /// The scatter whose scale agrees with the rough part of the residual.
-    fn settle(&self, widening: Vec<f64>) -> Result<Scatter, DiagnoseError> {
-        let settings = self.settings;
-        let mut scale = settings.noise_scale.unwrap_or(1.0);
-        let is_estimated = settings.noise_scale.is_none() && self.data.rows.len() >= FEWEST;
-        let rounds = if is_estimated { ROUNDS } else { 0 };
-        for _ in 0..rounds {
-            let scatter = self.scatter(scale, &widening)?;
-            let whitened = Whitened::new(self.local, &scatter.noise)?;
-            let directions = Directions::new(self.data, self.slopes, &whitened);
-            let seen = seen(self.fields, &whitened);
-            let smooth = Smooth::new(
-                &whitened,
-                &smooth_columns(self.fields, &seen, &directions.columns),
-            );
-            let size = whitened.residual.len();
-            let residual = DMatrix::from_column_slice(size, 1, whitened.residual.as_slice());
-            let rough = smooth.rough_squares(&residual)[0] * scale * scale;
-            scale = smooth.variance(rough, settings.noise_trust).sqrt();
-        }
-        self.scatter(scale, &widening)
-    }
-
-    fn scatter(&self, scale: f64, widening: &[f64]) -> Result<Scatter, DiagnoseError> {
-        let widening = widening.to_vec();
-        Scatter::new(self.forward, self.data, self.admitted, scale, widening)
-    }
 }

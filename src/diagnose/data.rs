@@ -2,16 +2,15 @@
 
 use std::cmp::Ordering;
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use crate::input::measurement::Bound;
 use crate::study::calibrate::misfit;
 use crate::study::left_out::conditions_of;
-use crate::study::{
-    AdmittedError, Fit, Footing, Forward, Noise, Observable, Task, Unknown, UnknownKind, calibrate,
-};
+use crate::study::{Fit, Footing, Forward, Noise, Task, Unknown, UnknownKind, calibrate};
 
 use super::error::DiagnoseError;
+use super::model_error::{ModelError, Size};
 use super::settings::Settings;
 
 /// Indices of what a diagnosis works with.
@@ -25,8 +24,6 @@ pub struct Data {
     pub model: Vec<usize>,
     /// Strengths of effects that the model lacks.
     pub missing: Vec<usize>,
-    /// Errors of the model that are admitted.
-    pub admitted: Vec<usize>,
 }
 
 /// Whether an unknown is the strength of an effect that the model lacks: its prior is centred at none, and so it starts.
@@ -64,14 +61,11 @@ impl Data {
         rows.sort_by(order);
         held_out.sort_by(order);
         let unknowns = forward.unknowns();
-        let (admitted, others): (Vec<usize>, Vec<usize>) =
-            (0..unknowns.len()).partition(|&i| unknowns[i].kind == UnknownKind::Admitted);
-        let (missing, model): (Vec<usize>, Vec<usize>) = others
-            .into_iter()
+        let (missing, model): (Vec<usize>, Vec<usize>) = (0..unknowns.len())
             .filter(|&i| {
                 !matches!(
                     unknowns[i].kind,
-                    UnknownKind::Place { .. } | UnknownKind::Unnamed { .. }
+                    UnknownKind::Place { .. } | UnknownKind::Unnamed { .. } | UnknownKind::Admitted
                 )
             })
             .partition(|&i| is_missing(&unknowns[i], start[i]));
@@ -86,7 +80,6 @@ impl Data {
             held_out,
             model,
             missing,
-            admitted,
         })
     }
 
@@ -138,30 +131,36 @@ pub struct Scatter {
     /// Further factor for each fitted observable: larger than 1 for outliers.
     pub widening: Vec<f64>,
     /// Covariance.
+    pub covariance: DMatrix<f64>,
+    /// The same, ready to weigh by.
     pub noise: Noise,
 }
 
 impl Scatter {
-    /// Stated standard deviations times `scale` times `widening`, and the error that is admitted of the model.
+    /// Of readings, mesh and formulation at one size of these errors; `widening`: what `error` holds of outliers.
     ///
     /// # Errors
     /// If a standard deviation is not positive.
-    pub fn new(
-        forward: &dyn Forward,
-        data: &Data,
-        admitted: &AdmittedError,
-        scale: f64,
-        widening: Vec<f64>,
-    ) -> Result<Scatter, DiagnoseError> {
-        let mut observables: Vec<Observable> = forward.observables().to_vec();
-        for (&row, wider) in data.rows.iter().zip(&widening) {
-            observables[row].sigma *= scale * wider;
-        }
-        let noise = Noise::new(&observables, forward.conditions(), &data.rows, admitted)?;
+    pub fn new(error: &ModelError, size: &Size, widening: Vec<f64>) -> Result<Scatter, DiagnoseError> {
+        let covariance = error.of_readings(size);
         Ok(Scatter {
-            scale,
+            scale: size.scale,
             widening,
-            noise,
+            noise: Noise::of_covariance(covariance.clone())?,
+            covariance,
+        })
+    }
+
+    /// The same with one more error.
+    ///
+    /// # Errors
+    /// If it is not finite.
+    pub fn with(&self, more: &DMatrix<f64>) -> Result<Scatter, DiagnoseError> {
+        let covariance = &self.covariance + more;
+        Ok(Scatter {
+            noise: Noise::of_covariance(covariance.clone())?,
+            covariance,
+            ..self.clone()
         })
     }
 

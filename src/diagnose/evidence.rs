@@ -1,12 +1,10 @@
 //! Evidence: how probable the data are under a hypothesis, its strengths integrated over their priors.
 //!
 //! With all unknowns in prior standard deviations and whitened slopes J, ln Z = −½ ln|I + JᵀJ| − ½ Q (Laplace). If the
-//! scale of the noise is not known but trusted like ν₀ numbers, −½ Q becomes −½ (n + ν₀) ln(1 + Q/ν₀). What is known of a
-//! strength besides, its sign and its plausible sizes, comes on top ([`super::prior`]).
+//! scale of the noise is not known but trusted like ν₀ numbers, −½ Q becomes −½ (n + ν₀) ln(1 + Q/ν₀).
 
 use nalgebra::{DMatrix, DVector};
 
-use super::prior::StrengthPrior;
 use super::settings::Settings;
 
 /// How the noise enters the evidence.
@@ -44,75 +42,6 @@ impl Likelihood {
             None => 1.0,
             Some(trust) => (trust + q) / (trust + self.numbers as f64),
         }
-    }
-}
-
-/// One or two strengths in the linear model: what they add to the evidence of the fit that they join.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LinearEvidence {
-    /// ln Z minus that of the fit without them.
-    pub ln_gain: f64,
-    /// Least Q with them.
-    pub q: f64,
-    /// Estimates in prior standard deviations.
-    pub estimate: [f64; 2],
-    /// Their standard errors.
-    pub error: [f64; 2],
-}
-
-/// Evidence of one more direction `a` (length per prior standard deviation, free of the fit) with `dot` = a·e; `prior` of its strength, if
-/// more than that is known.
-pub fn of_one(
-    likelihood: Likelihood,
-    q0: f64,
-    length_squared: f64,
-    dot: f64,
-    prior: Option<StrengthPrior>,
-) -> LinearEvidence {
-    let curvature = 1.0 + length_squared;
-    let estimate = dot / curvature;
-    let q = q0 - dot * estimate;
-    let mut ln_gain = -0.5 * curvature.ln() + likelihood.ln(q) - likelihood.ln(q0);
-    let error = (likelihood.variance(q) / curvature).sqrt();
-    if let Some(prior) = prior {
-        ln_gain += prior.ln_factor(estimate, error);
-    }
-    LinearEvidence {
-        ln_gain,
-        q,
-        estimate: [estimate, 0.0],
-        error: [error, 0.0],
-    }
-}
-
-/// Evidence of two more directions: their Gram matrix, their products with the residual, and what is known of their strengths.
-pub fn of_two(
-    likelihood: Likelihood,
-    q0: f64,
-    gram: [f64; 3],
-    dot: [f64; 2],
-    priors: [Option<StrengthPrior>; 2],
-) -> LinearEvidence {
-    let (a, b, c) = (1.0 + gram[0], 1.0 + gram[2], gram[1]);
-    let determinant = (a * b - c * c).max(f64::MIN_POSITIVE);
-    let estimate = [
-        (b * dot[0] - c * dot[1]) / determinant,
-        (a * dot[1] - c * dot[0]) / determinant,
-    ];
-    let q = (q0 - dot[0] * estimate[0] - dot[1] * estimate[1]).max(0.0);
-    let mut ln_gain = -0.5 * determinant.ln() + likelihood.ln(q) - likelihood.ln(q0);
-    let variance = likelihood.variance(q);
-    let error = [b, a].map(|other| (variance * other / determinant).sqrt());
-    for k in 0..2 {
-        if let Some(prior) = priors[k] {
-            ln_gain += prior.ln_factor(estimate[k], error[k]);
-        }
-    }
-    LinearEvidence {
-        ln_gain,
-        q,
-        estimate,
-        error,
     }
 }
 
@@ -194,21 +123,6 @@ mod tests {
         let columns = DMatrix::from_row_slice(3, 2, &[0.3, 1.0, -2.0, 0.2, 0.7, 0.1]);
         let none = gaussian(&residual, &DMatrix::zeros(3, 1));
         let q0 = residual.norm_squared();
-        let first = columns.column(0).into_owned();
-        let one = of_one(KNOWN, q0, first.norm_squared(), first.dot(&residual), None);
-        let exact = gaussian(&residual, &columns.columns(0, 1).into_owned()) - none;
-        assert!((one.ln_gain - exact).abs() < 1e-12);
-        let gram = columns.transpose() * &columns;
-        let dots = columns.transpose() * &residual;
-        let two = of_two(
-            KNOWN,
-            q0,
-            [gram[(0, 0)], gram[(0, 1)], gram[(1, 1)]],
-            [dots[0], dots[1]],
-            [None; 2],
-        );
-        let exact = gaussian(&residual, &columns) - none;
-        assert!((two.ln_gain - exact).abs() < 1e-12);
         for x in [
             columns.clone(),
             DMatrix::from_fn(3, 5, |i, j| (i as f64 - 1.2) * (j as f64 + 0.3).sin()),

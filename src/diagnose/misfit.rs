@@ -41,7 +41,7 @@ pub struct MisfitGroup {
     pub share: f64,
     /// Mean of measured minus modelled, in the unit of the channel: E of ASME V&V 20.
     pub mean_error: f64,
-    /// Its standard uncertainty by noise, admitted error and priors: u_val of ASME V&V 20.
+    /// Its standard uncertainty by noise, error of the model and priors: u_val of ASME V&V 20.
     pub mean_uncertainty: f64,
     /// Root mean square error, in the unit of the channel.
     pub rms: f64,
@@ -93,14 +93,8 @@ pub fn of(baseline: &Baseline) -> Misfit {
     let square = |position: usize| (errors[position] / sigma(position)).powi(2);
     let total: f64 = (0..errors.len()).map(square).sum::<f64>().max(f64::MIN_POSITIVE);
     let covariance = |a: usize, b: usize| {
-        let (slopes, admitted) = (&baseline.local.slopes, &baseline.admitted);
-        let noise = if a == b { sigma(a).powi(2) } else { 0.0 };
-        let admitted = admitted.share.powi(2) * admitted.value[data.rows[a]] * admitted.value[data.rows[b]]
-            + admitted
-                .responses
-                .row(data.rows[a])
-                .dot(&admitted.responses.row(data.rows[b]));
-        noise + admitted + slopes.row(a).dot(&slopes.row(b))
+        let slopes = &baseline.local.slopes;
+        baseline.scatter.covariance[(a, b)] + slopes.row(a).dot(&slopes.row(b))
     };
     let mut by_condition = Vec::new();
     for (condition, positions) in data.conditions(forward) {

@@ -4,19 +4,13 @@ pub mod added_variable;
 
 pub mod baseline;
 
-pub mod conclude;
-
 pub mod data;
 
 pub mod error;
 
 pub mod evidence;
 
-pub mod far;
-
 pub mod fields;
-
-pub mod foretold;
 
 pub mod hump;
 
@@ -30,6 +24,8 @@ pub mod library;
 
 pub mod misfit;
 
+pub mod model_error;
+
 pub mod next;
 
 pub mod notes;
@@ -38,23 +34,19 @@ pub mod novel;
 
 pub mod novel_words;
 
-pub mod null;
-
 pub mod pairs;
 
 pub mod plan;
 
 pub mod posterior;
 
-pub mod prior;
-
 pub mod refit;
 
 pub mod report;
 
-pub mod robust;
+pub mod responses;
 
-pub mod rough;
+pub mod robust;
 
 pub mod rows;
 
@@ -62,13 +54,15 @@ pub mod scaling;
 
 pub mod screening;
 
-pub mod second_look;
-
 pub mod settings;
 
-pub mod strength_error;
+pub mod steps;
+
+pub mod table;
 
 pub mod verdict;
+
+pub mod weigh;
 
 pub mod whitened;
 
@@ -82,8 +76,9 @@ pub use verdict::{Diagnosis, Verdict};
 use crate::progress::Progress;
 use crate::study::Forward;
 
-use baseline::{Baseline, Shared};
+use baseline::Baseline;
 use judge::Judgement;
+use table::Table;
 
 /// Finds what the model lacks.
 ///
@@ -95,41 +90,37 @@ pub fn diagnose(
     settings: &Settings,
     progress: &Progress,
 ) -> Result<Diagnosis, DiagnoseError> {
-    diagnose_with(forward, None, settings, progress)
+    diagnose_with(forward, None, None, settings, progress)
 }
 
-/// The same, and which of the conditions of `candidates` (a model with unknowns of the same names) to measure next.
+/// The same, and which of the conditions of `candidates` (a model with unknowns of the same names) to measure next; `table`: how the
+/// campaign answers, if that is known.
 ///
 /// # Errors
 /// As [`diagnose`].
 pub fn diagnose_with(
     forward: &dyn Forward,
     candidates: Option<&dyn Forward>,
+    table: Option<&Table>,
     settings: &Settings,
     progress: &Progress,
 ) -> Result<Diagnosis, DiagnoseError> {
-    let (baseline, judgement) = judged(forward, settings, None, progress)?;
+    let (baseline, judgement) = judged(forward, settings, table, progress)?;
     report::report(&baseline, &judgement, candidates, progress)
 }
 
-/// The model as it is, and everything that was weighed against it: what a report is made of; `shared`: derivatives of another
-/// diagnosis of the same campaign.
+/// The model as it is, and everything that was weighed against it: what a report is made of; `table`: how the campaign
+/// answers, if that is known.
 ///
 /// # Errors
 /// As [`diagnose`].
 pub fn judged<'a>(
     forward: &'a dyn Forward,
     settings: &'a Settings,
-    shared: Option<&Shared>,
+    table: Option<&Table>,
     progress: &Progress,
 ) -> Result<(Baseline<'a>, Judgement), DiagnoseError> {
-    let mut baseline = Baseline::new(forward, settings, shared, progress)?;
-    let mut judgement = judge::judge(&baseline, progress)?;
-    if let Some((_, best)) = judgement.best_refit()
-        && let Some(calmed) = baseline.calmed(best, progress)?
-    {
-        baseline = calmed;
-        judgement = judge::judge(&baseline, progress)?;
-    }
+    let baseline = Baseline::new(forward, settings, table, progress)?;
+    let judgement = judge::judge(&baseline, progress)?;
     Ok((baseline, judgement))
 }

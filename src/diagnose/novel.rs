@@ -142,7 +142,7 @@ pub fn reconstruct(baseline: &Baseline, around: Option<&Around>) -> Option<Recon
         None => (
             &baseline.whitened,
             &baseline.moment,
-            &baseline.admitted.value,
+            &baseline.fit.predicted,
             &baseline.fields,
         ),
     };

@@ -1,180 +1,381 @@
-//! Two effects at once: ranked with the best single effect in the model, where their derivatives say more than about the wing without
-//! any; those without it by the linear model about that wing.
+//! Two known effects at once: their changes add, and so do the errors of their formulas. The best are found among all pairs with effects
+//! taken as exact, and among those with one of the best single effects, whose error is then counted; these are weighed with both errors.
 
-use crate::progress::Progress;
-use crate::study::Footing;
+use std::collections::BTreeMap;
 
-use super::baseline::Baseline;
+use nalgebra::{DMatrix, DVector};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
 use super::error::DiagnoseError;
-use super::evidence::{LinearEvidence, of_one};
-use super::judge::Judgement;
-use super::library::{Trial, heaviest};
-use super::prior::{NOTHING, StrengthPrior};
-use super::refit::{Explanation, Refits};
-use super::screening::{Directions, slopes_of_missing};
-use super::whitened::Whitened;
+use super::evidence::ln_sum;
+use super::library::Trial;
+use super::responses::Node;
+use super::weigh::{Member, Weights, strength};
 
-/// Pairs are fitted anew only if the linear model puts one this close to the best explanation.
-const PAIR_CHANCE: f64 = 8.0;
+/// Strengths of an effect that are looked at among all pairs.
+const GLANCES: usize = 6;
+/// Pairs of either search that are weighed with the errors of both effects.
+const WEIGHED: usize = 12;
+/// Single effects with which all others are paired.
+const FIRST: usize = 6;
+/// Rounds in which the strengths at which own errors are taken settle.
+const ROUNDS: usize = 3;
+/// Pairs that are weighed with what both make at once.
+const TOGETHER: usize = 6;
+/// Change that can be seen at all, in standard deviations.
+const VISIBLE: f64 = 1.0;
 
-/// Pairs with where their fit is to start: members, and strengths in prior standard deviations.
-type Starts = Vec<Option<(Vec<usize>, Vec<f64>)>>;
+/// A pair: positions of its effects among the missing, nodes where it was best.
+type Found = ([usize; 2], [usize; 2]);
 
-/// Scores of all others with the best single effect in the model; then fits the best pairs anew.
+/// Weighs pairs of effects of different families; `prior`: of two effects, shared among pairs of families by their `shares`.
 ///
 /// # Errors
-/// If a derivative is not finite, or the user asked to stop.
-pub fn refit_pairs(
-    judgement: &mut Judgement,
-    baseline: &Baseline,
-    refits: &Refits,
-    progress: &Progress,
-) -> Result<(), DiagnoseError> {
-    let Some((best, explanation)) = judgement.best_refit().cloned() else {
-        return Ok(());
-    };
-    let (Some(fit), Some(local)) = (&explanation.fit, &explanation.local) else {
-        return Ok(());
-    };
-    progress.say("derivatives with every effect, the best one in the model");
-    let (data, settings) = (&baseline.data, baseline.settings);
-    let slopes = slopes_of_missing(baseline.forward, data, &fit.at, settings, fit.footing.as_ref())?.missing;
-    let whitened = Whitened::new(local, &baseline.scatter.noise)?;
-    let mut directions = Directions::new(data, &slopes, &whitened);
-    let family = judgement.singles[best].families[0];
-    for &k in &judgement.families[family].members {
-        directions.columns.column_mut(k).fill(0.0);
+/// If a covariance is not positive definite.
+pub fn pairs(
+    weights: &Weights,
+    members: &[Member],
+    singles: &[Trial],
+    shares: &[f64],
+    prior: f64,
+) -> Result<Vec<Trial>, DiagnoseError> {
+    if shares.len() < 2 {
+        return Ok(Vec::new());
     }
-    judgement.after_best = Some(baseline.significance(&whitened, &directions));
-    let first = judgement.singles.len();
-    let mut starts: Starts = vec![None; judgement.pairs.len()];
-    for (pair, start) in starts.iter_mut().enumerate() {
-        if let Some(second) = second_of(judgement, pair, &explanation, family) {
-            let gain = gain_of(baseline, &directions, whitened.q(), second);
-            judgement.ln_evidence[first + pair] = explanation.ln_evidence + gain.ln_gain;
-            *start = Some(joined(baseline, &explanation, second, gain.estimate[0]));
-            let trial = &mut judgement.pairs[pair];
-            let place = usize::from(trial.members[1] == second);
-            (trial.linear.estimate[place], trial.linear.error[place]) = (gain.estimate[0], gain.error[0]);
-        }
-    }
-    let count = settings.pair_refits;
-    refit_heaviest(
-        judgement,
-        refits,
-        &starts,
-        count,
-        judgement.weight(best),
-        progress,
-    )?;
-    alone(judgement, refits, progress)
-}
-
-/// Fits each effect of a pair whose other one came out as good as nothing again, alone, from where the pair ended and from the shapes of
-/// the wing there: its own fit may have ended in a wrong valley.
-fn alone(judgement: &mut Judgement, refits: &Refits, progress: &Progress) -> Result<(), DiagnoseError> {
-    let first = judgement.singles.len();
-    let mut starts: Vec<(usize, usize, Vec<f64>, Option<Footing>)> = Vec::new();
-    for (index, pair) in judgement.refits.iter().filter(|(index, _)| *index >= first) {
-        let (Some(fit), &[a, b]) = (&pair.fit, pair.members.as_slice()) else {
-            continue;
-        };
-        for (small, (kept, dropped)) in [(1, (a, b)), (0, (b, a))] {
-            if pair.strength[small].abs() > NOTHING * pair.standard_error[small] {
-                continue;
-            }
-            let Some(single) = judgement.singles.iter().position(|trial| trial.members == [kept]) else {
-                continue;
-            };
-            let mut at = fit.at.clone();
-            at[refits.data.missing[dropped]] = 0.0;
-            starts.push((single, *index, at, fit.footing.as_ref().map(Footing::for_trials)));
-        }
-    }
-    for (single, pair, start, footing) in starts {
-        progress.check()?;
-        // nothing that the pair could not tell better is worth a fit
-        if judgement.is_refitted(single) && judgement.ln_evidence[single] > judgement.ln_evidence[pair] {
-            continue;
-        }
-        let members = judgement.singles[single].members.clone();
-        let there = Refits {
-            footing: footing.as_ref(),
-            ..*refits
-        };
-        let found = there.refit_from(&members, &[start])?;
-        judgement.take(single, found);
-    }
-    Ok(())
-}
-
-/// The second effect of a pair, if its first is `explanation`, of `family`.
-fn second_of(judgement: &Judgement, pair: usize, explanation: &Explanation, family: usize) -> Option<usize> {
-    let trial = &judgement.pairs[pair];
-    let own = &judgement.families[family].members;
-    let holds = trial.members.iter().any(|k| explanation.members.contains(k));
-    let second = trial.members.iter().copied().find(|k| !own.contains(k));
-    second.filter(|_| holds && trial.families.contains(&family))
-}
-
-fn gain_of(baseline: &Baseline, directions: &Directions, q: f64, k: usize) -> LinearEvidence {
-    let dot = directions.scores[k] * directions.lengths[k];
-    let prior = StrengthPrior::of(&baseline.forward.unknowns()[baseline.data.missing[k]]);
-    of_one(baseline.likelihood, q, directions.gram[(k, k)], dot, prior)
-}
-
-/// Members and estimates of a pair of an explanation and a second effect.
-fn joined(
-    baseline: &Baseline,
-    explanation: &Explanation,
-    second: usize,
-    estimate: f64,
-) -> (Vec<usize>, Vec<f64>) {
-    let unknowns = baseline.forward.unknowns();
-    let sigma = |k: usize| unknowns[baseline.data.missing[k]].sigma;
-    let own = explanation.members.iter().zip(&explanation.strength);
-    let estimates = own.map(|(&k, s)| s / sigma(k)).chain([estimate]).collect();
-    let members = explanation.members.iter().copied().chain([second]).collect();
-    (members, estimates)
-}
-
-/// Fits the `count` heaviest pairs that were not fitted yet, as long as they come near to `weight`.
-fn refit_heaviest(
-    judgement: &mut Judgement,
-    refits: &Refits,
-    starts: &Starts,
-    count: usize,
-    weight: f64,
-    progress: &Progress,
-) -> Result<(), DiagnoseError> {
-    let first = judgement.singles.len();
-    let scored: Vec<Trial> = judgement
-        .pairs
+    // a member's own prior holds the share of its family; those of all pairs of families sum to this
+    let of_pairs = 0.5 * (1.0 - shares.iter().map(|share| share * share).sum::<f64>());
+    let ln_prior = prior.ln() - of_pairs.ln();
+    let ln_prior_of = |pair: [usize; 2]| ln_prior + members[pair[0]].ln_prior + members[pair[1]].ln_prior;
+    let typical = weights.typical();
+    let visible: Vec<usize> = singles
         .iter()
-        .enumerate()
-        .map(|(pair, trial)| {
-            let mut scored = trial.clone();
-            scored.linear.ln_gain = match judgement.is_refitted(first + pair) {
-                true => f64::NEG_INFINITY,
-                false => judgement.ln_evidence[first + pair],
-            };
-            scored
+        .map(|trial| trial.members[0])
+        .filter(|&k| {
+            let seen = weights.whitened(typical, None, &members[k].changes);
+            seen.is_ok_and(|(_, seen)| seen.column_iter().any(|own| own.norm() > VISIBLE))
         })
         .collect();
-    for pair in heaviest(&scored, count, 1) {
-        progress.check()?;
-        if scored[pair].ln_weight() < weight - PAIR_CHANCE {
-            break;
+    let glances: Vec<(usize, usize)> = visible
+        .iter()
+        .flat_map(|&k| {
+            let count = members[k].nodes.len();
+            let mut nodes: Vec<usize> = (0..GLANCES.min(count))
+                .map(|glance| (2 * glance + 1) * count / (2 * GLANCES.min(count)))
+                .collect();
+            nodes.dedup();
+            nodes.into_iter().map(move |node| (k, node))
+        })
+        .collect();
+    let glanced = DMatrix::from_columns(
+        &glances
+            .iter()
+            .map(|&(k, node)| members[k].changes.column(node).into_owned())
+            .collect::<Vec<_>>(),
+    );
+    if glances.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut chosen: Vec<Found> = best_of_all(weights, members, &glances, &glanced, &ln_prior_of)?;
+    let mut first: Vec<&Trial> = singles
+        .iter()
+        .filter(|trial| visible.contains(&trial.members[0]))
+        .collect();
+    first.sort_by(|a, b| b.ln_weight.total_cmp(&a.ln_weight));
+    first.truncate(FIRST);
+    let with_first: Vec<Vec<(f64, Found)>> = first
+        .into_par_iter()
+        .map(|trial| beside(weights, members, trial, &glances, &glanced, &ln_prior_of))
+        .collect::<Result<_, _>>()?;
+    let mut rough: Vec<(f64, Found)> = with_first.concat();
+    rough.sort_by(|a, b| b.0.total_cmp(&a.0));
+    chosen.extend(rough.iter().take(2 * WEIGHED).map(|(_, found)| *found));
+    let mut distinct: BTreeMap<[usize; 2], [usize; 2]> = BTreeMap::new();
+    for (pair, nodes) in chosen {
+        distinct.entry(pair).or_insert(nodes);
+    }
+    let mut trials: Vec<Trial> = distinct
+        .iter()
+        .collect::<Vec<_>>()
+        .into_par_iter()
+        .map(|(&pair, &nodes)| weighed(weights, members, (pair, nodes), None, ln_prior_of(pair)))
+        .collect::<Result<_, _>>()?;
+    for (ln_weight, (pair, nodes)) in rough {
+        if distinct.insert(pair, nodes).is_none() {
+            trials.push(of_nodes(members, (pair, nodes), [ln_prior_of(pair), ln_weight]));
         }
-        let trial = &judgement.pairs[pair];
-        let name = |family: &usize| judgement.families[*family].name.as_str();
-        let names: Vec<&str> = trial.families.iter().map(name).collect();
-        progress.say(format_args!("refit of {}", names.join(" with ")));
-        let (members, estimates) = starts[pair]
-            .clone()
-            .unwrap_or_else(|| (trial.members.clone(), trial.linear.estimate.to_vec()));
-        let found = refits.refit(&members, &estimates)?;
-        judgement.take(first + pair, found);
+    }
+    Ok(trials)
+}
+
+/// Weighs the best pairs anew with what the model reads with both at once: what two effects make together is not the sum of what each makes
+/// alone, least of all where one of them is stiff. `with`: change of the fitted readings by two effects at given strengths.
+///
+/// # Errors
+/// If a covariance is not positive definite, or the user asked to stop.
+pub fn together(
+    weights: &Weights,
+    members: &[Member],
+    pairs: &mut [Trial],
+    with: &dyn Fn([(usize, f64); 2]) -> Result<Option<DVector<f64>>, DiagnoseError>,
+) -> Result<(), DiagnoseError> {
+    pairs.sort_by(|a, b| b.ln_weight.total_cmp(&a.ln_weight));
+    for trial in pairs.iter_mut().take(TOGETHER) {
+        let pair = [trial.members[0], trial.members[1]];
+        let at = [trial.best[0], trial.best[1]];
+        let Some(both) = with([(pair[0], at[0]), (pair[1], at[1])])? else {
+            continue;
+        };
+        let nodes = [0, 1].map(|own| {
+            let nodes = members[pair[own]].nodes.iter();
+            nodes
+                .map(|node| node.strength)
+                .position(|strength| strength == at[own])
+                .unwrap_or(0)
+        });
+        let alone = |own: usize| members[pair[own]].changes.column(nodes[own]);
+        let mixed = Mixed {
+            change: both - alone(0) - alone(1),
+            at,
+        };
+        *trial = weighed(weights, members, (pair, nodes), Some(&mixed), trial.ln_prior)?;
     }
     Ok(())
+}
+
+/// What two effects at these strengths make besides the sum of what each makes alone; in proportion to both.
+struct Mixed {
+    change: DVector<f64>,
+    at: [f64; 2],
+}
+
+/// The best pairs of all, effects taken as exact.
+fn best_of_all(
+    weights: &Weights,
+    members: &[Member],
+    glances: &[(usize, usize)],
+    changes: &DMatrix<f64>,
+    ln_prior: &(dyn Fn([usize; 2]) -> f64 + Sync),
+) -> Result<Vec<Found>, DiagnoseError> {
+    let count = glances.len();
+    let mut best: Vec<f64> = vec![f64::NEG_INFINITY; count * count];
+    let whole = changes.clone().insert_column(count, 0.0);
+    let mut columns = whole;
+    columns.set_column(count, weights.residual);
+    for size in &weights.sizes {
+        let (ln_size, whitened) = weights.whitened(size, None, &columns)?;
+        let gram = whitened.transpose() * &whitened;
+        let q0 = gram[(count, count)];
+        for i in 0..count {
+            let own = gram[(i, i)] - 2.0 * gram[(i, count)];
+            for j in 0..i {
+                let q = q0 + own + gram[(j, j)] - 2.0 * gram[(j, count)] + 2.0 * gram[(i, j)];
+                let ln = ln_size - 0.5 * q;
+                let known = &mut best[i * count + j];
+                *known = known.max(ln);
+            }
+        }
+    }
+    let mut of_pair: BTreeMap<[usize; 2], (f64, [usize; 2])> = BTreeMap::new();
+    for i in 0..count {
+        for j in 0..i {
+            let (a, b) = (glances[j], glances[i]);
+            if members[a.0].family == members[b.0].family {
+                continue;
+            }
+            let (pair, nodes) = ordered(a, b);
+            let ln = best[i * count + j];
+            let known = of_pair.entry(pair).or_insert((f64::NEG_INFINITY, nodes));
+            if ln > known.0 {
+                *known = (ln, nodes);
+            }
+        }
+    }
+    let mut found: Vec<(f64, Found)> = of_pair
+        .into_iter()
+        .map(|(pair, (ln, nodes))| (ln + ln_prior(pair), (pair, nodes)))
+        .collect();
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    Ok(found.into_iter().take(WEIGHED).map(|(_, found)| found).collect())
+}
+
+fn ordered(a: (usize, usize), b: (usize, usize)) -> Found {
+    match a.0 < b.0 {
+        true => ([a.0, b.0], [a.1, b.1]),
+        false => ([b.0, a.0], [b.1, a.1]),
+    }
+}
+
+/// Every pair with the effect of `trial`, the error of whose formula is counted at its best strength: prior times evidence, where best.
+fn beside(
+    weights: &Weights,
+    members: &[Member],
+    trial: &Trial,
+    glances: &[(usize, usize)],
+    changes: &DMatrix<f64>,
+    ln_prior: &(dyn Fn([usize; 2]) -> f64 + Sync),
+) -> Result<Vec<(f64, Found)>, DiagnoseError> {
+    let first = trial.members[0];
+    let own = &members[first];
+    let best = own
+        .nodes
+        .iter()
+        .enumerate()
+        .min_by(|(_, a), (_, b)| {
+            let off = |node: &Node| (node.strength - trial.best[0]).abs();
+            off(a).total_cmp(&off(b))
+        })
+        .map_or(0, |(best, _)| best);
+    if own.nodes.is_empty() {
+        return Ok(Vec::new());
+    }
+    let more = weights
+        .error
+        .own(&own.changes.column(best).into_owned(), own.own_error);
+    let block = block(weights, Some(&more), [&own.changes, changes], None)?;
+    let mut found: BTreeMap<[usize; 2], (Vec<f64>, f64, [usize; 2])> = BTreeMap::new();
+    for (column, &(other, node)) in glances.iter().enumerate() {
+        if members[other].family == own.family {
+            continue;
+        }
+        for (row, ln) in block.column(column).iter().enumerate() {
+            let (pair, nodes) = ordered((first, row), (other, node));
+            let (all, most, at) = found
+                .entry(pair)
+                .or_insert((Vec::new(), f64::NEG_INFINITY, nodes));
+            all.push(ln + own.nodes[row].ln_prior);
+            if *ln > *most {
+                (*most, *at) = (*ln, nodes);
+            }
+        }
+    }
+    let found = found.into_iter().map(|(pair, (all, _, nodes))| {
+        // the other's strengths that are looked at stand for all, evenly
+        let looked_at = (all.len() / own.nodes.len()) as f64;
+        (
+            ln_prior(pair) + ln_sum(all.into_iter()) - looked_at.ln(),
+            (pair, nodes),
+        )
+    });
+    Ok(found.collect())
+}
+
+/// ln of the density of the readings with changes of two effects, sizes summed over: a row for each strength of the first. `mixed`: what
+/// both make besides, and the shares of it at their strengths.
+fn block(
+    weights: &Weights,
+    more: Option<&DMatrix<f64>>,
+    [a, b]: [&DMatrix<f64>; 2],
+    mixed: Option<(&DVector<f64>, [Vec<f64>; 2])>,
+) -> Result<DMatrix<f64>, DiagnoseError> {
+    let mut most = DMatrix::from_element(a.ncols(), b.ncols(), f64::NEG_INFINITY);
+    let mut sum: DMatrix<f64> = DMatrix::zeros(a.ncols(), b.ncols());
+    let residuals = weights.less(a);
+    for size in &weights.sizes {
+        let (ln_size, left) = weights.whitened(size, more, &residuals)?;
+        let (_, other) = weights.whitened(size, more, b)?;
+        let besides = mixed.as_ref().map(|(change, shares)| {
+            let change = DMatrix::from_column_slice(change.len(), 1, change.as_slice());
+            weights.whitened(size, more, &change).map(|(_, own)| {
+                let own = own.column(0).into_owned();
+                (left.tr_mul(&own), other.tr_mul(&own), own.norm_squared(), shares)
+            })
+        });
+        let besides = besides.transpose()?;
+        let cross = left.transpose() * &other;
+        let q_left: Vec<f64> = left.column_iter().map(|own| own.norm_squared()).collect();
+        let q_other: Vec<f64> = other.column_iter().map(|own| own.norm_squared()).collect();
+        for j in 0..b.ncols() {
+            for i in 0..a.ncols() {
+                let mut q = q_left[i] + q_other[j] - 2.0 * cross[(i, j)];
+                if let Some((of_left, of_other, square, [of_a, of_b])) = &besides {
+                    let share = of_a[i] * of_b[j];
+                    q += share * (share * square - 2.0 * of_left[i] + 2.0 * of_other[j]);
+                }
+                let ln = ln_size - 0.5 * q;
+                let (most, sum) = (&mut most[(i, j)], &mut sum[(i, j)]);
+                if ln > *most {
+                    *sum = *sum * (*most - ln).exp() + 1.0;
+                    *most = ln;
+                } else {
+                    *sum += (ln - *most).exp();
+                }
+            }
+        }
+    }
+    Ok(most.zip_map(&sum, |most, sum| most + sum.ln()))
+}
+
+/// A pair weighed with the errors of both effects.
+fn weighed(
+    weights: &Weights,
+    members: &[Member],
+    (pair, mut nodes): Found,
+    mixed: Option<&Mixed>,
+    ln_prior: f64,
+) -> Result<Trial, DiagnoseError> {
+    let [a, b] = pair.map(|k| &members[k]);
+    let mut trial: Option<Trial> = None;
+    for _ in 0..ROUNDS {
+        let own = |member: &Member, node: usize| {
+            weights
+                .error
+                .own(&member.changes.column(node).into_owned(), member.own_error)
+        };
+        let more = own(a, nodes[0]) + own(b, nodes[1]);
+        let shares = mixed.map(|mixed| {
+            let of = |own: &Member, at: f64| own.nodes.iter().map(|node| node.strength / at).collect();
+            (&mixed.change, [of(a, mixed.at[0]), of(b, mixed.at[1])])
+        });
+        let mut block = block(weights, Some(&more), [&a.changes, &b.changes], shares)?;
+        for (j, mut column) in block.column_iter_mut().enumerate() {
+            for (i, ln) in column.iter_mut().enumerate() {
+                *ln += a.nodes[i].ln_prior + b.nodes[j].ln_prior;
+            }
+        }
+        let ln_weight = ln_prior + ln_sum(block.iter().copied());
+        let of_a: Vec<f64> = block.row_iter().map(|row| ln_sum(row.iter().copied())).collect();
+        let of_b: Vec<f64> = block
+            .column_iter()
+            .map(|own| ln_sum(own.iter().copied()))
+            .collect();
+        if trial.as_ref().is_none_or(|known| ln_weight > known.ln_weight) {
+            let [first, second] = [strength(a, &of_a), strength(b, &of_b)];
+            trial = Some(Trial {
+                best: vec![first[0], second[0]],
+                strength: vec![first[1], second[1]],
+                error: vec![first[2], second[2]],
+                ..of_nodes(members, (pair, nodes), [ln_prior, ln_weight])
+            });
+        }
+        let (row, column) = place_of_largest(&block);
+        if [row, column] == nodes {
+            break;
+        }
+        nodes = [row, column];
+    }
+    Ok(trial.unwrap_or_else(|| of_nodes(members, (pair, nodes), [ln_prior, f64::NEG_INFINITY])))
+}
+
+/// A pair at its best strengths.
+fn of_nodes(members: &[Member], (pair, nodes): Found, [ln_prior, ln_weight]: [f64; 2]) -> Trial {
+    let at = [0, 1].map(|own| members[pair[own]].nodes[nodes[own]].strength);
+    let mut families: Vec<usize> = pair.iter().filter_map(|&k| members[k].family).collect();
+    families.sort_unstable();
+    Trial {
+        members: pair.to_vec(),
+        families,
+        ln_prior,
+        ln_weight,
+        best: at.to_vec(),
+        strength: at.to_vec(),
+        error: vec![0.0; 2],
+    }
+}
+
+fn place_of_largest(matrix: &DMatrix<f64>) -> (usize, usize) {
+    let rows = matrix.nrows();
+    let place = (0..matrix.len())
+        .max_by(|&a, &b| matrix[a].total_cmp(&matrix[b]))
+        .unwrap_or(0);
+    (place % rows, place / rows)
 }

@@ -8,15 +8,14 @@ use crate::progress::Progress;
 use crate::study::Forward;
 use crate::study::left_out::Local;
 
+use super::baseline::distances;
 use super::data::{Data, Scatter, start};
 use super::error::DiagnoseError;
-use super::far::{STRAIGHT, distance};
+use super::model_error::{ModelError, Size};
 use super::posterior::SEPARATE;
-use super::screening::{
-    Directions, ENOUGH_POWER, Slopes, effect_of, family_wise, is_one_sided, power_at_distance,
-    slopes_of_missing,
-};
+use super::screening::{Directions, ENOUGH_POWER, effect_of, family_wise, is_one_sided, power_at_distance};
 use super::settings::Settings;
+use super::table::Table;
 use super::verdict::LookAlike;
 use super::whitened::Whitened;
 
@@ -69,12 +68,18 @@ pub struct Outlook {
     directions: Directions,
 }
 
-/// Judges the campaign whose observables `forward` lists; their values do not matter, their noise does.
+/// Judges the campaign whose observables `forward` lists; their values do not matter, their noise does. `table`: how the campaign
+/// answers, if that is known.
 ///
 /// # Errors
 /// If there is nothing to measure or no effect to look for, a result is not finite, or the user asked to stop.
-pub fn plan(forward: &dyn Forward, settings: &Settings, progress: &Progress) -> Result<Plan, DiagnoseError> {
-    Ok(Outlook::new(forward, settings, progress)?.plan)
+pub fn plan(
+    forward: &dyn Forward,
+    table: Option<&Table>,
+    settings: &Settings,
+    progress: &Progress,
+) -> Result<Plan, DiagnoseError> {
+    Ok(Outlook::new(forward, table, settings, progress)?.plan)
 }
 
 impl Outlook {
@@ -84,6 +89,7 @@ impl Outlook {
     /// As [`plan`].
     pub fn new(
         forward: &dyn Forward,
+        table: Option<&Table>,
         settings: &Settings,
         progress: &Progress,
     ) -> Result<Outlook, DiagnoseError> {
@@ -95,18 +101,23 @@ impl Outlook {
         let is_of_model = |name: &str| data.model.iter().any(|&i| unknowns[i].name == name);
         let linear = forward.linearize(&start, &|unknown| is_of_model(&unknown.name))?;
         progress.check()?;
-        let Slopes {
-            missing: slopes,
-            admitted,
-            unanswered,
-            ..
-        } = slopes_of_missing(forward, &data, &start, settings, None)?;
+        let own = match table {
+            Some(_) => None,
+            None => Some(Table::new(forward, settings, progress)?),
+        };
+        let Some(Table {
+            slopes, responses, ..
+        }) = table.or(own.as_ref())
+        else {
+            return Err(DiagnoseError::NoEffects);
+        };
         let size = data.rows.len();
-        let scale = settings.noise_scale.unwrap_or(1.0);
-        let scatter = Scatter::new(forward, &data, &admitted, scale, vec![1.0; size])?;
         let own = DMatrix::from_fn(size, data.model.len(), |row, k| {
             linear.jacobian[(data.rows[row], data.model[k])] * unknowns[data.model[k]].sigma
         });
+        let ones = vec![1.0; size];
+        let error = ModelError::new(forward, &data, &linear.value, &ones, &own);
+        let scatter = Scatter::new(&error, &Size::typical(settings.slop, settings.noise_scale), ones)?;
         let local = Local {
             at_means: DVector::zeros(size),
             slopes: own,
@@ -114,12 +125,12 @@ impl Outlook {
             ends: Vec::new(),
         };
         let whitened = Whitened::new(&local, &scatter.noise)?;
-        let directions = Directions::new(&data, &slopes, &whitened);
+        let directions = Directions::new(&data, slopes, &whitened);
         let before = scatter
             .noise
             .whiten_columns(&slopes.select_rows(data.rows.iter()));
         let level = family_wise(settings.significance, data.missing.len());
-        let from = (&start[..], &linear.value, None);
+        let distances = distances(forward, &data, responses, &whitened);
         let mut effects: Vec<PlannedEffect> = Vec::new();
         for k in 0..data.missing.len() {
             let unknown = &unknowns[data.missing[k]];
@@ -128,10 +139,7 @@ impl Outlook {
             };
             let (length, whole) = (directions.lengths[k], before.column(k).norm());
             let by_slope = scale / unknown.sigma * length;
-            let by_model = match by_slope > STRAIGHT {
-                true => distance(forward, &data, &whitened, &from, (data.missing[k], scale))?,
-                false => Some(by_slope).filter(|_| !unanswered.contains(&k)),
-            };
+            let by_model = distances[k];
             let detectability = by_model.unwrap_or(by_slope);
             effects.push(PlannedEffect {
                 effect: effect.to_string(),

@@ -6,10 +6,11 @@ use crate::study::boxed::least_in_box;
 use crate::study::left_out::Local;
 use crate::study::{Fit, Footing, Forward};
 
+use super::baseline::Baseline;
 use super::data::{Data, Scatter};
 use super::error::DiagnoseError;
 use super::evidence::Likelihood;
-use super::prior::StrengthPrior;
+use super::library::Trial;
 use super::screening::{place_of, whole_strength};
 
 /// Largest step from zero at which a refit starts, in prior standard deviations.
@@ -20,8 +21,6 @@ const LONGEST_START: f64 = 2.0;
 pub struct Explanation {
     /// Positions of their strengths among the missing effects.
     pub members: Vec<usize>,
-    /// Logarithm of the evidence, on a scale common to all explanations of the same data.
-    pub ln_evidence: f64,
     /// Least Q.
     pub q: f64,
     /// Strengths, in their units.
@@ -30,10 +29,10 @@ pub struct Explanation {
     pub standard_error: Vec<f64>,
     /// Where each sits and the standard error of that, if it could move.
     pub places: Vec<Option<[f64; 2]>>,
-    /// The fit; none if only the linear model was asked.
-    pub fit: Option<Fit>,
+    /// The fit.
+    pub fit: Fit,
     /// The data about the fit.
-    pub local: Option<Local>,
+    pub local: Local,
 }
 
 /// What is common to all refits of one study.
@@ -55,17 +54,24 @@ pub struct Refits<'a> {
 }
 
 impl Refits<'_> {
-    /// Fits the effects `members` with the model, from `estimates` (in prior standard deviations). None if no fit settles below
-    /// the misfit without them.
+    /// Fits the effects of a trial with the model, in whose errors those of the effects' formulas stand. None if no fit settles below the
+    /// misfit without them.
     ///
     /// # Errors
     /// If the user asked to stop.
-    pub fn refit(&self, members: &[usize], estimates: &[f64]) -> Result<Option<Explanation>, DiagnoseError> {
+    pub fn refit(&self, baseline: &Baseline, trial: &Trial) -> Result<Option<Explanation>, DiagnoseError> {
+        let size = self.data.rows.len();
+        let mut own = DMatrix::zeros(size, size);
+        for (&k, &best) in trial.members.iter().zip(&trial.best) {
+            let share = self.forward.unknowns()[self.data.missing[k]].own_error();
+            own += baseline.error.own(&baseline.change(k, best), share);
+        }
+        let scatter = self.scatter.with(&own)?;
         let starts = [
-            self.start(members, estimates),
-            self.cautious_start(members, estimates),
+            self.stepped(&trial.members, &trial.best),
+            self.start(&trial.members, &trial.best),
         ];
-        self.refit_from(members, &starts)
+        self.refit_from(&trial.members, &starts, &scatter)
     }
 
     /// The same from given values of all unknowns, the first first.
@@ -76,6 +82,7 @@ impl Refits<'_> {
         &self,
         members: &[usize],
         starts: &[Vec<f64>],
+        scatter: &Scatter,
     ) -> Result<Option<Explanation>, DiagnoseError> {
         let unknowns = self.forward.unknowns();
         let effects: Vec<usize> = members.iter().map(|&k| self.data.missing[k]).collect();
@@ -91,17 +98,14 @@ impl Refits<'_> {
             for &effect in &whole {
                 start[effect] = whole_strength(&unknowns[effect]).unwrap_or_default();
             }
-            let fit = match self
-                .scatter
-                .fit(self.forward, self.data, &free, &start, self.footing)
-            {
+            let fit = match scatter.fit(self.forward, self.data, &free, &start, self.footing) {
                 Ok(fit) => fit,
                 Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),
                 Err(_) => continue,
             };
             // what is all or none stands as it is, be the misfit larger with it
             if fit.q <= most || fitted.is_empty() {
-                return Ok(Some(self.explanation(members, fit)));
+                return Ok(Some(self.explanation(members, fit, scatter)));
             }
         }
         Ok(None)
@@ -117,24 +121,16 @@ impl Refits<'_> {
     }
 
     /// The explanation by a fit in which `members` were free, as far as they are not all or none.
-    fn explanation(&self, members: &[usize], fit: Fit) -> Explanation {
+    fn explanation(&self, members: &[usize], fit: Fit, scatter: &Scatter) -> Explanation {
         let unknowns = self.forward.unknowns();
         let column = |unknown: usize| fit.free.iter().position(|&i| i == unknown);
-        let size = fit.slopes.ncols();
-        let curvature = DMatrix::identity(size, size) + fit.slopes.transpose() * &fit.slopes;
-        let mut ln_evidence = self.likelihood.ln(fit.q) - 0.5 * ln_determinant(curvature);
-        let variance = self.likelihood.variance(fit.q);
+        let variance = self.likelihood.variance(fit.q).max(1.0);
         let (mut strength, mut standard_error) = (Vec::new(), Vec::new());
         let error_of = |column: usize| (variance * fit.covariance[(column, column)]).sqrt();
         let effects = members.iter().map(|&k| self.data.missing[k]);
         for unknown in effects.clone() {
-            let error = column(unknown).map_or(0.0, error_of);
-            let own = &unknowns[unknown];
-            if let Some(prior) = StrengthPrior::of(own).filter(|_| error > 0.0) {
-                ln_evidence += prior.ln_factor(fit.at[unknown] / own.sigma, error / own.sigma);
-            }
             strength.push(fit.at[unknown]);
-            standard_error.push(error);
+            standard_error.push(column(unknown).map_or(0.0, error_of));
         }
         let place = |unknown: usize| {
             let own = place_of(unknowns, unknown)?;
@@ -143,18 +139,17 @@ impl Refits<'_> {
         let places = effects.map(place).collect();
         Explanation {
             members: members.to_vec(),
-            ln_evidence,
             q: fit.q,
             strength,
             standard_error,
             places,
-            local: Some(Local::about(&fit, self.forward, &self.scatter.noise)),
-            fit: Some(fit),
+            local: Local::about(&fit, self.forward, &scatter.noise),
+            fit,
         }
     }
 
-    /// Where the linear model is best within the ranges of all unknowns; of two effects at the strengths of the estimates.
-    fn start(&self, members: &[usize], estimates: &[f64]) -> Vec<f64> {
+    /// Where the linear model is best within the ranges of all unknowns; of two effects at these strengths.
+    fn start(&self, members: &[usize], strengths: &[f64]) -> Vec<f64> {
         let unknowns = self.forward.unknowns();
         let mut at = self.baseline.at.clone();
         let effects: Vec<usize> = members.iter().map(|&k| self.data.missing[k]).collect();
@@ -178,7 +173,7 @@ impl Refits<'_> {
                 let room = in_sigmas(i, unknowns[i].range[end]);
                 match place.checked_sub(first) {
                     None => room,
-                    Some(member) if members.len() > 1 => estimates[member].clamp(
+                    Some(member) if members.len() > 1 => in_sigmas(i, strengths[member]).clamp(
                         in_sigmas(i, unknowns[i].range[0]).max(-LONGEST_START),
                         in_sigmas(i, unknowns[i].range[1]).min(LONGEST_START),
                     ),
@@ -198,24 +193,13 @@ impl Refits<'_> {
         at
     }
 
-    /// The fit without an effect, and the effect at an estimate (in prior standard deviations).
-    pub fn stepped(&self, member: usize, estimate: f64) -> Vec<f64> {
-        let effect = self.data.missing[member];
-        let unknown = &self.forward.unknowns()[effect];
-        let [low, high] = unknown.range;
+    /// The fit without the effects, and the effects at these strengths.
+    pub fn stepped(&self, members: &[usize], strengths: &[f64]) -> Vec<f64> {
         let mut at = self.baseline.at.clone();
-        at[effect] = (unknown.mean + estimate * unknown.sigma).clamp(low, high);
-        at
-    }
-
-    /// The fit without the effects, and the effects a little off zero.
-    fn cautious_start(&self, members: &[usize], estimates: &[f64]) -> Vec<f64> {
-        let unknowns = self.forward.unknowns();
-        let mut at = self.baseline.at.clone();
-        for (&k, estimate) in members.iter().zip(estimates) {
+        for (&k, &strength) in members.iter().zip(strengths) {
             let effect = self.data.missing[k];
-            let [low, high] = unknowns[effect].range;
-            at[effect] = (0.05 * unknowns[effect].sigma * estimate.signum()).clamp(low, high);
+            let [low, high] = self.forward.unknowns()[effect].range;
+            at[effect] = strength.clamp(low, high);
         }
         at
     }

@@ -8,29 +8,35 @@ use crate::study::{Fit, Forward};
 use super::added_variable::added_variable;
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
-use super::far::Far;
 use super::hump::Around;
 use super::judge::Judgement;
 use super::ladder::{Explained, ladder};
-use super::misfit;
+use super::misfit::{self, Pull};
 use super::next::{NextExperiment, Rival, next_experiment};
 use super::notes::notes;
 use super::novel::reconstruct;
 use super::novel_words::draft;
-use super::null::are_few;
-use super::posterior::{Case, SEPARATE, unfolded};
+use super::posterior::{Belief, Case, SEPARATE};
 use super::refit::Explanation;
-use super::rows::{
-    Gains, LOOK_ALIKES, case_families, effect_rows, hypothesis, is_possible, name, probability, unseen,
-};
+use super::rows::{Gains, LOOK_ALIKES, effect_rows, hypothesis, is_possible, name, unseen};
 use super::screening::ENOUGH_POWER;
 use super::verdict::{
     Diagnosis, EffectRow, Hypothesis, LookAlike, NoiseFound, Novel, Outlier, Prediction, Verdict,
 };
 use super::words::sentence;
 
+/// Something is said to be missing where nothing has a probability below so many times the accepted one of a false alarm.
+const ALARM: f64 = 5.0;
+/// Probability from which on nothing, or a cause without a name, is the answer.
+const BELIEVED: f64 = 0.5;
 /// Probability from which on one effect may be named.
 const NAMED: f64 = 0.9;
+/// The same of two effects at once.
+const BOTH_NAMED: f64 = 0.95;
+/// Formulation error over what is admitted beyond which nothing is named: so much no model should have, and what is named leaves it.
+const LEFT_OVER: f64 = 3.5;
+/// Pull on an uncertain input, in standard deviations, beyond which it may have taken up what is missing.
+const PULLED: f64 = 3.0;
 /// Hypotheses less probable than this are not listed.
 const LISTED: f64 = 1e-3;
 /// Rivals that the next experiment is to tell apart.
@@ -47,13 +53,13 @@ pub fn report(
     progress: &Progress,
 ) -> Result<Diagnosis, DiagnoseError> {
     let gains = Gains::new(baseline);
-    let hypotheses: Vec<Hypothesis> = unfolded(&judgement.beliefs)
+    let hypotheses: Vec<Hypothesis> = judgement
+        .beliefs
         .iter()
-        .filter(|belief| belief.in_set || (belief.is_shown && belief.probability > LISTED))
+        .filter(|belief| belief.in_set || belief.probability > LISTED)
         .map(|belief| hypothesis(baseline, judgement, &gains, belief))
         .collect();
-    let far = Far::new(baseline)?;
-    let effects = effect_rows(baseline, judgement, &gains, &far);
+    let effects = effect_rows(baseline, judgement, &gains);
     let unseen: Vec<String> = unseen(baseline, &effects);
     let verdict = verdict(baseline, judgement, &effects, &hypotheses);
     let added = judgement
@@ -65,15 +71,14 @@ pub fn report(
         })
         .take(LOOK_ALIKES)
         .map(|(index, _)| {
-            let k = judgement.trial(index).members[0];
+            let k = judgement.trials[index].members[0];
             added_variable(baseline, k, &name(baseline, k))
         });
     let mut diagnosis = Diagnosis {
         sentence: String::new(),
         verdict,
-        p_nothing: probability(judgement, &Case::Nothing),
-        significance: judgement.significance,
-        significance_after: judgement.after_known,
+        p_nothing: judgement.probability(&Case::Nothing),
+        tried: effects.len(),
         noise: noise_found(baseline),
         novel: novel(baseline, judgement)?,
         unseen,
@@ -82,77 +87,71 @@ pub fn report(
         ladder: ladder(baseline, &rungs(baseline, judgement)),
         predictions: predictions(baseline, found(judgement))?,
         next_experiment: next(baseline, judgement, candidates, progress)?,
-        notes: notes(baseline, judgement, &far.unsolved)?,
+        notes: notes(baseline, judgement),
         screening: baseline.screening,
         hypotheses,
         effects,
     };
-    diagnosis.sentence = sentence(&diagnosis, baseline.settings.significance);
+    diagnosis.sentence = sentence(&diagnosis);
     Ok(diagnosis)
 }
 
 fn best_known(judgement: &Judgement) -> Option<&Explanation> {
-    let known = judgement
-        .beliefs
-        .iter()
-        .find(|b| matches!(b.case, Case::One(_) | Case::Two(..)))?;
-    judgement.best_of(&case_families(&known.case))?.1
+    judgement.best_of(&judgement.best_known()?.case.families())?.1
 }
 
 /// The fit with what was found: the best known explanation, or the cause without a name where that is the verdict.
 fn found(judgement: &Judgement) -> Option<&Fit> {
-    match judgement.best_hump().filter(|_| judgement.is_novel) {
+    match judgement.best_hump().filter(|_| judgement.is_unknown()) {
         Some(hump) => Some(&hump.fit),
-        None => best_known(judgement)?.fit.as_ref(),
+        None => best_known(judgement).map(|known| &known.fit),
     }
 }
 
 /// The best single effect of the best known explanation, then that explanation; of a cause without a name, its fit.
 fn rungs<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<Explained<'a>> {
-    if let Some(hump) = judgement.best_hump().filter(|_| judgement.is_novel) {
+    if let Some(hump) = judgement.best_hump().filter(|_| judgement.is_unknown()) {
         return vec![Explained {
             name: hump.kind.name().to_string(),
             fit: &hump.fit,
             local: Some(&hump.local),
         }];
     }
-    let known = judgement
-        .beliefs
-        .iter()
-        .find(|b| matches!(b.case, Case::One(_) | Case::Two(..)));
-    let Some(known) = known else { return Vec::new() };
-    let families = case_families(&known.case);
-    let mut rungs: Vec<(String, &Explanation)> = Vec::new();
-    let singles = families.iter().filter_map(|&family| {
-        let (index, explanation) = judgement.best_of(&[family])?;
-        Some((index, explanation?))
-    });
-    if let Some((index, first)) = singles.min_by(|a, b| a.1.q.total_cmp(&b.1.q)) {
-        let own = name(baseline, judgement.trial(index).members[0]);
-        rungs.push((own, first));
-        if let (2, Some((pair, Some(both)))) = (families.len(), judgement.best_of(&families)) {
-            let first_family = judgement.trial(index).families[0];
-            let members = &judgement.trial(pair).members;
-            let second = members
-                .iter()
-                .find(|k| !judgement.families[first_family].members.contains(k));
-            rungs.extend(second.map(|&k| (name(baseline, k), both)));
+    let Some(known) = judgement.best_known() else {
+        return Vec::new();
+    };
+    let families = known.case.families();
+    let fitted = |families: &[usize]| match judgement.best_of(families) {
+        Some((index, Some(explanation))) => Some((&judgement.trials[index], explanation)),
+        _ => None,
+    };
+    let explained = |name: String, explanation: &'a Explanation| Explained {
+        name,
+        fit: &explanation.fit,
+        local: Some(&explanation.local),
+    };
+    let names = |members: &[usize]| {
+        let names: Vec<String> = members.iter().map(|&k| name(baseline, k)).collect();
+        names.join(" + ")
+    };
+    let Some((trial, whole)) = fitted(&families) else {
+        return Vec::new();
+    };
+    let halves = families.iter().filter_map(|&family| fitted(&[family]));
+    let half = halves
+        .min_by(|a, b| a.1.q.total_cmp(&b.1.q))
+        .filter(|_| families.len() == 2);
+    match half {
+        Some((first, half)) => {
+            let is_other = |k: &&usize| !baseline.families[first.families[0]].members.contains(k);
+            let second: Vec<usize> = trial.members.iter().filter(is_other).copied().collect();
+            vec![
+                explained(names(&first.members), half),
+                explained(names(&second), whole),
+            ]
         }
-    } else if let Some((index, Some(both))) = judgement.best_of(&families) {
-        let members = judgement.trial(index).members.iter();
-        let names: Vec<String> = members.map(|&k| name(baseline, k)).collect();
-        rungs.push((names.join(" + "), both));
+        None => vec![explained(names(&trial.members), whole)],
     }
-    rungs
-        .into_iter()
-        .filter_map(|(name, explanation)| {
-            Some(Explained {
-                name,
-                fit: explanation.fit.as_ref()?,
-                local: explanation.local.as_ref(),
-            })
-        })
-        .collect()
 }
 
 fn verdict(
@@ -161,45 +160,45 @@ fn verdict(
     effects: &[EffectRow],
     hypotheses: &[Hypothesis],
 ) -> Verdict {
-    if judgement.significance.p_null > baseline.settings.significance && !judgement.is_foretold() {
+    let nothing = judgement.probability(&Case::Nothing);
+    if nothing >= ALARM * baseline.settings.significance {
         let could_see = effects.iter().any(|row| row.power >= ENOUGH_POWER);
-        let (found, level) = (&judgement.significance, baseline.settings.significance);
-        let misses_with_few = are_few(baseline.data.rows.len(), level) && found.p_misfit < level;
-        let is_believed = judgement.believes_nothing(baseline);
-        return if could_see && is_believed && !misses_with_few && !found.stands_on_few(level) {
-            Verdict::Nothing
-        } else {
-            Verdict::Undecidable
+        let is_pulled = |pull: &Pull| pull.pull.abs() > PULLED;
+        let is_calm = !misfit::of(baseline).pulls.iter().any(is_pulled);
+        return match nothing >= BELIEVED && could_see && is_calm {
+            true => Verdict::Nothing,
+            false => Verdict::Undecidable,
         };
     }
-    if judgement.is_novel {
-        return Verdict::Novel;
-    }
-    if judgement.pair_is_accepted
-        && hypotheses
-            .first()
-            .is_some_and(|pair| pair.refitted && is_possible(baseline, pair))
-    {
-        return Verdict::Pair;
-    }
-    let Some(belief) = judgement.beliefs.first() else {
+    let Some(first) = judgement.beliefs.first() else {
         return Verdict::Undecidable;
     };
-    if let Case::One(family) = belief.case
-        && let Some(first) = hypotheses
-            .iter()
-            .find(|own| own.families == [judgement.families[family].name.clone()])
-    {
-        let nearest = (0..judgement.families.len())
-            .filter(|&other| other != family)
-            .map(|other| judgement.distance(baseline, family, other))
-            .fold(f64::INFINITY, f64::min);
-        let predicts = first.gain_left_out_conditions.is_none_or(|gain| gain > 0.0);
-        if belief.probability >= NAMED && nearest >= SEPARATE && predicts && is_possible(baseline, first) {
-            return Verdict::Effect;
+    // what contains all families of the first, with a second effect or without
+    let families = first.case.families();
+    let holds = |belief: &&Belief| families.iter().all(|own| belief.case.families().contains(own));
+    let held: f64 = judgement
+        .beliefs
+        .iter()
+        .filter(holds)
+        .map(|belief| belief.probability)
+        .sum();
+    let of_first = hypotheses
+        .first()
+        .filter(|own| own.refitted && is_possible(baseline, own) && own.plausible);
+    let of_first = of_first.filter(|_| baseline.weighing.share <= LEFT_OVER * baseline.settings.slop);
+    let others = (0..baseline.families.len()).filter(|other| !families.contains(other));
+    match (&first.case, of_first) {
+        (Case::Unknown, _) if first.probability >= BELIEVED => Verdict::Novel,
+        (Case::One(family), Some(_)) if held >= NAMED => {
+            let nearest = others.map(|other| judgement.distance(baseline, *family, other));
+            match nearest.fold(f64::INFINITY, f64::min) >= SEPARATE {
+                true => Verdict::Effect,
+                false => Verdict::Set,
+            }
         }
+        (Case::Two(..), Some(_)) if held >= BOTH_NAMED => Verdict::Pair,
+        _ => Verdict::Set,
     }
-    Verdict::Set
 }
 
 fn noise_found(baseline: &Baseline) -> NoiseFound {
@@ -212,7 +211,8 @@ fn noise_found(baseline: &Baseline) -> NoiseFound {
         .filter(|(_, wider)| **wider > 1.0);
     NoiseFound {
         numbers: baseline.data.rows.len(),
-        scale: baseline.scatter.scale,
+        scale: baseline.size.scale,
+        formulation: baseline.size.share,
         on_trust: baseline.on_trust(),
         outliers: outliers
             .map(|(&row, &widening)| Outlier {
@@ -227,12 +227,12 @@ fn noise_found(baseline: &Baseline) -> NoiseFound {
 }
 
 fn novel(baseline: &Baseline, judgement: &Judgement) -> Result<Novel, DiagnoseError> {
-    let is_null = judgement.significance.p_null > baseline.settings.significance;
     let around = judgement
         .best_hump()
         .map(|hump| Around::new(baseline, hump))
         .transpose()?;
-    let reconstruction = (!is_null)
+    let is_wanted = judgement.is_unknown();
+    let reconstruction = is_wanted
         .then(|| reconstruct(baseline, around.as_ref()))
         .flatten();
     let residual = baseline.whitened.q().sqrt().max(f64::MIN_POSITIVE);
@@ -255,8 +255,7 @@ fn novel(baseline: &Baseline, judgement: &Judgement) -> Result<Novel, DiagnoseEr
     });
     nearest.truncate(LOOK_ALIKES);
     Ok(Novel {
-        probability: probability(judgement, &Case::Novel),
-        as_weighed: judgement.novel_as_weighed,
+        probability: judgement.probability(&Case::Unknown),
         draft: reconstruction
             .as_ref()
             .and_then(|found| draft(found, baseline.forward.conditions())),
@@ -286,7 +285,7 @@ fn predictions(baseline: &Baseline, found: Option<&Fit>) -> Result<Vec<Predictio
             let observable = &forward.observables()[row];
             let slope = slopes.row(row);
             let spread = (slope * &fit.covariance * slope.transpose())[0] * variance;
-            let admitted = baseline.settings.slop * fit.predicted[row];
+            let formulation = baseline.size.share * fit.predicted[row];
             Prediction {
                 condition: forward.conditions()[observable.condition].name.clone(),
                 line: observable.line,
@@ -297,7 +296,7 @@ fn predictions(baseline: &Baseline, found: Option<&Fit>) -> Result<Vec<Predictio
                 measured: observable.value,
                 calibrated: baseline.fit.predicted[row],
                 explained: fit.predicted[row],
-                standard_deviation: (spread.max(0.0) + admitted * admitted).sqrt(),
+                standard_deviation: (spread.max(0.0) + formulation * formulation).sqrt(),
             }
         })
         .collect())
@@ -316,10 +315,10 @@ fn next(
     for belief in judgement.beliefs.iter().filter(|belief| belief.in_set) {
         let fit = match belief.case {
             Case::Nothing => Some(&baseline.fit),
-            Case::Novel => judgement.best_hump().map(|hump| &hump.fit),
+            Case::Unknown => judgement.best_hump().map(|hump| &hump.fit),
             _ => judgement
-                .best_of(&case_families(&belief.case))
-                .and_then(|(_, e)| e?.fit.as_ref()),
+                .best_of(&belief.case.families())
+                .and_then(|(_, explanation)| Some(&explanation?.fit)),
         };
         rivals.extend(fit.map(|fit| Rival {
             probability: belief.probability,

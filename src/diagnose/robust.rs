@@ -1,23 +1,11 @@
-//! Does the answer hang on one number or one condition?
+//! Numbers that are far from what all the others tell.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
-
-use crate::study::{AdmittedError, Forward};
-
-use super::data::{Data, Scatter};
-use super::error::DiagnoseError;
-use super::evidence::Likelihood;
-use super::refit::Explanation;
-use super::settings::Settings;
-use super::whitened::Whitened;
 
 /// Distance from what its neighbours tell, in standard deviations, beyond which a number is an outlier.
 const OUTLIER: f64 = 4.0;
 /// Degrees of freedom of the Student distribution by which outliers are weighed.
 const STUDENT: f64 = 4.0;
-/// Factor on the standard deviations of a condition that takes it out of the fit.
-const OUT: f64 = 1e4;
-
 /// Factor by which to widen the noise of each number: 1, or more for one that is far from what all the others tell.
 ///
 /// `columns` hold everything smooth, with unit prior variance, in the units of `residual`; both whitened by the
@@ -48,44 +36,6 @@ pub fn outlier_widening(residual: &DVector<f64>, columns: &DMatrix<f64>) -> Vec<
         widening[farthest] = ((STUDENT + far * far) / (STUDENT + 1.0)).sqrt();
     }
     widening
-}
-
-/// Share of the conditions without any one of which the first of `explanations` still has the largest evidence.
-///
-/// Each explanation is kept linear about its own fit; `weights` are logarithms of prior probabilities.
-///
-/// # Errors
-/// If a scatter is not positive.
-pub fn stability(
-    forward: &dyn Forward,
-    data: &Data,
-    settings: &Settings,
-    scatter: &Scatter,
-    admitted: &AdmittedError,
-    explanations: &[(&Explanation, f64)],
-) -> Result<Option<f64>, DiagnoseError> {
-    let conditions = data.conditions(forward);
-    if conditions.len() < 2 || explanations.len() < 2 {
-        return Ok(None);
-    }
-    let mut kept = 0;
-    for (_, positions) in &conditions {
-        let mut widening = scatter.widening.clone();
-        for &position in positions {
-            widening[position] *= OUT;
-        }
-        let without = Scatter::new(forward, data, admitted, scatter.scale, widening)?;
-        let likelihood = Likelihood::of(data.rows.len() - positions.len(), settings);
-        let mut evidence = Vec::new();
-        for (explanation, weight) in explanations {
-            let Some(local) = &explanation.local else { continue };
-            let whitened = Whitened::new(local, &without.noise)?;
-            evidence.push(likelihood.ln(whitened.q()) - 0.5 * whitened.ln_determinant + weight);
-        }
-        let first = evidence.first().copied().unwrap_or(f64::NEG_INFINITY);
-        kept += usize::from(evidence.iter().all(|other| first >= *other));
-    }
-    Ok(Some(kept as f64 / conditions.len() as f64))
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@ use crate::study::left_out::{Local, Others, by_condition, by_wing};
 use crate::study::{Unknown, UnknownKind};
 
 use super::baseline::Baseline;
-use super::far::Far;
-use super::judge::{Judgement, distance_of_fits};
+use super::evidence::ln_sum;
+use super::judge::Judgement;
 use super::ladder::held_out_sigma;
 use super::library::Trial;
 use super::posterior::{Belief, Case};
@@ -23,15 +23,6 @@ const NEAR: f64 = 2.0;
 /// Look-alikes listed for each effect.
 pub const LOOK_ALIKES: usize = 4;
 
-/// Probability of a case.
-pub fn probability(judgement: &Judgement, case: &Case) -> f64 {
-    judgement
-        .beliefs
-        .iter()
-        .find(|belief| belief.case == *case)
-        .map_or(0.0, |belief| belief.probability)
-}
-
 /// Unknown of the missing effect at position `k`.
 pub fn unknown<'a>(baseline: &'a Baseline, k: usize) -> &'a Unknown {
     &baseline.forward.unknowns()[baseline.data.missing[k]]
@@ -43,38 +34,29 @@ pub fn name(baseline: &Baseline, k: usize) -> String {
     effect_of(unknown).map_or_else(|| unknown.name.clone(), |(effect, ..)| effect.to_string())
 }
 
-/// Families of a case.
-pub fn case_families(case: &Case) -> Vec<usize> {
-    match case {
-        Case::One(a) => vec![*a],
-        Case::Two(a, b) => vec![*a, *b],
-        Case::Nothing | Case::Novel => Vec::new(),
-    }
-}
-
 /// A belief with its strengths and its gain in prediction.
 pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, belief: &Belief) -> Hypothesis {
-    let families = case_families(&belief.case);
+    let families = belief.case.families();
     let found = judgement.best_of(&families);
     let mut strengths: Vec<Strength> = Vec::new();
     let mut plausible = true;
     if let Some((index, explanation)) = found.filter(|_| !families.is_empty()) {
-        let trial = judgement.trial(index);
-        let members = explanation.map_or(&trial.members, |explanation| &explanation.members);
+        let trial = &judgement.trials[index];
+        let members = &trial.members;
         // in the order of the families: first what the data show
         let family_of = |k: usize| {
-            let has = |&family: &usize| judgement.families[family].members.contains(&k);
+            let has = |&family: &usize| baseline.families[family].members.contains(&k);
             families.iter().position(has)
         };
         let mut ordered: Vec<(usize, usize)> = members.iter().copied().enumerate().collect();
         ordered.sort_by_key(|&(_, k)| family_of(k));
         let family_name = |k: usize| {
-            let own = family_of(k).map(|position| &judgement.families[families[position]]);
+            let own = family_of(k).map(|position| &baseline.families[families[position]]);
             own.map_or_else(String::new, |family| family.name.clone())
         };
         for (position, k) in ordered {
             let own = unknown(baseline, k);
-            let [value, error] = strength_of(baseline, trial, explanation, position);
+            let [value, error] = strength_of(trial, explanation, position);
             plausible &= is_plausible(own, value, error);
             let [low, high] = own.range;
             // what is all or none has no more to it than all
@@ -83,7 +65,6 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
                 effect: name(baseline, k),
                 family: family_name(k),
                 unknown: own.name.clone(),
-                // a derivative knows no end
                 value: value.clamp(low, high),
                 at_end: may_end && ((low != 0.0 && value <= low) || (high != 0.0 && value >= high)),
                 standard_error: error,
@@ -92,17 +73,17 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
             });
         }
     }
-    let local = found.and_then(|(_, explanation)| explanation?.local.as_ref());
+    let local = found.and_then(|(_, explanation)| Some(&explanation?.local));
     let family_names = families
         .iter()
-        .map(|&family| judgement.families[family].name.clone());
+        .map(|&family| baseline.families[family].name.clone());
     let effects: Vec<String> = match belief.case {
-        Case::Novel => vec!["novel".into()],
+        Case::Unknown => vec!["novel".into()],
         _ => families
             .iter()
             .filter_map(|&family| {
                 let own = strengths.iter().filter(|s| {
-                    judgement.families[family]
+                    baseline.families[family]
                         .members
                         .iter()
                         .any(|&k| unknown(baseline, k).name == s.unknown)
@@ -116,7 +97,6 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
         effects,
         families: family_names.collect(),
         probability: belief.probability,
-        is_shown: belief.is_shown,
         strength: strengths.first().map(|s| s.value),
         standard_error: strengths.first().map(|s| s.standard_error),
         strengths,
@@ -128,19 +108,11 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
     }
 }
 
-/// Strength of a member of an explanation and its standard error: as fitted, else by the linear model.
-pub fn strength_of(
-    baseline: &Baseline,
-    trial: &Trial,
-    explanation: Option<&Explanation>,
-    position: usize,
-) -> [f64; 2] {
+/// Strength of a member of an explanation and its standard error: as fitted, else as weighed.
+fn strength_of(trial: &Trial, explanation: Option<&Explanation>, position: usize) -> [f64; 2] {
     match explanation {
         Some(fitted) => [fitted.strength[position], fitted.standard_error[position]],
-        None => {
-            let sigma = unknown(baseline, trial.members[position]).sigma;
-            [trial.linear.estimate[position], trial.linear.error[position]].map(|value| value * sigma)
-        }
+        None => [trial.strength[position], trial.error[position]],
     }
 }
 
@@ -182,7 +154,7 @@ fn is_plausible(unknown: &Unknown, value: f64, error: f64) -> bool {
 }
 
 /// Whether a strength is not absurd: some scales at most.
-pub fn is_nameable(unknown: &Unknown, value: f64) -> bool {
+fn is_nameable(unknown: &Unknown, value: f64) -> bool {
     let scale = effect_of(unknown).map_or(f64::INFINITY, |(_, _, scale, _)| scale);
     value.abs() <= POSSIBLE * scale
 }
@@ -206,36 +178,35 @@ fn weight(row: &EffectRow) -> f64 {
     row.ln_evidence + 1e-6 * row.detectability.min(1e6)
 }
 
-/// A row for every missing effect; of those that could sit elsewhere, for their best place; `far`: what the model has of those that are
-/// far out by their derivative.
-pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains, far: &Far) -> Vec<EffectRow> {
+/// A row for every missing effect; of those that could sit elsewhere, for their best place.
+pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) -> Vec<EffectRow> {
     let directions = &baseline.directions;
-    let significance = family_wise(baseline.settings.significance, baseline.data.missing.len());
-    let base = baseline.likelihood.ln(baseline.whitened.q()) - 0.5 * baseline.whitened.ln_determinant;
+    let level = family_wise(baseline.settings.significance, baseline.data.missing.len());
+    let nothing = baseline.weighing.ln_nothing - baseline.settings.prior.nothing.ln();
     let mut rows: Vec<EffectRow> = Vec::new();
     for (k, &i) in baseline.data.missing.iter().enumerate() {
         let own = &baseline.forward.unknowns()[i];
         let Some((effect, family, scale, _)) = effect_of(own) else {
             continue;
         };
-        let single = judgement.singles.iter().position(|trial| trial.members == [k]);
-        let refit = judgement
-            .refits
-            .iter()
-            .find(|(index, _)| Some(*index) == single)
-            .map(|(_, e)| e);
-        let whole = refit.and_then(|refit| whole_step(baseline, own, refit));
+        let single = judgement.trials.iter().position(|trial| trial.members == [k]);
+        let trial = single.map(|index| &judgement.trials[index]);
+        let refit = judgement.refits.iter().find(|(index, _)| Some(*index) == single);
+        let refit = refit.map(|(_, explanation)| explanation);
         // per unit of strength
-        let (score, length) = match whole {
-            Some([score, distance]) => (score, distance / scale),
-            None => (directions.scores[k], directions.lengths[k] / own.sigma),
+        let (score, length) = (directions.scores[k], directions.lengths[k] / own.sigma);
+        let by_slope = if length > 0.0 {
+            [score / length, 1.0 / length]
+        } else {
+            [0.0, f64::MAX]
         };
-        let one_step = if length > 0.0 { score / length } else { 0.0 };
-        let family_index = judgement.families.iter().position(|f| f.name == family);
-        let one_step_error = if length > 0.0 { 1.0 / length } else { f64::MAX };
-        let refitted = refit.map(|e| e.strength[0]);
-        let refitted_error = refit.map(|e| e.standard_error[0]);
-        let ln_evidence = single.map_or(0.0, |index| judgement.ln_evidence[index] - base);
+        let [one_step, one_step_error] = by_slope;
+        let found = refit.map(|e| [e.strength[0], e.standard_error[0]]);
+        let weighed = trial.map(|trial| [trial.strength[0], trial.error[0]]);
+        let [value, error] = found.or(weighed).unwrap_or(by_slope);
+        let ln_evidence = trial.map_or(0.0, |trial| trial.ln_weight - trial.ln_prior - nothing);
+        let distance = baseline.distances[k];
+        let detectability = distance.unwrap_or(scale * length);
         let row = EffectRow {
             effect: effect.to_string(),
             family: family.to_string(),
@@ -245,46 +216,26 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains, fa
             score,
             one_step,
             one_step_error,
-            refitted,
-            refitted_error,
-            plausible: is_plausible(
-                own,
-                refitted.unwrap_or(one_step),
-                refitted_error.unwrap_or(one_step_error),
-            ),
+            refitted: found.map(|found| found[0]),
+            refitted_error: found.map(|found| found[1]),
+            plausible: is_plausible(own, value, error),
             plausible_range: plausible_range(own),
-            detectability: far.distance[k].unwrap_or(scale * length),
-            power: match whole.map(|[_, distance]| distance).or(far.distance[k]) {
-                Some(distance) => power_at_distance(distance, is_one_sided(own), significance),
-                None => directions.power(k, own, significance),
-            },
-            // what a fit finds is there, whatever the derivative at zero says of it
-            sight: match refit {
-                Some(fit) if ln_evidence > 0.0 && fit.strength[0].abs() > NEAR * fit.standard_error[0] => {
-                    Sight::Possible
-                }
-                Some(_) if whole.is_some_and(|[_, distance]| !is_unseen(distance, own, significance)) => {
+            detectability,
+            power: power_at_distance(detectability, is_one_sided(own), level),
+            sight: match ln_evidence {
+                // odds of ten to one
+                ln if ln > 10.0_f64.ln() => Sight::Possible,
+                ln if ln < 0.0 && distance.is_some_and(|far| !is_unseen(MATTERS * far, own, level)) => {
                     Sight::Absent
                 }
-                _ if whole.is_some() => Sight::Undecidable,
-                _ => match directions.sight(k, own, significance) {
-                    // what a third of the derivative's size would show, a third of the model's may not
-                    Sight::Absent if far.unsolved.contains(&k) => Sight::Undecidable,
-                    Sight::Absent
-                        if far.distance[k]
-                            .is_some_and(|distance| is_unseen(MATTERS * distance, own, significance)) =>
-                    {
-                        Sight::Undecidable
-                    }
-                    sight => sight,
-                },
+                _ => Sight::Undecidable,
             },
             ln_evidence,
-            probability: family_index.map_or(0.0, |f| probability(judgement, &Case::One(f))),
+            probability: probability_of(baseline, judgement, effect),
             gain_left_out_conditions: None,
             held_out_gain: held_out_gain(baseline, refit),
             place: place(baseline, k, refit.and_then(|e| e.places[0])),
-            look_alikes: look_alikes(baseline, judgement, k),
+            look_alikes: look_alikes(baseline, k),
         };
         let elsewhere = rows.iter_mut().find(|other| other.effect == row.effect);
         match elsewhere.filter(|_| row.place.is_some()) {
@@ -299,13 +250,26 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains, fa
     rows
 }
 
-/// Score of an effect that is all or none, and how far the data lie with it from without, in standard deviations: by the whole of it, as
-/// its derivative at none says nothing.
-fn whole_step(baseline: &Baseline, unknown: &Unknown, refit: &Explanation) -> Option<[f64; 2]> {
-    whole_strength(unknown)?;
-    let distance = distance_of_fits(baseline, &baseline.fit, refit.fit.as_ref()?);
-    let score = (baseline.fit.q - refit.q + distance * distance) / (2.0 * distance.max(f64::MIN_POSITIVE));
-    Some([score, distance])
+/// Probability that an effect alone is what is missing: its part of that of its family.
+fn probability_of(baseline: &Baseline, judgement: &Judgement, effect: &str) -> f64 {
+    let of = |is_its: &dyn Fn(&Trial) -> bool| {
+        let own = judgement
+            .trials
+            .iter()
+            .filter(|trial| trial.members.len() == 1 && is_its(trial));
+        ln_sum(own.map(|trial| trial.ln_weight).collect::<Vec<_>>().into_iter())
+    };
+    let is_its = |trial: &Trial| name(baseline, trial.members[0]) == effect;
+    let Some(family) = judgement
+        .trials
+        .iter()
+        .find(|trial| is_its(trial))
+        .map(|trial| trial.families[0])
+    else {
+        return 0.0;
+    };
+    let share = of(&is_its) - of(&|trial| trial.families == [family]);
+    judgement.probability(&Case::One(family)) * share.exp()
 }
 
 fn is_unseen(distance: f64, unknown: &Unknown, level: f64) -> bool {
@@ -314,7 +278,7 @@ fn is_unseen(distance: f64, unknown: &Unknown, level: f64) -> bool {
 
 /// How much better the held-out observables are predicted with an effect.
 fn held_out_gain(baseline: &Baseline, refit: Option<&Explanation>) -> Option<f64> {
-    let with = held_out_sigma(baseline, &refit?.fit.as_ref()?.predicted)?;
+    let with = held_out_sigma(baseline, &refit?.fit.predicted)?;
     let without = held_out_sigma(baseline, &baseline.fit.predicted)?;
     (with > 0.0).then(|| without / with)
 }
@@ -366,8 +330,9 @@ impl<'a> LeftOutGain<'a> {
         let k = (data.missing.iter()).position(|&i| forward.unknowns()[i].name == unknown)?;
         let refits = judgement.refits.iter();
         let refit = refits
-            .filter(|(index, _)| judgement.trial(*index).members == [k])
-            .find_map(|(_, found)| found.local.as_ref());
+            .filter(|(index, _)| judgement.trials[*index].members == [k])
+            .map(|(_, found)| &found.local)
+            .next();
         if let Some(local) = refit {
             return self.with(local);
         }
@@ -385,7 +350,7 @@ impl<'a> LeftOutGain<'a> {
 }
 
 /// Members of other families whose direction is nearest, the nearest of each, if they may have the sign that takes.
-fn look_alikes(baseline: &Baseline, judgement: &Judgement, k: usize) -> Vec<LookAlike> {
+fn look_alikes(baseline: &Baseline, k: usize) -> Vec<LookAlike> {
     let directions = &baseline.directions;
     // what is all or none has no signature at none
     let is_whole = |k: usize| whole_strength(unknown(baseline, k)).is_some();
@@ -398,7 +363,7 @@ fn look_alikes(baseline: &Baseline, judgement: &Judgement, k: usize) -> Vec<Look
     } else {
         directions.scores[k].signum()
     };
-    let mut found: Vec<(usize, f64)> = judgement
+    let mut found: Vec<(usize, f64)> = baseline
         .families
         .iter()
         .filter(|family| !family.members.contains(&k))
@@ -429,8 +394,9 @@ pub fn unseen(baseline: &Baseline, effects: &[EffectRow]) -> Vec<String> {
     let level = family_wise(baseline.settings.significance, baseline.data.missing.len());
     let elsewhere = |row: &EffectRow| {
         let places = (0..baseline.data.missing.len()).filter(|&k| name(baseline, k) == row.effect);
-        let mut power = places.map(|k| baseline.directions.power(k, unknown(baseline, k), level));
-        row.place.is_some() && power.any(|power| power >= ENOUGH_POWER)
+        let mut seen =
+            places.filter_map(|k| Some(!is_unseen(baseline.distances[k]?, unknown(baseline, k), level)));
+        seen.any(|is_seen| is_seen)
     };
     let unseen = effects
         .iter()

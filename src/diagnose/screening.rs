@@ -5,10 +5,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, Normal};
 
-use crate::study::{AdmittedError, Footing, Forward, Unknown, UnknownKind};
+use crate::study::{Footing, Forward, Unknown, UnknownKind};
 
 use super::data::Data;
-use super::error::{DiagnoseError, where_solved};
+use super::error::DiagnoseError;
 use super::settings::Settings;
 use super::whitened::Whitened;
 
@@ -16,9 +16,6 @@ use super::whitened::Whitened;
 pub const ENOUGH_POWER: f64 = 0.8;
 /// Share of its plausible size from which on an effect must have been seen to be called absent.
 pub const MATTERS: f64 = 1.0 / 3.0;
-
-/// An effect whose plausible size moves no reading by more than this share of the largest, by its derivative, has none.
-const FLAT: f64 = 1e-9;
 
 /// Level of one score when any of `count` effects, or either of two other tests, may raise the alarm.
 pub fn family_wise(level: f64, count: usize) -> f64 {
@@ -113,19 +110,13 @@ pub fn is_one_sided(unknown: &Unknown) -> bool {
 pub struct Slopes {
     /// To the missing effects, one column each, per prior standard deviation.
     pub missing: DMatrix<f64>,
-    /// To what is admitted of the model.
-    pub admitted: AdmittedError,
     /// What the model left there.
     pub footing: Option<Footing>,
-    /// Missing effects (positions) of which nothing is known: no derivative, and no solution at their plausible size.
-    pub unanswered: Vec<usize>,
 }
 
 /// Derivatives of all observables with the missing effects at `at`, one column each, per prior standard deviation.
 ///
-/// An effect with a kink at zero is seen from a step, and so is one that has no derivative there but acts (a lag at mid-stroke): from its
-/// plausible size. Besides, the responses to what is admitted of the model, per standard
-/// deviation, and what the model leaves there; `footing`: what it left nearby.
+/// An effect with a kink at zero is seen from a step. `footing`: what the model left nearby.
 ///
 /// # Errors
 /// If the model has no solution there, or a derivative is not finite.
@@ -137,12 +128,10 @@ pub fn slopes_of_missing(
     footing: Option<&Footing>,
 ) -> Result<Slopes, DiagnoseError> {
     let unknowns = forward.unknowns();
-    let wanted = data.missing.iter().chain(&data.admitted);
-    let names: Vec<&str> = wanted.map(|&i| unknowns[i].name.as_str()).collect();
+    let names: Vec<&str> = data.missing.iter().map(|&i| unknowns[i].name.as_str()).collect();
     let wanted = |unknown: &Unknown| names.contains(&unknown.name.as_str());
     let (linear, left) = forward.linearize_from(footing, at, &wanted)?;
     let mut slopes = linear.jacobian.select_columns(data.missing.iter());
-    let mut unanswered = Vec::new();
     for (k, &i) in data.missing.iter().enumerate() {
         let switch = matches!(unknowns[i].kind, UnknownKind::Effect { has_switch: true, .. });
         if let (true, Some(share), Some((_, _, scale, _))) =
@@ -153,16 +142,6 @@ pub fn slopes_of_missing(
             let moved = forward.predict(&stepped)?;
             slopes.set_column(k, &((moved - &linear.value) / (share * scale)));
         }
-        if let Some((_, _, scale, _)) = effect_of(&unknowns[i])
-            && slopes.column(k).amax() * scale <= FLAT * linear.value.amax()
-        {
-            let mut stepped = at.to_vec();
-            stepped[i] += scale;
-            match where_solved(forward.linearize_from(footing, &stepped, &|_| false))? {
-                Some((moved, _)) => slopes.set_column(k, &((moved.value - &linear.value) / scale)),
-                None => unanswered.push(k),
-            }
-        }
         let mut column = slopes.column_mut(k);
         column *= unknowns[i].sigma;
         if column.iter().any(|slope| !slope.is_finite()) {
@@ -171,29 +150,12 @@ pub fn slopes_of_missing(
             });
         }
     }
-    let mut admitted = linear.jacobian.select_columns(data.admitted.iter());
-    for (k, &i) in data.admitted.iter().enumerate() {
-        let mut column = admitted.column_mut(k);
-        column *= unknowns[i].sigma * settings.slop;
-        if column.iter().any(|slope| !slope.is_finite()) {
-            return Err(DiagnoseError::NotFinite {
-                what: unknowns[i].name.clone(),
-            });
-        }
-    }
     for row in data.kept_bounds(forward, &linear.value) {
         slopes.row_mut(row).fill(0.0);
-        admitted.row_mut(row).fill(0.0);
     }
     Ok(Slopes {
         missing: slopes,
-        admitted: AdmittedError {
-            share: settings.slop,
-            value: linear.value,
-            responses: admitted,
-        },
         footing: left,
-        unanswered,
     })
 }
 
@@ -219,17 +181,6 @@ impl Directions {
             scores,
             lengths,
             gram,
-        }
-    }
-
-    /// No direction at all, about `whitened`.
-    pub fn none(whitened: &Whitened) -> Directions {
-        Directions {
-            unknowns: Vec::new(),
-            columns: DMatrix::zeros(whitened.residual.len(), 0),
-            scores: Vec::new(),
-            lengths: Vec::new(),
-            gram: DMatrix::zeros(0, 0),
         }
     }
 

@@ -56,10 +56,10 @@ pub struct PriorOdds {
 impl Default for PriorOdds {
     fn default() -> Self {
         PriorOdds {
-            nothing: 0.35,
-            one: 0.40,
-            two: 0.15,
-            novel: 0.10,
+            nothing: 0.5,
+            one: 0.35,
+            two: 0.07,
+            novel: 0.08,
         }
     }
 }

@@ -13,7 +13,6 @@ use super::ladder::Rung;
 use super::misfit::Misfit;
 use super::next::NextExperiment;
 use super::novel::Reconstruction;
-use super::null::Significance;
 use super::screening::Sight;
 
 /// The kind of answer.
@@ -43,11 +42,9 @@ pub struct Diagnosis {
     pub verdict: Verdict,
     /// Probability that nothing is missing.
     pub p_nothing: f64,
-    /// How probable such a misfit is if nothing is missing.
-    pub significance: Significance,
-    /// The same after the best known explanation; none if none was fitted.
-    pub significance_after: Option<Significance>,
-    /// Scatter that the data show.
+    /// Effects that were tried.
+    pub tried: usize,
+    /// Scatter that the data show, and error of the model.
     pub noise: NoiseFound,
     /// What may be the case, most probable first; the tail below one in a thousand is left out.
     pub hypotheses: Vec<Hypothesis>,
@@ -80,6 +77,8 @@ pub struct NoiseFound {
     pub numbers: usize,
     /// Factor on the stated standard deviations.
     pub scale: f64,
+    /// Share of its own predictions by which the model is off in its formulation.
+    pub formulation: f64,
     /// Whether the stated noise is taken on trust, for want of numbers.
     pub on_trust: bool,
     /// Numbers that are far from what all the others tell, with the factor by which their error was widened.
@@ -108,8 +107,6 @@ pub struct Hypothesis {
     pub strengths: Vec<Strength>,
     /// Its probability.
     pub probability: f64,
-    /// Whether the data show all of its effects; a second one may be merely allowed by them.
-    pub is_shown: bool,
     /// Strength of the first effect.
     pub strength: Option<f64>,
     /// Its standard error.
@@ -118,7 +115,7 @@ pub struct Hypothesis {
     pub plausible: bool,
     /// Whether it belongs to the smallest set that holds the truth with 95 %.
     pub in_set: bool,
-    /// Whether the strengths are those of a nonlinear fit.
+    /// Whether the strengths are those of a fit in the whole model.
     pub refitted: bool,
     /// Gain in predicting left-out conditions, in ln of the density; a necessary sign, not a ranking.
     pub gain_left_out_conditions: Option<f64>,
@@ -169,9 +166,6 @@ pub struct PlaceFound {
 pub struct Novel {
     /// Probability.
     pub probability: f64,
-    /// Probability among the explanations that were weighed, before the best known one was checked: where that leaves what chance
-    /// does not, none that is known gains, though no smooth field does better.
-    pub as_weighed: f64,
     /// The missing load, compliance or error of reading (`law`, `field`, … beside the probability); none if nothing is
     /// missing.
     #[serde(flatten)]
@@ -224,7 +218,7 @@ pub struct EffectRow {
     pub plausible: bool,
     /// Strengths that are plausible in nature, in its unit.
     pub plausible_range: [f64; 2],
-    /// Distance from none, in standard deviations, that its plausible size would have; `length` times the scale.
+    /// Distance from none, in standard deviations, that its plausible size has.
     pub detectability: f64,
     /// Probability to see it at its plausible size.
     pub power: f64,
@@ -232,7 +226,7 @@ pub struct EffectRow {
     pub sight: Sight,
     /// Logarithm of its evidence against nothing missing.
     pub ln_evidence: f64,
-    /// Probability that its family is what is missing, alone or with a second effect that the data merely allow.
+    /// Probability that it alone is what is missing.
     pub probability: f64,
     /// Logarithm of the density that all other cases give to each, with it fitted over without, summed; by the linear model where it
     /// was not refitted; none where only one case is fitted.

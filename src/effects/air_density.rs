@@ -36,6 +36,10 @@ impl Effect for AirDensity {
         CARD
     }
 
+    fn is_error_of(&self) -> Option<&'static str> {
+        Some("air.density_kg_m3")
+    }
+
     fn coefficients(
         &self,
         values: &Values,

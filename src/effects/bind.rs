@@ -8,6 +8,7 @@ use super::error::EffectError;
 use super::{Effect, all, named};
 use crate::input::design::{Design, FilmCompression, Kinematics, Section};
 use crate::input::nearest;
+use crate::structure::StructureError;
 
 /// The numbers of an effect, in the order of its card.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,6 +119,25 @@ pub fn acting(name: &str, table: &toml::Table, design: &Design) -> Result<Acting
         }
         None => Err(unknown(name)),
     }
+}
+
+/// Adds to the table of an effect the numbers that all wings of a study have in common, as far as it does not state them; `first`: the
+/// first wing of the study.
+///
+/// # Errors
+/// If a section of that is none.
+pub fn with_common_numbers(
+    name: &str,
+    table: &mut toml::Table,
+    first: &Design,
+) -> Result<(), StructureError> {
+    let Some(effect) = named(name) else {
+        return Ok(());
+    };
+    for (number, value) in effect.common_numbers(first)? {
+        table.entry(number).or_insert(toml::Value::Float(value));
+    }
+    Ok(())
 }
 
 /// Whether an effect has something to act on in a design.

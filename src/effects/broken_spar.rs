@@ -63,6 +63,7 @@ impl Effect for BrokenSpar {
             at: &[0.4],
             reach: 0.2,
             spar: Some(1),
+            of_one_wing: true,
         })
     }
 

@@ -65,7 +65,8 @@ impl Parameter<'_> {
     }
 }
 
-/// Where along the wing an effect may sit: at a parameter of its own, which a diagnosis moves to where the data have it.
+/// A number besides the strength that is not known: where along the wing an effect sits, or how far its law reaches. A diagnosis moves it to
+/// where the data have it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Places {
     /// Position of the parameter on the card.
@@ -76,6 +77,8 @@ pub struct Places {
     pub reach: f64,
     /// Position of the parameter that counts spars, each of which is looked at.
     pub spar: Option<usize>,
+    /// Whether it may be so on one wing alone: damage may, a law of the air may not.
+    pub of_one_wing: bool,
 }
 
 /// What an effect on stiffness or mass changes in a coupled wing.

@@ -36,6 +36,11 @@ impl Effect for FilmCureTension {
         CARD
     }
 
+    // the two models differ by a quarter where the film decides, bay by bay
+    fn own_error(&self) -> f64 {
+        0.3
+    }
+
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
         wing.model
             .change_sheets(|sheet| sheet.pretension_n_per_m += values.strength())

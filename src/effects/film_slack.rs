@@ -36,6 +36,11 @@ impl Effect for FilmSlack {
         CARD
     }
 
+    // as for a film under tension, whose bays decide
+    fn own_error(&self) -> f64 {
+        0.3
+    }
+
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
         wing.model.change_sheets(|sheet| {
             if let Compression::TensionField { slack, .. } = &mut sheet.compression {

@@ -1,7 +1,7 @@
 //! The leading-edge vortex does not stay attached beyond some chords from the axis, and lift falls there.
 
 use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
-use super::{Dual, Effect, StripPlace, Values};
+use super::{Dual, Effect, Places, StripPlace, Values};
 use crate::aero::{Flow, SectionAir, SectionCoefficients};
 
 /// See the module.
@@ -49,6 +49,16 @@ const FADE_CHORDS: f64 = 0.5;
 impl Effect for LeadingEdgeVortexLoss {
     fn card(&self) -> Card<'_> {
         CARD
+    }
+
+    fn places(&self) -> Option<Places> {
+        Some(Places {
+            parameter: 1,
+            at: &[3.2, 4.0, 5.0],
+            reach: 0.4,
+            spar: None,
+            of_one_wing: false,
+        })
     }
 
     fn coefficients(

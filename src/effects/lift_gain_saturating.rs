@@ -1,7 +1,7 @@
 //! Lift coefficient that grows with the local twist up to a bound: a rival form of the paper's shape factor.
 
 use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
-use super::{Dual, Effect, StripPlace, Values};
+use super::{Dual, Effect, Places, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 use num_dual::DualNum;
 
@@ -45,6 +45,16 @@ const CARD: Card = Card {
 impl Effect for LiftGainSaturating {
     fn card(&self) -> Card<'_> {
         CARD
+    }
+
+    fn places(&self) -> Option<Places> {
+        Some(Places {
+            parameter: 1,
+            at: &[8.0, 20.0],
+            reach: 6.0,
+            spar: None,
+            of_one_wing: false,
+        })
     }
 
     fn coefficients(

@@ -64,6 +64,7 @@ impl Effect for RodBendingLoss {
             at: &[0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9],
             reach: 0.05,
             spar: None,
+            of_one_wing: true,
         })
     }
 

@@ -46,12 +46,18 @@ impl Effect for RodEndsEarly {
         CARD
     }
 
+    // an independent model answers with 1.07 of this
+    fn own_error(&self) -> f64 {
+        0.1
+    }
+
     fn places(&self) -> Option<Places> {
         Some(Places {
             parameter: 1,
             at: &[0.2, 0.4, 0.6, 0.8],
             reach: 0.1,
             spar: None,
+            of_one_wing: true,
         })
     }
 

@@ -56,12 +56,18 @@ impl Effect for RodSplit {
         CARD
     }
 
+    // an independent model answers with 1.24 of this where the film decides
+    fn own_error(&self) -> f64 {
+        0.15
+    }
+
     fn places(&self) -> Option<Places> {
         Some(Places {
             parameter: 1,
             at: &[0.2, 0.4, 0.6, 0.8],
             reach: 0.1,
             spar: None,
+            of_one_wing: true,
         })
     }
 

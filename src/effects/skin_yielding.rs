@@ -64,6 +64,7 @@ impl Effect for SkinYielding {
             at: &[0.25, 0.75, 1.5],
             reach: 0.25,
             spar: None,
+            of_one_wing: true,
         })
     }
 

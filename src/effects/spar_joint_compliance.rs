@@ -36,6 +36,11 @@ impl Effect for SparJointCompliance {
         CARD
     }
 
+    // the joint's place in the mesh decides
+    fn own_error(&self) -> f64 {
+        0.1
+    }
+
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
         for spar in 0..wing.mesh.spar_count() {
             let elements = wing.spar_elements(spar);

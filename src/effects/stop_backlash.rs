@@ -11,7 +11,7 @@ pub struct StopBacklash;
 
 const CARD: Card = Card {
     name: "stop-backlash",
-    family: "root",
+    family: "stop-play",
     summary: "The pitch stop has play, which the load closes: the whole wing turns by it.",
     formula: "θ_root = s toward the load; the first rod element is without torque at that twist",
     source: "definition; free play of hinges: Woolston et al. 1957, J. Aeronaut. Sci. 24, 57",

@@ -1,7 +1,7 @@
 //! Tip loss that fades inward within a stated part of the chord: the rival of Prandtl's factor.
 
 use super::card::{Card, Need, Parameter, Seam, WING_CHANNELS};
-use super::{Dual, Effect, StripPlace, Values};
+use super::{Dual, Effect, Places, StripPlace, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 
 /// See the module.
@@ -45,6 +45,16 @@ const CARD: Card = Card {
 impl Effect for TipLossExponential {
     fn card(&self) -> Card<'_> {
         CARD
+    }
+
+    fn places(&self) -> Option<Places> {
+        Some(Places {
+            parameter: 1,
+            at: &[0.3, 0.7],
+            reach: 0.2,
+            spar: None,
+            of_one_wing: false,
+        })
     }
 
     fn coefficients(

@@ -105,21 +105,17 @@ pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
             table.render()
         ));
     }
-    let p = &diagnosis.significance;
     let noise = &diagnosis.noise;
     let mut notes: String = diagnosis.notes.iter().map(|note| wrapped(note, 2)).collect();
     notes.push_str(&wrapped(
         &format!(
-            "{} numbers fitted; noise {} times as stated{}. If nothing were missing, a misfit like this would have the probability \
-             {} (largest score {}, misfit {}, smooth field {}, signs {}).",
+            "{} numbers fitted; noise {} times as stated{}; error of the model's formulation {} % of what it predicts. {} effects were \
+             tried.",
             noise.numbers,
             significant(noise.scale, 3),
             if noise.on_trust { ", taken on trust" } else { "" },
-            significant(p.p_null, 2),
-            significant(p.p_largest_score, 2),
-            significant(p.p_misfit, 2),
-            significant(p.p_field, 2),
-            significant(p.p_signs, 2)
+            significant(100.0 * noise.formulation, 2),
+            diagnosis.tried
         ),
         2,
     ));
@@ -158,9 +154,8 @@ fn hypotheses(hypotheses: &[Hypothesis]) -> String {
     for hypothesis in hypotheses {
         let what = match hypothesis.effects.as_slice() {
             [] => "nothing".to_string(),
-            [only] if only == "novel" => "none that is known".to_string(),
-            effects if hypothesis.is_shown => effects.join(" + "),
-            effects => effects.join(", perhaps with "),
+            [only] if only == "novel" => "an unknown cause".to_string(),
+            effects => effects.join(" + "),
         };
         let strengths = |of: &dyn Fn(&Strength) -> String| {
             let parts = hypothesis.strengths.iter().map(of);

@@ -176,6 +176,18 @@ fn support(design: &Design, mesh: &Mesh, model: &mut Model) {
     }
 }
 
+/// Section of the rod at the base of a wing; none without a rod.
+///
+/// # Errors
+/// If its material is missing, or the stiffness is not positive definite.
+pub fn innermost_rod(design: &Design) -> Result<Option<Section>, StructureError> {
+    let from = |index: &usize| design.rod[*index].from_mm.value();
+    let inner = (0..design.rod.len()).min_by(|a, b| from(a).total_cmp(&from(b)));
+    inner
+        .map(|index| section_of(design, BeamPart::Rod(index)))
+        .transpose()
+}
+
 fn section_of(design: &Design, part: BeamPart) -> Result<Section, StructureError> {
     let missing = |part: String| StructureError::UnknownPart { part };
     match part {

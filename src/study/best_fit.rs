@@ -84,6 +84,7 @@ mod tests {
                 one_sided: false,
                 has_switch: false,
                 all_or_none: false,
+                own_error: 0.05,
             };
             Even {
                 unknowns: [Unknown {

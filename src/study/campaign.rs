@@ -10,7 +10,8 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 use super::case::{Asked, PreparedCase, Solved};
 use super::error::StudyError;
 use super::footing::{Ground, Stand};
-use super::forward::{Condition, Footing, Forward, Linear, Observable, Unknown};
+use super::forward::{Condition, Footing, Forward, Linear, MeshError, Observable, Unknown};
+use super::other_mesh::OtherMesh;
 use super::skipped::{SkippedRow, in_words};
 use super::unknowns::{Target, Targets};
 use super::work::{Tally, Work};
@@ -29,14 +30,15 @@ pub struct Campaign {
     pub skipped: Vec<SkippedRow>,
     /// Rows of the measurement files that no case uses.
     pub unused: Vec<UnusedRows>,
-    cases: Vec<PreparedCase>,
-    targets: Targets,
-    observables: Vec<Observable>,
-    conditions: Vec<Condition>,
-    progress: Progress,
+    pub(super) cases: Vec<PreparedCase>,
+    pub(super) targets: Targets,
+    pub(super) observables: Vec<Observable>,
+    pub(super) conditions: Vec<Condition>,
+    pub(super) progress: Progress,
     /// How often all cases were solved, for the progress line.
-    asked: AtomicUsize,
-    tally: Tally,
+    pub(super) asked: AtomicUsize,
+    pub(super) tally: Tally,
+    pub(super) other_mesh: Option<OtherMesh>,
 }
 
 impl Campaign {
@@ -107,6 +109,7 @@ impl Campaign {
             progress: progress.clone(),
             asked: AtomicUsize::new(0),
             tally,
+            other_mesh: None,
         })
     }
 
@@ -135,51 +138,18 @@ impl Campaign {
         Campaign::new(&next, candidates, progress).map(Some)
     }
 
-    /// The same campaign with the readings of `study`; none if that does not hold just its rows.
-    pub fn with_readings_of(&self, study: &LoadedStudy) -> Option<Campaign> {
-        let rows = || study.cases.iter().enumerate();
-        let read: Vec<Observable> = rows()
-            .flat_map(|(index, case)| case.rows.iter().map(move |row| Observable::of(row, index)))
-            .collect();
-        let is_same = |a: &Observable, b: &Observable| {
-            let value = a.value;
-            Observable { value, ..b.clone() } == *a
-        };
-        let alike = read.len() == self.observables.len()
-            && self.observables.iter().zip(&read).all(|(a, b)| is_same(a, b));
-        if !alike {
-            return None;
-        }
-        let mut cases = self.cases.clone();
-        for (case, (_, read)) in cases.iter_mut().zip(rows()) {
-            case.rows = read.rows.clone();
-        }
-        Some(self.read_anew(cases, read))
-    }
-
-    /// The same campaign with these values of all observables.
-    pub fn with_values(&self, values: &DVector<f64>) -> Campaign {
-        let mut told = self.observables.clone();
-        for (observable, value) in told.iter_mut().zip(values.iter()) {
-            observable.value = *value;
-        }
-        self.read_anew(self.cases.clone(), told)
-    }
-
-    fn read_anew(&self, cases: Vec<PreparedCase>, observables: Vec<Observable>) -> Campaign {
+    /// The same campaign with what is known of another mesh.
+    pub(super) fn beside(self, other_mesh: OtherMesh) -> Campaign {
         Campaign {
-            name: self.name.clone(),
-            slop: self.slop,
-            skipped: self.skipped.clone(),
-            unused: self.unused.clone(),
-            cases,
-            targets: self.targets.clone(),
-            observables,
-            conditions: self.conditions.clone(),
-            progress: self.progress.unseen(),
-            asked: AtomicUsize::new(0),
-            tally: Tally::default(),
+            other_mesh: Some(other_mesh),
+            ..self
         }
+    }
+
+    /// What the mesh lacks of a prediction, before the ruler.
+    fn correction(&self, row: usize) -> f64 {
+        let other = self.other_mesh.as_ref();
+        other.map_or(0.0, |other| other.error.correction[row])
     }
 
     /// Values with which the unknowns start.
@@ -347,6 +317,15 @@ impl Campaign {
 }
 
 impl Forward for Campaign {
+    fn mesh_error(&self) -> Option<&MeshError> {
+        self.other_mesh.as_ref().map(|other| &other.error)
+    }
+
+    fn coarse(&self) -> Option<&dyn Forward> {
+        let other = self.other_mesh.as_ref()?;
+        other.coarse.as_deref().map(|coarse| coarse as &dyn Forward)
+    }
+
     fn work(&self) -> Work {
         self.tally.so_far()
     }
@@ -369,7 +348,7 @@ impl Forward for Campaign {
             .concat();
         let seen = raw.into_iter().enumerate().map(|(row, y)| {
             let (scale, offset) = self.ruler(at, row);
-            scale * y + offset
+            scale * (y + self.correction(row)) + offset
         });
         Ok(DVector::from_iterator(self.observables.len(), seen))
     }
@@ -395,7 +374,7 @@ impl Forward for Campaign {
             let raw = &stand.reading;
             for (place, row) in self.rows_of(case).enumerate() {
                 let (scale, offset) = self.ruler(at, row);
-                value[row] = scale * raw[place] + offset;
+                value[row] = scale * (raw[place] + self.correction(row)) + offset;
                 for (k, column) in stand.columns.iter().filter(|(k, _)| wanted[**k]) {
                     jacobian[(row, *k)] = scale * column.rates[place];
                 }
@@ -406,7 +385,7 @@ impl Forward for Campaign {
                     {
                         jacobian[(row, k)] = match kind {
                             RulerKind::Offset => 1.0,
-                            RulerKind::Scale => raw[place],
+                            RulerKind::Scale => raw[place] + self.correction(row),
                         };
                     }
                 }

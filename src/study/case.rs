@@ -15,7 +15,7 @@ use crate::aero::Flow;
 use crate::coupling::sensitivity::Nearby;
 use crate::coupling::wing::Wing;
 use crate::coupling::{self, BladeAir, CouplingError, Near};
-use crate::effects::{acting, is_applicable, named};
+use crate::effects::{acting, is_applicable, named, with_common_numbers};
 use crate::geometry::Planform;
 use crate::input::Design;
 use crate::input::measurement::{Channel, Row};
@@ -23,8 +23,9 @@ use crate::input::study::{CaseNumber, LoadedCase, LoadedStudy};
 use crate::lift::LiftReport;
 use crate::mesh::{Mesh, MeshError, MeshFile, for_design};
 use crate::observation::{Observer, read_channel};
+use crate::origin::InputFile;
 use crate::progress::Progress;
-use crate::structure::Tangent;
+use crate::structure::{StructureError, Tangent};
 
 /// A case with its effects in place.
 #[derive(Debug, Clone)]
@@ -99,6 +100,7 @@ impl PreparedCase {
             }
             let mut table = effect.numbers.clone();
             table.insert("strength".to_string(), toml::Value::Float(effect.strength));
+            common(&effect.name, &mut table, study).map_err(|error| failed(error.to_string()))?;
             let acting = acting(&effect.name, &table, &design).map_err(|error| failed(error.to_string()))?;
             match is_applicable(&acting.card(), &design) {
                 true => {
@@ -122,10 +124,10 @@ impl PreparedCase {
                 return Err(failed(format!("there is no effect {name} (washout effects)")));
             };
             if !design.effects.contains_key(name) && is_applicable(&effect.card(), &design) {
-                let strength = [("strength".to_string(), toml::Value::Float(0.0))];
-                design
-                    .effects
-                    .insert(name.to_string(), strength.into_iter().collect());
+                let mut table = toml::Table::new();
+                table.insert("strength".to_string(), toml::Value::Float(0.0));
+                common(name, &mut table, study).map_err(|error| failed(error.to_string()))?;
+                design.effects.insert(name.to_string(), table);
             }
         }
         if !candidates.is_empty() {
@@ -161,6 +163,15 @@ impl PreparedCase {
             dynamic_pressure_pa: 0.5 * design.air.density_kg_m3.value() * speed * speed,
             length_m,
         }
+    }
+
+    /// What its solution depends on, as text.
+    pub(super) fn made_of(&self) -> String {
+        let mesh = self
+            .mesh_file
+            .as_ref()
+            .map(|(name, bytes)| InputFile::new(name, bytes));
+        format!("{:?}", (&self.design, &self.air_table, mesh))
     }
 
     /// Starts every further solve from this one.
@@ -314,5 +325,13 @@ impl Observable {
             sigma: row.sigma,
             bound: row.bound,
         }
+    }
+}
+
+/// Adds the numbers of an effect that all wings of a study have in common.
+fn common(name: &str, table: &mut toml::Table, study: &LoadedStudy) -> Result<(), StructureError> {
+    match study.cases.first() {
+        Some(first) => with_common_numbers(name, table, &first.loaded.design),
+        None => Ok(()),
     }
 }

@@ -35,6 +35,14 @@ pub struct Unknown {
 }
 
 impl Unknown {
+    /// How well the change that it makes is known, as a share of that change: of the formula of an effect; 0 for the others.
+    pub fn own_error(&self) -> f64 {
+        match self.kind {
+            UnknownKind::Effect { own_error, .. } => own_error,
+            _ => 0.0,
+        }
+    }
+
     /// Step by which an effect with a switch is seen from zero, if `value` is that; none for the others.
     pub(super) fn switch_step(&self, value: f64) -> Option<f64> {
         match &self.kind {
@@ -91,6 +99,8 @@ pub enum UnknownKind {
         has_switch: bool,
         /// Whether it is there with its plausible size or not at all: no strength between is of this world.
         all_or_none: bool,
+        /// How well the change that it makes is known, as a share of that change.
+        own_error: f64,
     },
 }
 
@@ -155,6 +165,15 @@ impl Linear {
             jacobian: self.jacobian.clone(),
         }
     }
+}
+
+/// What the mesh of a model leaves of its predictions.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct MeshError {
+    /// What a finer mesh adds to every prediction, where the unknowns start; predictions have it.
+    pub correction: Vec<f64>,
+    /// Standard deviation of what still remains.
+    pub deviation: Vec<f64>,
 }
 
 /// What an answer of a model leaves for its next ones; only the model that left it can read it.
@@ -260,6 +279,16 @@ pub trait Forward: Sync {
     /// # Errors
     /// As [`Forward::predict`].
     fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError>;
+
+    /// What its mesh leaves, if that was looked at.
+    fn mesh_error(&self) -> Option<&MeshError> {
+        None
+    }
+
+    /// The same model on a coarser mesh, if there is one: for how it changes, not for what it predicts.
+    fn coarse(&self) -> Option<&dyn Forward> {
+        None
+    }
 
     /// What was done so far, if that is counted.
     fn work(&self) -> Work {

@@ -28,9 +28,13 @@ pub mod left_out;
 
 pub mod noise;
 
+mod other_mesh;
+
 pub mod output;
 
 pub mod quantile;
+
+mod readings;
 
 pub mod sample;
 
@@ -53,7 +57,7 @@ pub use best_fit::best_fit;
 pub use calibrate::{Fit, Task, calibrate};
 pub use campaign::Campaign;
 pub use error::StudyError;
-pub use forward::{Condition, Footing, Forward, Linear, Observable, Unknown, UnknownKind};
+pub use forward::{Condition, Footing, Forward, Linear, MeshError, Observable, Unknown, UnknownKind};
 pub use noise::{AdmittedError, Noise};
 pub use output::{Output, ProfileOutputs};
 pub use shares::Share;

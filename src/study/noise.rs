@@ -67,6 +67,14 @@ impl Noise {
         });
         let responses = responses.select_rows(rows.iter());
         covariance += &responses * responses.transpose();
+        Noise::of_covariance(covariance)
+    }
+
+    /// Of a covariance that is known.
+    ///
+    /// # Errors
+    /// If it is not positive definite: a σ that is no positive number.
+    pub fn of_covariance(covariance: DMatrix<f64>) -> Result<Noise, StudyError> {
         let factor = Cholesky::new(covariance).ok_or(StudyError::BadNoise)?;
         Ok(Noise { factor })
     }

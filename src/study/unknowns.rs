@@ -5,7 +5,7 @@ use super::case::PreparedCase;
 use super::error::StudyError;
 use super::forward::{Observable, Unknown, UnknownKind};
 use super::unnamed::UNNAMED;
-use crate::effects::{Card, Effect, Places, acting, named};
+use crate::effects::{Card, Effect, OWN_ERROR, Places, acting, named};
 use crate::input::study::{LoadedStudy, Ruler, RulerKind, Uncertain};
 
 /// Half-width of the range of an unknown that states none, in standard deviations.
@@ -327,7 +327,7 @@ impl Targets {
         let mut wings: Vec<&str> = all.iter().map(|&index| wing_of(index)).collect();
         wings.sort_unstable();
         wings.dedup();
-        if wings.len() == 1 {
+        if wings.len() == 1 || !places.of_one_wing {
             wings.clear();
         }
         let spars_of = |index: usize| cases[index].design.spar.len();
@@ -419,6 +419,7 @@ fn strength_of(card: &Card, name: String, sigma: f64) -> Unknown {
             one_sided: parameter.is_one_sided(),
             has_switch: card.has_switch,
             all_or_none: named(card.name).is_some_and(|effect| effect.is_all_or_none()),
+            own_error: named(card.name).map_or(OWN_ERROR, |effect| effect.own_error()),
         },
         mean: 0.0,
         sigma,

@@ -7,7 +7,7 @@ use super::Acted;
 use super::error::SynthesizeError;
 use super::rival::{Rival, rival};
 use crate::effects::custom::Custom;
-use crate::effects::{Card, Effect, instead_of, is_applicable, named};
+use crate::effects::{Card, Effect, instead_of, is_applicable, named, with_common_numbers};
 use crate::input::Design;
 use crate::input::measurement::Formulas;
 use crate::input::study::LoadedStudy;
@@ -132,7 +132,7 @@ fn hide_known(
         Formulas::Same => None,
     };
     let is_other = other.is_some();
-    let parts: Vec<(String, toml::Table)> = match other {
+    let mut parts: Vec<(String, toml::Table)> = match other {
         Some(Rival::Known(name, strength)) => {
             vec![(name.to_string(), with_strength(&effect.table, strength))]
         }
@@ -142,6 +142,12 @@ fn hide_known(
             .collect(),
         None => vec![(effect.name.clone(), with_strength(&effect.table, effect.strength))],
     };
+    if let Some(first) = study.cases.first() {
+        for (name, table) in &mut parts {
+            let common = with_common_numbers(name, table, &first.loaded.design);
+            common.map_err(|error| effect.fault(error.to_string()))?;
+        }
+    }
     let mut touched = 0;
     for case in &mut study.cases {
         if effect.is_on(&case.loaded.design) && is_applicable(card, &case.loaded.design) {

@@ -64,10 +64,13 @@ fn each_effect_that_was_added_has_its_rung_from_as_stated_down_to_the_noise() {
     for row in said["effects"].as_array().unwrap() {
         let number = |of: &str| row[of].as_f64().unwrap();
         let [from, to] = [0, 1].map(|end| row["plausible_range"][end].as_f64().unwrap());
-        assert!(from <= 0.0 && (0.3..1.0).contains(&to), "{row}");
-        // each alone tells most of what is missing, in cases left out and held out
+        assert!(from <= 0.0 && (0.3..=1.0).contains(&to), "{row}");
+        // each alone tells most of what is missing, in cases left out; held out, if it was fitted alone
         assert!(number("gain_left_out_conditions") > 100.0, "{row}");
-        assert!(number("held_out_gain") > 2.0, "{row}");
+        assert!(
+            row["held_out_gain"].as_f64().is_none_or(|gain| gain > 2.0),
+            "{row}"
+        );
     }
     assert_eq!(
         said["predictions"][0]["unit"], "deg",

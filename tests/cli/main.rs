@@ -11,6 +11,7 @@ mod compare;
 mod divergence;
 
 mod export;
+mod foreign;
 
 mod help;
 
@@ -19,6 +20,7 @@ mod hidden;
 mod init;
 
 mod interrupt;
+mod kept;
 
 mod ladder;
 
@@ -81,6 +83,7 @@ pub struct Said {
 pub fn program(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_washout"));
     command.current_dir(folder);
+    command.env("WASHOUT_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/cache"));
     command
 }
 

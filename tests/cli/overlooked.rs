@@ -42,11 +42,8 @@ fn a_moment_that_calibration_has_taken_up_is_found_in_its_place_with_its_powers(
     ));
     assert_eq!(said["verdict"], "novel", "{}", said["sentence"]);
     let novel = &said["novel"];
-    assert!(
-        novel["as_weighed"].as_f64().unwrap() > 0.95,
-        "{}",
-        novel["as_weighed"]
-    );
+    let probability = novel["probability"].as_f64().unwrap();
+    assert!(probability > 0.95, "{probability}");
     assert_eq!(novel["law"]["kind"], "load");
     let centroid = novel["field"][0]["centroid"].as_f64().unwrap();
     assert!((centroid - 0.741).abs() < 0.1, "{centroid}");

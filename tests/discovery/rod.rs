@@ -383,6 +383,7 @@ fn unknowns() -> Vec<Unknown> {
             one_sided: effect.one_sided,
             has_switch: false,
             all_or_none: false,
+            own_error: 0.05,
         },
         mean: 0.0,
         sigma: 1.5 * effect.scale,

@@ -205,17 +205,14 @@ fn list(outcomes: &[Outcome], verbose: bool, which: &dyn Fn(&Outcome) -> bool) {
             })
             .collect();
         println!(
-            "   seed {} {:?} other {} s {:.2} Q {:.0} p {:.4} ({:.4} {:.4} {:.4}) after {:.4}: {:?} {}",
+            "   seed {} {:?} other {} s {:.2} Q {:.0} P(nothing) {:.4}, formulation {:.4}: {:?} {}",
             outcome.case.seed,
             outcome.case.nature.hidden,
             outcome.case.nature.other_formulas,
             said.noise.scale,
             said.misfit.q,
-            said.significance.p_null,
-            said.significance.p_largest_score,
-            said.significance.p_misfit,
-            said.significance.p_field,
-            said.significance_after.map_or(1.0, |s| s.p_misfit.min(s.p_field)),
+            said.p_nothing,
+            said.noise.formulation,
             said.verdict,
             set.join(", ")
         );

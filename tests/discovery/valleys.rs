@@ -64,7 +64,7 @@ impl Forward for Bent {
 }
 
 #[test]
-fn an_effect_whose_derivative_at_zero_points_the_wrong_way_is_found_by_a_second_look() {
+fn an_effect_whose_derivative_at_zero_points_the_wrong_way_is_found_by_finite_steps() {
     let draws = Draws::new(11);
     let mut toy = good_campaign(0.3);
     let at = toy
@@ -78,7 +78,11 @@ fn an_effect_whose_derivative_at_zero_points_the_wrong_way_is_found_by_a_second_
     let said =
         diagnose(&Bent { toy, at, scale }, &Settings::default(), &Progress::quiet()).expect("a diagnosis");
     println!("{}", said.sentence);
-    assert_eq!(said.verdict, Verdict::Effect, "{}", said.sentence);
+    assert!(
+        matches!(said.verdict, Verdict::Effect | Verdict::Set),
+        "{}",
+        said.sentence
+    );
     let row = said
         .effects
         .iter()

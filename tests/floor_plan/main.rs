@@ -67,6 +67,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "study",
         &[
             "progress",
+            "origin",
             "input",
             "geometry",
             "mesh",

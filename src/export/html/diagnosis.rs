@@ -93,9 +93,8 @@ fn hypotheses(document: &Document, found: &Diagnosis) -> String {
     for (index, hypothesis) in found.hypotheses.iter().enumerate() {
         let what = match hypothesis.effects.as_slice() {
             [] => "nothing".to_string(),
-            [only] if only == "novel" => "none that is known".to_string(),
-            effects if hypothesis.is_shown => effects.join(" + "),
-            effects => effects.join(", perhaps with "),
+            [only] if only == "novel" => "an unknown cause".to_string(),
+            effects => effects.join(" + "),
         };
         let strengths = |name: &str, digits: usize| {
             let parts = (0..hypothesis.strengths.len()).map(|k| {
@@ -124,7 +123,7 @@ fn hypotheses(document: &Document, found: &Diagnosis) -> String {
     let novel = document.number("/novel/probability", Digits::Significant(2));
     headline(&[
         ("Probability that nothing is missing", p, ""),
-        ("Probability of none that is known", novel, ""),
+        ("Probability of an unknown cause", novel, ""),
     ]) + &table.html()
 }
 
@@ -371,26 +370,18 @@ fn next(document: &Document, found: &Diagnosis) -> String {
 }
 
 fn sure(document: &Document, found: &Diagnosis) -> String {
-    let p = |name: &str| {
-        document
-            .number(&format!("/significance/{name}"), Digits::Significant(2))
-            .html
-    };
     let trust = if found.noise.on_trust {
         ", taken on trust"
     } else {
         ""
     };
     let mut html = format!(
-        "<p>{} numbers fitted; noise {} times as stated{trust}. If nothing were missing, a misfit like this would have the probability \
-         {} (largest score {}, misfit {}, smooth field {}, signs {}).</p>\n",
+        "<p>{} numbers fitted; noise {} times as stated{trust}; error of the model's formulation {} of what it predicts. {} effects were \
+         tried.</p>\n",
         document.exact("/noise/numbers").html,
         document.number("/noise/scale", Digits::Significant(3)).html,
-        p("p_null"),
-        p("p_largest_score"),
-        p("p_misfit"),
-        p("p_field"),
-        p("p_signs"),
+        document.number("/noise/formulation", Digits::Significant(2)).html,
+        document.exact("/tried").html,
     );
     let outliers = found.noise.outliers.iter().map(|outlier| {
         format!(

@@ -1,0 +1,287 @@
+//! The error that is expected between measurement and model, in one place.
+//!
+//! y = f(x, ψ) + b + δ + ε (f(x, ψ) − f(x, 0)) + e: what the mesh leaves b, an error of the formulation δ, an error of the effect's own
+//! formula ε, and the scatter of the readings e (Kennedy & O'Hagan, J. R. Stat. Soc. B 63 (2001) 425, with a discrepancy that has a size
+//! and a shape, so that it cannot take up what is missing). The share of formulation error and the scale of the scatter are not known:
+//! evidences are sums over both ([`Size`]).
+//!
+//! The correlations were read off two models of one wing that share no code (geometrically exact beams with strain triangles against
+//! shells): calibrated, they differ by 0.06 to 0.24° rms of 5 to 24° of twist, alike in all conditions of a wing.
+
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+
+use crate::input::measurement::Channel;
+use crate::study::{Forward, MeshError};
+
+use super::data::Data;
+use super::error::DiagnoseError;
+
+/// How a smooth error goes together: length along the span over that of the wing, correlation between conditions of one wing, and
+/// between wings.
+#[derive(Debug, Clone, Copy)]
+struct Kernel {
+    length: f64,
+    conditions: f64,
+    wings: f64,
+}
+
+/// Error of the formulation: half a bay long, alike in all conditions of a wing.
+const FORMULATION: Kernel = Kernel {
+    length: 0.12,
+    conditions: 0.9,
+    wings: 0.3,
+};
+/// What the mesh leaves: the length of an element or two.
+const MESH: Kernel = Kernel {
+    length: 0.1,
+    conditions: 0.95,
+    wings: 0.3,
+};
+/// Error of an effect's own formula.
+const OWN: Kernel = Kernel {
+    length: 0.15,
+    conditions: 0.9,
+    wings: 0.5,
+};
+/// The same of an effect whose formula is known badly, for it acts through the film: within a bay.
+const OWN_IN_FILM: Kernel = Kernel { length: 0.1, ..OWN };
+/// Own errors from which on an effect counts as acting through the film.
+const BADLY_KNOWN: f64 = 0.2;
+/// Causes without a name: how far they reach along the span, and how they go together between conditions of one wing and between wings: a
+/// cause that is always there, and one that comes and goes.
+const UNKNOWN_LENGTHS: [f64; 3] = [0.15, 0.3, 0.6];
+const UNKNOWN_TOGETHER: [[f64; 2]; 2] = [[0.97, 0.6], [0.8, 0.3]];
+/// Sizes of a cause without a name, over the root mean square of the readings of its channel.
+const UNKNOWN_SIZES: [f64; 3] = [0.12, 0.36, 1.0];
+/// A reading near zero has the formulation error of one of this share of the root mean square of its channel.
+const FLOOR: f64 = 0.25;
+/// Where an effect moves a reading less than its neighbours, its own error is that of this share of the root mean square of its condition.
+const OWN_FLOOR: f64 = 0.5;
+/// Shares of formulation error that are summed over, for a typical one of 1, with the median and the spread (ln) of their prior.
+const SHARES: [f64; 6] = [0.4, 0.7, 1.2, 2.0, 3.5, 6.0];
+const MEDIAN_SHARE: f64 = 1.3;
+const SHARE_SPREAD: f64 = 0.7;
+/// Scales of the scatter that are summed over, if it is not known.
+const SCALES: [f64; 6] = [0.6, 0.75, 1.0, 1.33, 1.8, 2.4];
+
+/// One size of the errors that are not known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Size {
+    /// Share of formulation error.
+    pub share: f64,
+    /// Factor on the stated standard deviations of the readings.
+    pub scale: f64,
+    /// Logarithm of its prior probability.
+    pub ln_prior: f64,
+}
+
+/// What a diagnosis expects between measurement and model, about one fit.
+#[derive(Debug, Clone)]
+pub struct ModelError {
+    /// Stated variances, outliers widened.
+    stated: DVector<f64>,
+    /// What the uncertain inputs of the model move.
+    inputs: DMatrix<f64>,
+    /// What the mesh leaves.
+    mesh: Option<DMatrix<f64>>,
+    /// Formulation error for a share of 1.
+    formulation: DMatrix<f64>,
+    /// Of the rows: channel, condition, wing, place.
+    places: Vec<Place>,
+    /// Root mean square of the readings of each row's channel.
+    typical: DVector<f64>,
+}
+
+/// Where a reading was taken.
+#[derive(Debug, Clone, PartialEq)]
+struct Place {
+    channel: Channel,
+    condition: usize,
+    wing: String,
+    /// Over the length of the wing; none for what has no place.
+    along: Option<f64>,
+}
+
+impl Size {
+    /// The median of the prior, for a typical share of `slop`.
+    pub fn typical(slop: f64, scale: Option<f64>) -> Size {
+        Size {
+            share: MEDIAN_SHARE * slop,
+            scale: scale.unwrap_or(1.0),
+            ln_prior: 0.0,
+        }
+    }
+}
+
+impl ModelError {
+    /// About predictions `value` of all observables; `widening`: factors on the stated deviations of the fitted ones; `slopes`: their
+    /// derivatives with the uncertain inputs, per prior standard deviation.
+    pub fn new(
+        forward: &dyn Forward,
+        data: &Data,
+        value: &DVector<f64>,
+        widening: &[f64],
+        slopes: &DMatrix<f64>,
+    ) -> ModelError {
+        let (observables, conditions) = (forward.observables(), forward.conditions());
+        let place = |&row: &usize| {
+            let own = &observables[row];
+            let condition = &conditions[own.condition];
+            let middle = |inner: f64| 0.5 * (inner + own.r_to_mm.unwrap_or(inner));
+            Place {
+                channel: own.channel,
+                condition: own.condition,
+                wing: condition.wing.clone(),
+                along: own.r_mm.map(|inner| middle(inner) / (1e3 * condition.length_m)),
+            }
+        };
+        let places: Vec<Place> = data.rows.iter().map(place).collect();
+        let rows = &data.rows;
+        let typical = DVector::from_fn(rows.len(), |i, _| {
+            let own = (0..rows.len()).filter(|&j| places[j].channel == places[i].channel);
+            let squares: Vec<f64> = own.map(|j| value[rows[j]].powi(2)).collect();
+            (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
+        });
+        let local = DVector::from_fn(rows.len(), |i, _| value[rows[i]].abs().max(FLOOR * typical[i]));
+        let stated = rows.iter().zip(widening);
+        let stated = stated.map(|(&row, wider)| (observables[row].sigma * wider).powi(2));
+        let mut error = ModelError {
+            stated: DVector::from_iterator(rows.len(), stated),
+            inputs: slopes * slopes.transpose(),
+            mesh: None,
+            formulation: DMatrix::zeros(0, 0),
+            places,
+            typical,
+        };
+        error.formulation = error.smooth(FORMULATION, &local);
+        if let Some(MeshError { deviation, .. }) = forward.mesh_error() {
+            let left = DVector::from_iterator(rows.len(), rows.iter().map(|&row| deviation[row]));
+            error.mesh = Some(error.smooth(MESH, &left));
+        }
+        error
+    }
+
+    /// Covariance of a smooth error of size `local`.
+    fn smooth(&self, kernel: Kernel, local: &DVector<f64>) -> DMatrix<f64> {
+        let size = self.places.len();
+        DMatrix::from_fn(size, size, |i, j| {
+            let (a, b) = (&self.places[i], &self.places[j]);
+            if a.channel != b.channel {
+                return 0.0;
+            }
+            let between = match (a.condition == b.condition, a.wing == b.wing) {
+                (true, _) => 1.0,
+                (false, true) => kernel.conditions,
+                (false, false) => kernel.wings,
+            };
+            let along = match (a.along, b.along) {
+                (Some(x), Some(y)) => (-0.5 * ((x - y) / kernel.length).powi(2)).exp(),
+                _ => 1.0,
+            };
+            local[i] * local[j] * between * along
+        })
+    }
+
+    /// The sizes that are summed over: shares for a typical one of `slop`; `scale`: that of the scatter, if it is known; `trust`: how many
+    /// numbers the statement of the scatter is worth.
+    pub fn sizes(slop: f64, scale: Option<f64>, trust: usize) -> Vec<Size> {
+        let spread = (2.0 * trust as f64).sqrt().recip();
+        let scales: Vec<(f64, f64)> = match scale {
+            Some(known) => vec![(known, 0.0)],
+            None => SCALES
+                .iter()
+                .map(|&scale| (scale, -0.5 * (scale.ln() / spread).powi(2)))
+                .collect(),
+        };
+        let mut sizes: Vec<Size> = Vec::new();
+        for share in SHARES {
+            let off = (share / MEDIAN_SHARE).ln() / SHARE_SPREAD;
+            for &(scale, ln_scale) in &scales {
+                sizes.push(Size {
+                    share: share * slop,
+                    scale,
+                    ln_prior: ln_scale - 0.5 * off * off,
+                });
+            }
+        }
+        let whole: f64 = sizes.iter().map(|size| size.ln_prior.exp()).sum();
+        for size in &mut sizes {
+            size.ln_prior -= whole.ln();
+        }
+        sizes
+    }
+
+    /// Covariance of scatter, mesh and formulation: what a fit of the uncertain inputs weighs the readings by.
+    pub fn of_readings(&self, size: &Size) -> DMatrix<f64> {
+        let mut covariance = &self.formulation * size.share.powi(2);
+        if let Some(mesh) = &self.mesh {
+            covariance += mesh;
+        }
+        for (i, stated) in self.stated.iter().enumerate() {
+            covariance[(i, i)] += stated * size.scale.powi(2);
+        }
+        covariance
+    }
+
+    /// Root of the covariance of everything, with `more` besides.
+    ///
+    /// # Errors
+    /// If it is not positive definite: something is not finite.
+    pub fn root(
+        &self,
+        size: &Size,
+        more: Option<&DMatrix<f64>>,
+    ) -> Result<Cholesky<f64, Dyn>, DiagnoseError> {
+        let mut covariance = self.of_readings(size) + &self.inputs;
+        if let Some(more) = more {
+            covariance += more;
+        }
+        Cholesky::new(covariance).ok_or_else(|| DiagnoseError::NotFinite {
+            what: "the uncertain inputs".into(),
+        })
+    }
+
+    /// Error of an effect's own formula, known to `share` of the `change` that it makes.
+    pub fn own(&self, change: &DVector<f64>, share: f64) -> DMatrix<f64> {
+        let size = self.places.len();
+        let mean_square = |condition: usize, channel: Channel| {
+            let is_its =
+                |i: &usize| self.places[*i].condition == condition && self.places[*i].channel == channel;
+            let squares: Vec<f64> = (0..size).filter(is_its).map(|i| change[i].powi(2)).collect();
+            squares.iter().sum::<f64>() / squares.len() as f64
+        };
+        let local = DVector::from_fn(size, |i, _| {
+            let own = &self.places[i];
+            let typical = OWN_FLOOR * OWN_FLOOR * mean_square(own.condition, own.channel);
+            share * (change[i].powi(2) + typical).sqrt()
+        });
+        let kernel = if share > BADLY_KNOWN { OWN_IN_FILM } else { OWN };
+        self.smooth(kernel, &local)
+    }
+
+    /// Covariances of causes without a name: in all channels, and in each alone.
+    pub fn unknown(&self) -> Vec<DMatrix<f64>> {
+        let mut channels: Vec<Channel> = self.places.iter().map(|place| place.channel).collect();
+        channels.sort_unstable();
+        channels.dedup();
+        let alone = channels.iter().filter(|_| channels.len() > 1).copied().map(Some);
+        let mut fields = Vec::new();
+        for channel in [None].into_iter().chain(alone) {
+            let typical = DVector::from_fn(self.places.len(), |i, _| match channel {
+                Some(channel) if self.places[i].channel != channel => 0.0,
+                _ => self.typical[i],
+            });
+            for length in UNKNOWN_LENGTHS {
+                for [conditions, wings] in UNKNOWN_TOGETHER {
+                    let kernel = Kernel {
+                        length,
+                        conditions,
+                        wings,
+                    };
+                    fields.extend(UNKNOWN_SIZES.map(|size| self.smooth(kernel, &(&typical * size))));
+                }
+            }
+        }
+        fields
+    }
+}

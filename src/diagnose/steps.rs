@@ -1,0 +1,274 @@
+//! At which strengths the model is asked for an effect: at its plausible ends, and between and beyond them as often as straight lines
+//! between the answers need.
+
+use nalgebra::DVector;
+
+use crate::study::{Footing, Forward, Unknown, UnknownKind};
+
+use super::data::Data;
+use super::error::{DiagnoseError, where_solved};
+
+/// How far beyond a plausible end an effect is looked at.
+const BEYOND: f64 = 1.5;
+/// Bisections by which the largest strength with a solution is looked for.
+const RETREATS: usize = 4;
+/// Most bisections of one stretch.
+const DEEPEST: usize = 3;
+/// Error of a straight line that is accepted, over the error of the effect's own formula.
+const STRAIGHT: f64 = 0.5;
+/// Error of a straight line that never counts, over the readings (root mean square): a fraction of any formulation error.
+const FAINT: f64 = 0.002;
+/// Readings near zero count like this share of the root mean square of all.
+const FLOOR: f64 = 0.25;
+
+/// Strengths in ascending order with the change of every observable.
+pub type Knots = Vec<(f64, DVector<f64>)>;
+
+/// The model about a point, with every missing effect off.
+pub struct Steps<'a> {
+    forward: &'a dyn Forward,
+    data: &'a Data,
+    at: &'a [f64],
+    here: &'a DVector<f64>,
+    footing: Option<&'a Footing>,
+    /// By observable: one over what a reading is, typically; 0 for held-out ones.
+    weights: DVector<f64>,
+}
+
+impl<'a> Steps<'a> {
+    /// About `at`, where the model reads `here`.
+    pub fn new(
+        forward: &'a dyn Forward,
+        data: &'a Data,
+        at: &'a [f64],
+        here: &'a DVector<f64>,
+        footing: Option<&'a Footing>,
+    ) -> Steps<'a> {
+        let observables = forward.observables();
+        let mut weights = DVector::zeros(here.len());
+        for &row in &data.rows {
+            let alike = data
+                .rows
+                .iter()
+                .filter(|&&other| observables[other].channel == observables[row].channel);
+            let squares: Vec<f64> = alike.map(|&other| here[other].powi(2)).collect();
+            let typical = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
+            let own = here[row].abs().max(FLOOR * typical);
+            if own > 0.0 {
+                weights[row] = 1.0 / own;
+            }
+        }
+        Steps {
+            forward,
+            data,
+            at,
+            here,
+            footing,
+            weights,
+        }
+    }
+
+    /// The steps of unknown `i`, whose derivative at none is `slope`, and strengths without a solution.
+    ///
+    /// # Errors
+    /// If the user asked to stop.
+    pub fn of(&self, i: usize, slope: &DVector<f64>) -> Result<(Knots, Vec<f64>), DiagnoseError> {
+        let unknown = &self.forward.unknowns()[i];
+        let mut knots: Knots = vec![(0.0, DVector::zeros(self.here.len()))];
+        let mut unsolved: Vec<f64> = Vec::new();
+        for end in ends(unknown) {
+            let mut side = Side {
+                steps: self,
+                i,
+                solved: vec![Solved {
+                    strength: 0.0,
+                    change: DVector::zeros(self.here.len()),
+                    footing: self.footing.cloned(),
+                }],
+                unsolved: Vec::new(),
+            };
+            side.explore(end, slope)?;
+            knots.extend(side.solved.drain(1..).map(|own| (own.strength, own.change)));
+            unsolved.append(&mut side.unsolved);
+        }
+        knots.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Ok((knots, unsolved))
+    }
+
+    /// Whether an error of a change does not count beside that of the effect's own formula.
+    fn is_faint(&self, error: &DVector<f64>, change: &DVector<f64>, unknown: &Unknown) -> bool {
+        let size = |of: &DVector<f64>| of.component_mul(&self.weights).norm();
+        let count = self.data.rows.len() as f64;
+        size(error) <= (STRAIGHT * unknown.own_error() * size(change)).max(FAINT * count.sqrt())
+    }
+}
+
+/// The steps of one effect to one side of none.
+struct Side<'a> {
+    steps: &'a Steps<'a>,
+    i: usize,
+    /// None first, then in the order in which they were solved.
+    solved: Vec<Solved>,
+    unsolved: Vec<f64>,
+}
+
+/// The model with an effect.
+struct Solved {
+    strength: f64,
+    change: DVector<f64>,
+    footing: Option<Footing>,
+}
+
+impl Side<'_> {
+    /// Steps to a plausible end, or as far as there are solutions, and beyond.
+    fn explore(&mut self, end: f64, slope: &DVector<f64>) -> Result<(), DiagnoseError> {
+        let steps = self.steps;
+        let unknown = &steps.forward.unknowns()[self.i];
+        let reached = self.reach(end)?;
+        if is_all_or_none(unknown) || reached == 0.0 {
+            return Ok(());
+        }
+        let last = self.at(reached);
+        // a straight line is off a parabola by a quarter of the bend
+        let bend = &last - slope * reached;
+        let has_slope = slope.iter().any(|own| *own != 0.0);
+        let is_straight = has_slope && steps.is_faint(&(&bend * 0.25), &last, unknown);
+        if !is_straight {
+            self.between(0.0, reached, has_slope.then_some(&bend), 0)?;
+        }
+        let [low, high] = unknown.range;
+        let beyond = (BEYOND * end).clamp(low, high);
+        if reached != end || beyond.abs() <= end.abs() * 1.01 {
+            return Ok(());
+        }
+        match is_straight {
+            true => self.solved.push(Solved {
+                strength: beyond,
+                change: slope * beyond + &bend * (beyond / end).powi(2),
+                footing: None,
+            }),
+            false => {
+                self.ask(beyond)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The largest strength up to `end` with a solution, as far as bisections find it; 0 if none.
+    fn reach(&mut self, end: f64) -> Result<f64, DiagnoseError> {
+        if self.ask(end)? || is_all_or_none(&self.steps.forward.unknowns()[self.i]) {
+            return Ok(self.solved.last().map_or(0.0, |last| last.strength));
+        }
+        let (mut low, mut high) = (0.0, end);
+        for _ in 0..RETREATS {
+            let middle = 0.5 * (low + high);
+            if self.ask(middle)? {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Ok(low)
+    }
+
+    /// Steps between two that a straight line does not hold for; `bend`: the larger one less the slope at none.
+    fn between(
+        &mut self,
+        from: f64,
+        to: f64,
+        bend: Option<&DVector<f64>>,
+        depth: usize,
+    ) -> Result<(), DiagnoseError> {
+        let middle = 0.5 * (from + to);
+        let ends = [self.at(from), self.at(to)];
+        let is_known = self.solved.iter().any(|own| own.strength == middle);
+        if !is_known && !self.ask(middle)? {
+            return Ok(());
+        }
+        let here = self.at(middle);
+        let straight = (&ends[0] + &ends[1]) * 0.5;
+        // cubics through the steps are an order better than the parabola
+        let expected = match bend {
+            Some(bend) => straight - bend * 0.25,
+            None => straight,
+        };
+        let share = if bend.is_some() { 1.0 } else { 0.25 };
+        let unknown = &self.steps.forward.unknowns()[self.i];
+        if !self.steps.is_faint(&((&here - expected) * share), &here, unknown) && depth + 1 < DEEPEST {
+            self.between(from, middle, None, depth + 1)?;
+            self.between(middle, to, None, depth + 1)?;
+        }
+        Ok(())
+    }
+
+    fn at(&self, strength: f64) -> DVector<f64> {
+        let known = self.solved.iter().find(|own| own.strength == strength);
+        known.map_or_else(|| DVector::zeros(self.steps.here.len()), |own| own.change.clone())
+    }
+
+    /// Solves the model at a strength, from the nearest that was solved; false if there is no solution.
+    fn ask(&mut self, strength: f64) -> Result<bool, DiagnoseError> {
+        let Steps {
+            forward,
+            data,
+            at,
+            here,
+            ..
+        } = self.steps;
+        let off = |own: &&Solved| (own.strength - strength).abs();
+        let nearest = self.solved.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        let footing = nearest.and_then(|own| own.footing.as_ref());
+        let mut there = at.to_vec();
+        there[self.i] = strength;
+        let found = where_solved(forward.linearize_from(footing, &there, &|_| false))?;
+        let found = found.filter(|(moved, _)| moved.value.iter().all(|own| own.is_finite()));
+        let Some((moved, left)) = found else {
+            self.unsolved.push(strength);
+            return Ok(false);
+        };
+        let mut change = moved.value - *here;
+        for row in data.kept_bounds(*forward, here) {
+            change[row] = 0.0;
+        }
+        self.solved.push(Solved {
+            strength,
+            change,
+            footing: left.as_ref().map(Footing::for_trials),
+        });
+        Ok(true)
+    }
+}
+
+fn is_all_or_none(unknown: &Unknown) -> bool {
+    matches!(
+        unknown.kind,
+        UnknownKind::Effect {
+            all_or_none: true,
+            ..
+        }
+    )
+}
+
+/// Ends of what is plausible, to either side of none.
+fn ends(unknown: &Unknown) -> Vec<f64> {
+    let UnknownKind::Effect {
+        plausible,
+        all_or_none,
+        scale,
+        one_sided,
+        ..
+    } = unknown.kind
+    else {
+        return Vec::new();
+    };
+    if all_or_none {
+        return vec![scale];
+    }
+    let [low, high] = unknown.range;
+    let ends = plausible
+        .into_iter()
+        .filter(|&end| end > 0.0 || (end < 0.0 && !one_sided));
+    ends.map(|end: f64| end.clamp(low, high))
+        .filter(|end| *end != 0.0)
+        .collect()
+}

@@ -1,0 +1,313 @@
+//! Nothing, one known effect, two, or a cause without a name: how probable each is, all sizes of error and all strengths summed over.
+//!
+//! Every hypothesis says what the readings should be, y ~ N(f(x₀, 0) + c(ψ), Σ), with the change c that the effect makes at strength ψ and
+//! Σ of [`ModelError`], in which the uncertain inputs, the error of the formulation, what the mesh leaves and the error of the effect's own
+//! formula stand. An unknown cause is a smooth error of reading larger than any formulation should have. Probabilities are priors times
+//! sums over strengths and sizes; there is no further test.
+
+use nalgebra::{DMatrix, DVector};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+use super::baseline::Seen;
+use super::error::DiagnoseError;
+use super::evidence::ln_sum;
+use super::library::{Family, Trial};
+use super::model_error::{ModelError, Size};
+use super::pairs::{pairs, together};
+use super::responses::{Node, Responses};
+use super::screening::effect_of;
+use super::settings::Settings;
+
+/// Strengths about which the error of an effect's own formula is taken.
+const ANCHORS: usize = 5;
+/// An own error below this size, in standard deviations, changes nothing.
+const TOO_SMALL: f64 = 0.3;
+
+/// How probable everything is, before anything is fitted anew.
+#[derive(Debug, Clone)]
+pub struct Weighing {
+    /// ln of prior times evidence of nothing missing.
+    pub ln_nothing: f64,
+    /// The same of a cause without a name.
+    pub ln_unknown: f64,
+    /// Single effects, by position among the missing.
+    pub singles: Vec<Trial>,
+    /// Pairs that were weighed.
+    pub pairs: Vec<Trial>,
+    /// Mean of the share of formulation error.
+    pub share: f64,
+    /// Mean of the scale of the scatter.
+    pub scale: f64,
+}
+
+/// The readings and what is expected of them.
+pub struct Weights<'a> {
+    /// The error that is expected.
+    pub error: &'a ModelError,
+    /// Sizes that are summed over.
+    pub sizes: Vec<Size>,
+    /// Measured minus modelled, inputs at their prior means.
+    pub residual: &'a DVector<f64>,
+}
+
+/// One missing effect and the strengths at which it is weighed.
+pub struct Member {
+    /// Its strengths.
+    pub nodes: Vec<Node>,
+    /// Changes of the fitted readings, a column each.
+    pub changes: DMatrix<f64>,
+    /// Share to which its change is known.
+    pub own_error: f64,
+    /// ln of its share of the prior of one effect.
+    pub ln_prior: f64,
+    /// Its family; none if these data cannot see it.
+    pub family: Option<usize>,
+}
+
+impl Member {
+    /// The same at plausible strengths alone.
+    pub fn plausible(&self) -> Member {
+        let kept: Vec<usize> = (0..self.nodes.len())
+            .filter(|&node| self.nodes[node].is_plausible)
+            .collect();
+        Member {
+            nodes: kept.iter().map(|&node| self.nodes[node].clone()).collect(),
+            changes: self.changes.select_columns(kept.iter()),
+            ..*self
+        }
+    }
+}
+
+impl Weights<'_> {
+    /// ln of the density of the readings for every size (row) and every column of `residuals`, the prior of the size in it.
+    ///
+    /// # Errors
+    /// If a covariance is not positive definite.
+    pub fn of(
+        &self,
+        more: Option<&DMatrix<f64>>,
+        residuals: &DMatrix<f64>,
+    ) -> Result<DMatrix<f64>, DiagnoseError> {
+        let mut found = DMatrix::zeros(self.sizes.len(), residuals.ncols());
+        for (row, size) in self.sizes.iter().enumerate() {
+            let (ln_size, whitened) = self.whitened(size, more, residuals)?;
+            for (column, own) in whitened.column_iter().enumerate() {
+                found[(row, column)] = ln_size - 0.5 * own.norm_squared();
+            }
+        }
+        Ok(found)
+    }
+
+    /// ln of the prior of a size over the root of the determinant, and columns brought to unit covariance.
+    ///
+    /// # Errors
+    /// As [`Weights::of`].
+    pub fn whitened(
+        &self,
+        size: &Size,
+        more: Option<&DMatrix<f64>>,
+        columns: &DMatrix<f64>,
+    ) -> Result<(f64, DMatrix<f64>), DiagnoseError> {
+        let root = self.error.root(size, more)?;
+        let lower = root.l_dirty();
+        let ln_determinant: f64 = lower.diagonal().iter().map(|d| d.ln()).sum();
+        let whitened = lower.solve_lower_triangular(columns);
+        let whitened = whitened.ok_or_else(|| DiagnoseError::NotFinite {
+            what: "the readings".into(),
+        })?;
+        Ok((size.ln_prior - ln_determinant, whitened))
+    }
+
+    /// The readings less each of these changes.
+    pub fn less(&self, changes: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut residuals = -changes;
+        for mut column in residuals.column_iter_mut() {
+            column += self.residual;
+        }
+        residuals
+    }
+
+    /// A typical size: the formulation error of the prior, the scatter as stated.
+    pub fn typical(&self) -> &Size {
+        let most = |a: &&Size, b: &&Size| a.ln_prior.total_cmp(&b.ln_prior);
+        self.sizes.iter().max_by(most).unwrap_or(&self.sizes[0])
+    }
+}
+
+/// Weighs everything that may be missing.
+///
+/// # Errors
+/// If a result is not finite.
+pub fn weigh(
+    seen: &Seen,
+    responses: &Responses,
+    families: &[Family],
+    settings: &Settings,
+) -> Result<Weighing, DiagnoseError> {
+    let weights = Weights {
+        error: &seen.error,
+        sizes: ModelError::sizes(settings.slop, settings.noise_scale, settings.noise_trust),
+        residual: &seen.residual,
+    };
+    let shares = shares_of_families(seen, families);
+    let members = members(seen, responses, families, &shares);
+    let prior = settings.prior;
+    let mut of_sizes = vec![f64::NEG_INFINITY; weights.sizes.len()];
+    let mut take = |ln_prior: f64, found: &DMatrix<f64>| {
+        for (whole, row) in of_sizes.iter_mut().zip(found.row_iter()) {
+            *whole = ln_sum([*whole, ln_prior + ln_sum(row.iter().copied())].into_iter());
+        }
+        ln_prior + ln_sum(found.iter().copied())
+    };
+    let plain = weights.less(&DMatrix::zeros(seen.residual.len(), 1));
+    let ln_nothing = take(prior.nothing.ln(), &weights.of(None, &plain)?);
+    let unknown = seen.error.unknown();
+    let each: Vec<DMatrix<f64>> = unknown
+        .iter()
+        .collect::<Vec<_>>()
+        .into_par_iter()
+        .map(|field| weights.of(Some(field), &plain))
+        .collect::<Result<_, _>>()?;
+    let ln_each = (prior.novel / unknown.len() as f64).ln();
+    let each: Vec<f64> = each.iter().map(|found| take(ln_each, found)).collect();
+    let ln_unknown = ln_sum(each.into_iter());
+    let found: Vec<Option<DMatrix<f64>>> = members
+        .iter()
+        .collect::<Vec<_>>()
+        .into_par_iter()
+        .map(|member| member.family.map(|_| single(&weights, member)).transpose())
+        .collect::<Result<_, _>>()?;
+    let mut singles = Vec::new();
+    for (k, (member, found)) in members.iter().zip(&found).enumerate() {
+        let (Some(family), Some(found)) = (member.family, found) else {
+            continue;
+        };
+        let ln_prior = prior.one.ln() + member.ln_prior;
+        let ln_weight = take(ln_prior, found);
+        let of_nodes: Vec<f64> = found
+            .column_iter()
+            .map(|own| ln_sum(own.iter().copied()))
+            .collect();
+        let [best, strength, error] = strength(member, &of_nodes);
+        singles.push(Trial {
+            members: vec![k],
+            families: vec![family],
+            ln_prior,
+            ln_weight,
+            best: vec![best],
+            strength: vec![strength],
+            error: vec![error],
+        });
+    }
+    let members: Vec<Member> = members.iter().map(Member::plausible).collect();
+    let mut pairs = pairs(&weights, &members, &singles, &shares, prior.two)?;
+    let mut named = singles.iter().chain(&pairs).map(|trial| trial.ln_weight);
+    if ln_unknown > ln_nothing || named.any(|ln_weight| ln_weight > ln_nothing) {
+        let with = |at: [(usize, f64); 2]| seen.with(at);
+        together(&weights, &members, &mut pairs, &with)?;
+    }
+    let whole = ln_sum(of_sizes.iter().copied());
+    let mean = |of: &dyn Fn(&Size) -> f64| {
+        let parts = weights.sizes.iter().zip(&of_sizes);
+        parts.map(|(size, ln)| of(size) * (ln - whole).exp()).sum::<f64>()
+    };
+    Ok(Weighing {
+        ln_nothing,
+        ln_unknown,
+        singles,
+        pairs,
+        share: mean(&|size| size.share),
+        scale: mean(&|size| size.scale),
+    })
+}
+
+/// Shares of the families in the prior of one effect: with the root of how many effects they hold, for these are neither alternatives of one
+/// kind nor causes of their own.
+fn shares_of_families(seen: &Seen, families: &[Family]) -> Vec<f64> {
+    let unknowns = seen.forward.unknowns();
+    let effects = |family: &Family| {
+        let own = family.members.iter().map(|&k| &unknowns[seen.data.missing[k]]);
+        let mut names: Vec<Option<&str>> = own.map(|unknown| effect_of(unknown).map(|of| of.0)).collect();
+        names.sort_unstable();
+        names.dedup();
+        (names.len() as f64).sqrt()
+    };
+    let roots: Vec<f64> = families.iter().map(effects).collect();
+    let whole: f64 = roots.iter().sum();
+    roots.into_iter().map(|root| root / whole).collect()
+}
+
+/// Every missing effect with the strengths at which it is weighed; the prior of a family (its share in `shares`) is shared evenly among its
+/// effects, and then among their places.
+fn members(seen: &Seen, responses: &Responses, families: &[Family], shares: &[f64]) -> Vec<Member> {
+    let unknowns = seen.forward.unknowns();
+    let missing = &seen.data.missing;
+    let effect = |k: usize| effect_of(&unknowns[missing[k]]).map(|(effect, ..)| effect);
+    let of_family = |k: usize| families.iter().position(|family| family.members.contains(&k));
+    (0..missing.len())
+        .map(|k| {
+            let unknown = &unknowns[missing[k]];
+            let nodes = responses.each[k].nodes(unknown);
+            let family = of_family(k).filter(|_| !nodes.is_empty());
+            let ln_prior = family.map_or(f64::NEG_INFINITY, |family| {
+                let own = &families[family].members;
+                let share = shares[family];
+                let mut effects: Vec<Option<&str>> = own.iter().map(|&j| effect(j)).collect();
+                let places = effects.iter().filter(|other| **other == effect(k)).count();
+                effects.sort_unstable();
+                effects.dedup();
+                share.ln() - ((effects.len() * places) as f64).ln()
+            });
+            let rows = &seen.data.rows;
+            Member {
+                changes: DMatrix::from_fn(rows.len(), nodes.len(), |i, node| nodes[node].change[rows[i]]),
+                nodes,
+                own_error: unknown.own_error(),
+                ln_prior,
+                family,
+            }
+        })
+        .collect()
+}
+
+/// ln of the density of the readings at each strength (column) of one effect for every size (row), the prior of the strength in it.
+fn single(weights: &Weights, member: &Member) -> Result<DMatrix<f64>, DiagnoseError> {
+    let residuals = weights.less(&member.changes);
+    let count = residuals.ncols();
+    let mut found = DMatrix::zeros(weights.sizes.len(), count);
+    let anchors: Vec<usize> = (0..ANCHORS).map(|a| a * (count - 1) / (ANCHORS - 1)).collect();
+    let nearest = |node: usize| anchors.iter().min_by_key(|anchor| anchor.abs_diff(node)).copied();
+    let (_, largest) = weights.whitened(weights.typical(), None, &member.changes)?;
+    let mut done: Vec<usize> = Vec::new();
+    for &anchor in &anchors {
+        if done.contains(&anchor) {
+            continue;
+        }
+        done.push(anchor);
+        let own: Vec<usize> = (0..count).filter(|&node| nearest(node) == Some(anchor)).collect();
+        let matters = member.own_error * largest.column(anchor).norm() > TOO_SMALL;
+        let change = member.changes.column(anchor).into_owned();
+        let more = matters.then(|| weights.error.own(&change, member.own_error));
+        let part = weights.of(more.as_ref(), &residuals.select_columns(own.iter()))?;
+        for (place, &node) in own.iter().enumerate() {
+            found.set_column(node, &part.column(place).add_scalar(member.nodes[node].ln_prior));
+        }
+    }
+    Ok(found)
+}
+
+/// Most probable strength, mean and standard deviation of one effect, from the ln of the weights of its nodes.
+pub fn strength(member: &Member, ln_weights: &[f64]) -> [f64; 3] {
+    let whole = ln_sum(ln_weights.iter().copied());
+    let parts = || member.nodes.iter().zip(ln_weights);
+    let best = parts()
+        .max_by(|a, b| a.1.total_cmp(b.1))
+        .map_or(0.0, |(node, _)| node.strength);
+    let mean = |of: &dyn Fn(f64) -> f64| -> f64 {
+        parts()
+            .map(|(node, ln)| of(node.strength) * (ln - whole).exp())
+            .sum()
+    };
+    let middle = mean(&|strength| strength);
+    [best, middle, mean(&|strength| (strength - middle).powi(2)).sqrt()]
+}

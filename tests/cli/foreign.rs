@@ -1,0 +1,55 @@
+//! Readings of another model of three wings (tests/foreign): what washout finds in data that it did not make.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::{folder, washout};
+
+/// What is missing in a case, by the effects that may be named for it; none: no effect knows it.
+const CASES: [(&str, Option<&[&str]>); 12] = [
+    ("c000", Some(&[])),
+    ("c007", Some(&[])),
+    ("c014", Some(&[])),
+    ("c030", Some(&[])),
+    ("c005", Some(&["inflow-uniform", "inflow-momentum"])),
+    ("c012", Some(&["root-flexure"])),
+    ("c018", Some(&["centre-of-pressure-shift"])),
+    ("c022", Some(&["centre-of-pressure-shift"])),
+    ("c028", Some(&["rod-shear-modulus"])),
+    ("c041", Some(&["root-flexure"])),
+    ("c006", None),
+    ("c026", None),
+];
+
+/// Four wings that lack nothing raise no alarm, six effects lead and nothing wrong is named, two causes that no effect knows are told so.
+#[test]
+fn of_twelve_wings_of_another_model_none_is_diagnosed_wrongly() {
+    let here = folder();
+    let wings = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/foreign");
+    for (case, truth) in CASES {
+        let study = wings.join(format!("{case}.toml"));
+        let said = washout(
+            here.path(),
+            &["diagnose", &study.display().to_string(), "--json", "-q"],
+        );
+        assert_eq!(said.code, Some(0), "{case}: {}", said.err);
+        let said: Value = said.document();
+        let (verdict, first) = (
+            said["verdict"].as_str().expect("a verdict"),
+            &said["hypotheses"][0]["effects"],
+        );
+        let sentence = &said["sentence"];
+        println!("{case}: {sentence}");
+        match truth {
+            Some([]) => assert!(matches!(verdict, "nothing" | "undecidable"), "{case}: {sentence}"),
+            Some(names) => {
+                let leads = first
+                    .as_array()
+                    .is_some_and(|all| all.len() == 1 && names.iter().any(|name| all[0] == *name));
+                assert!(leads && matches!(verdict, "effect" | "set"), "{case}: {sentence}");
+            }
+            None => assert_eq!(verdict, "novel", "{case}: {sentence}"),
+        }
+    }
+}
