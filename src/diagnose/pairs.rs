@@ -25,6 +25,9 @@ const TOGETHER: usize = 6;
 /// Change that can be seen at all, in standard deviations.
 const VISIBLE: f64 = 1.0;
 
+/// Change of the fitted readings by two effects, each with a strength; none if the model has no solution there.
+pub type Both<'a> = dyn Fn([(usize, f64); 2]) -> Result<Option<DVector<f64>>, DiagnoseError> + 'a;
+
 /// A pair: positions of its effects among the missing, nodes where it was best.
 type Found = ([usize; 2], [usize; 2]);
 
@@ -116,7 +119,7 @@ pub fn together(
     weights: &Weights,
     members: &[Member],
     pairs: &mut [Trial],
-    with: &dyn Fn([(usize, f64); 2]) -> Result<Option<DVector<f64>>, DiagnoseError>,
+    with: &Both,
 ) -> Result<(), DiagnoseError> {
     pairs.sort_by(|a, b| b.ln_weight.total_cmp(&a.ln_weight));
     for trial in pairs.iter_mut().take(TOGETHER) {

@@ -31,8 +31,6 @@ const ALARM: f64 = 5.0;
 const BELIEVED: f64 = 0.5;
 /// Probability from which on one effect may be named.
 const NAMED: f64 = 0.9;
-/// The same of two effects at once.
-const BOTH_NAMED: f64 = 0.95;
 /// Formulation error over what is admitted beyond which nothing is named: so much no model should have, and what is named leaves it.
 const LEFT_OVER: f64 = 3.5;
 /// Pull on an uncertain input, in standard deviations, beyond which it may have taken up what is missing.
@@ -196,7 +194,7 @@ fn verdict(
                 false => Verdict::Set,
             }
         }
-        (Case::Two(..), Some(_)) if held >= BOTH_NAMED => Verdict::Pair,
+        // two effects at once are as pliable as a cause without a name: they are told, and not named
         _ => Verdict::Set,
     }
 }

@@ -334,7 +334,7 @@ mod tests {
         assert!(with(novel.clone()).contains("missing: probably a; the second"));
         assert_eq!(
             pair(&[pairs[0].clone(), novel]),
-            "Two effects are missing: a = 1.00 ± 0.100 and b = 2.00 ± 0.100 (probability 0.50)."
+            "Two effects are missing: a = 1.00 ± 0.100 and b = 2.00 ± 0.100 (probability 0.50; or else an unknown cause)."
         );
     }
 }
