@@ -11,8 +11,8 @@ rm -rf "$try"
 
 washout synthesize studies/three-rods.toml --own examples/loose_seam.toml --seed 21 --output $try >/dev/null
 washout diagnose $run --output $try/diagnosis | grep -m2 -E '"(sentence|verdict)"' | tee $try/first.txt
-grep -qE '"verdict": "(novel|set)"' $try/first.txt
+grep -q '"verdict": "novel"' $try/first.txt
 echo "The builder who sees the field along the span knows the seam, and its formula joins the model:"
 washout add loose-seam --own examples/loose_seam.toml --to $run --ladder $try/ladder | grep -A3 '"strength"'
 washout diagnose $run --output $try/again | grep -m1 '"sentence"' | tee $try/last.txt
-grep -q "Nothing detectable is missing" $try/last.txt
+grep -qE "Nothing detectable is missing|most likely nothing is missing" $try/last.txt

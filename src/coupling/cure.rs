@@ -103,7 +103,7 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use crate::coupling::{Wing, solve_wing};
+    use crate::coupling::{Care, Wing, solve_wing};
     use crate::geometry::Planform;
     use crate::input::Design;
     use crate::mesh::{Mesh, generate};
@@ -128,7 +128,7 @@ mod tests {
         let trial = Near {
             solution: &solution,
             step: None,
-            is_trial: true,
+            care: Care::Trial,
         };
         for tension in [5.0, 20.0] {
             let (design, mesh, taut) = wing(tension);

@@ -57,11 +57,11 @@ pub use periodic::{Periodic, PeriodicSettings, periodic};
 pub use sensitivity::Sensitivity;
 
 use crate::geometry::Planform;
-use crate::input::design::{Accelerator, Design, Factorization};
+use crate::input::design::{Accelerator, Coupling, Design, Factorization};
 use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Tangent};
+use crate::structure::{Equilibrium, Tangent, larger};
 
 use air::Air;
 use fixed_point::Coupled;
@@ -102,7 +102,7 @@ pub fn solve_from(
     let near = nearby.map(|solution| Near {
         solution,
         step: None,
-        is_trial: false,
+        care: Care::Full,
     });
     Ok(solve_wing(design, &wing, mesh, near.as_ref(), progress)?.0)
 }
@@ -114,8 +114,45 @@ pub struct Near<'a> {
     pub solution: &'a Solution,
     /// Step by freedom from there to where the shape is expected, to first order.
     pub step: Option<Vec<f64>>,
-    /// Whether it is a trial that can be given up: where Newton's method does not settle, the slow fixed point is not asked.
-    pub is_trial: bool,
+    /// How much is asked of it.
+    pub care: Care,
+}
+
+/// How much is asked of a solve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Care {
+    /// A shape to the tolerances of the design; where Newton's method does not settle, the slow fixed point is asked.
+    #[default]
+    Full,
+    /// A trial that can be given up: the same by Newton's method alone.
+    Trial,
+    /// A trial whose shape is good to [`ROUGH_DEG`] of twist and [`ROUGH_RESIDUAL`] of the load; a study leaves held-out cases as they are.
+    Rough,
+}
+
+/// Largest change of twist in the last step of a rough solve, deg: a tenth of what a camera tells apart.
+const ROUGH_DEG: f64 = 0.015;
+/// Coupled residual of a rough solve, relative to the air load.
+const ROUGH_RESIDUAL: f64 = 0.05;
+/// Steps after which a rough solve is given up: one that settles takes five to ten.
+const ROUGH_ITERATIONS: usize = 30;
+
+impl Care {
+    /// Whether it can be given up.
+    pub fn is_trial(self) -> bool {
+        self != Care::Full
+    }
+
+    /// Tolerances to which it is solved.
+    fn tolerances(self, coupling: &Coupling) -> Coupling {
+        let mut asked = coupling.clone();
+        if self == Care::Rough {
+            asked.twist_tolerance_deg = larger(asked.twist_tolerance_deg, ROUGH_DEG);
+            asked.residual_tolerance = larger(asked.residual_tolerance, ROUGH_RESIDUAL);
+            asked.max_iterations = asked.max_iterations.min(ROUGH_ITERATIONS);
+        }
+        asked
+    }
 }
 
 /// As [`solve_from`], of the wing of a design that is set up already. Besides, the structure's tangent at the solution,
@@ -134,7 +171,7 @@ pub fn solve_wing(
     if design.structure.factorization == Factorization::Parallel {
         equilibrium.spread();
     }
-    let (rest, steps) = match near.filter(|near| near.is_trial) {
+    let (rest, steps) = match near.filter(|near| near.care.is_trial()) {
         None => cure::cured(&wing.model, &mut equilibrium, progress)?,
         Some(near) => cure::cured_near(wing, &mut equilibrium, near, progress)?,
     };
@@ -175,6 +212,7 @@ fn couple(
     let Design {
         coupling, structure, ..
     } = design;
+    let asked = near.map_or(Care::Full, |near| near.care).tolerances(coupling);
     let mut lost = 0;
     if coupling.accelerator == Accelerator::Newton && !wing.linear && structure.load_increments == 1 {
         let nearby = near.and_then(|near| {
@@ -189,7 +227,7 @@ fn couple(
                 is_loaded,
                 step,
             };
-            match newton::iterate(wing, equilibrium, start, coupling, progress)? {
+            match newton::iterate(wing, equilibrium, start, &asked, progress)? {
                 Ok(mut found) => {
                     lost += found.newton_steps;
                     found.newton_steps = lost;
@@ -201,7 +239,7 @@ fn couple(
                 Err(steps) => lost += steps,
             }
         }
-        if near.is_some_and(|near| near.is_trial) {
+        if near.is_some_and(|near| near.care.is_trial()) {
             return Err(CouplingError::GivenUp { steps: lost });
         }
     }

@@ -84,6 +84,8 @@ pub struct Seen<'a> {
     pub error: ModelError,
     /// Measured minus modelled, inputs at their prior means.
     pub residual: DVector<f64>,
+    /// Fields that have no name.
+    pub fields: &'a [Field],
     /// Where the unknowns start, and what the model left at the fit.
     pub start: &'a [f64],
     pub footing: Option<&'a Footing>,
@@ -166,6 +168,7 @@ impl<'a> Baseline<'a> {
             data: &data,
             error,
             residual: local.at_means,
+            fields: &fields,
             start: &start,
             footing: footing.as_ref(),
         };

@@ -65,7 +65,7 @@ impl Data {
             .filter(|&i| {
                 !matches!(
                     unknowns[i].kind,
-                    UnknownKind::Place { .. } | UnknownKind::Unnamed { .. } | UnknownKind::Admitted
+                    UnknownKind::Place { .. } | UnknownKind::Unnamed { .. }
                 )
             })
             .partition(|&i| is_missing(&unknowns[i], start[i]));

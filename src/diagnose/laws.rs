@@ -8,7 +8,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::study::Forward;
 
 use super::data::Data;
-use super::fields::{Driver, Field, Law, Places, load_fields, smooth_root};
+use super::fields::{Driver, Field, Law, load_fields, smooth_root};
+use super::places::Places;
 
 /// Largest power of frequency and of amplitude.
 pub const HIGHEST: i32 = 4;
@@ -46,7 +47,7 @@ pub fn growths(
 ) -> Vec<Growth> {
     let root = smooth_root(moment.ncols());
     let places = Places::new(forward, data, value, moment.ncols());
-    let response = moment.select_rows(data.rows.iter()) * &root;
+    let response = moment.select_rows(data.rows.iter());
     let [f, phi] = [Driver::Frequency, Driver::Amplitude].map(|driver| {
         let conditions = data.conditions(forward).into_iter();
         distinct(conditions.filter_map(|(condition, _)| driver.of(&forward.conditions()[condition])))

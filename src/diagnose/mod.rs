@@ -14,6 +14,8 @@ pub mod fields;
 
 pub mod hump;
 
+pub mod interpolate;
+
 pub mod judge;
 
 pub mod ladder;
@@ -35,6 +37,8 @@ pub mod novel;
 pub mod novel_words;
 
 pub mod pairs;
+
+mod places;
 
 pub mod plan;
 
@@ -59,6 +63,8 @@ pub mod settings;
 pub mod steps;
 
 pub mod table;
+
+pub mod unknown;
 
 pub mod verdict;
 

@@ -8,9 +8,10 @@ use crate::study::Forward;
 
 use super::baseline::Baseline;
 use super::evidence::{Likelihood, Spectrum, ln_sum};
-use super::fields::{Field, Law, channel};
+use super::fields::{Field, Law};
 use super::hump::Around;
 use super::laws::growths;
+use super::places::channel;
 use super::scaling::{Scaling, scaling};
 use super::whitened::Whitened;
 
@@ -120,7 +121,7 @@ pub(super) const SPRINGS: f64 = 0.1;
 pub(super) const COMPLIANCES: f64 = 0.2;
 
 /// Prior share of a law among the unnamed fields.
-fn share(law: Law, fields: &[Field]) -> f64 {
+pub(super) fn share(law: Law, fields: &[Field]) -> f64 {
     let same = |a: Law, b: Law| std::mem::discriminant(&a) == std::mem::discriminant(&b);
     let rivals = fields.iter().filter(|field| same(field.law, law)).count() as f64;
     let group = match law {

@@ -49,12 +49,11 @@ pub fn pairs(
     let of_pairs = 0.5 * (1.0 - shares.iter().map(|share| share * share).sum::<f64>());
     let ln_prior = prior.ln() - of_pairs.ln();
     let ln_prior_of = |pair: [usize; 2]| ln_prior + members[pair[0]].ln_prior + members[pair[1]].ln_prior;
-    let typical = weights.typical();
     let visible: Vec<usize> = singles
         .iter()
         .map(|trial| trial.members[0])
         .filter(|&k| {
-            let seen = weights.whitened(typical, None, &members[k].changes);
+            let seen = weights.whitened(&weights.typical, None, &members[k].changes);
             seen.is_ok_and(|(_, seen)| seen.column_iter().any(|own| own.norm() > VISIBLE))
         })
         .collect();
@@ -129,11 +128,9 @@ pub fn together(
             continue;
         };
         let nodes = [0, 1].map(|own| {
-            let nodes = members[pair[own]].nodes.iter();
-            nodes
-                .map(|node| node.strength)
-                .position(|strength| strength == at[own])
-                .unwrap_or(0)
+            let mut nodes = members[pair[own]].nodes.iter();
+            let is_its = |node: &Node| node.is_in_place && node.strength == at[own];
+            nodes.position(is_its).unwrap_or(0)
         });
         let alone = |own: usize| members[pair[own]].changes.column(nodes[own]);
         let mixed = Mixed {
@@ -164,8 +161,8 @@ fn best_of_all(
     let whole = changes.clone().insert_column(count, 0.0);
     let mut columns = whole;
     columns.set_column(count, weights.residual);
-    for size in &weights.sizes {
-        let (ln_size, whitened) = weights.whitened(size, None, &columns)?;
+    for level in &weights.levels {
+        let (ln_size, whitened) = weights.whitened(level, None, &columns)?;
         let gram = whitened.transpose() * &whitened;
         let q0 = gram[(count, count)];
         for i in 0..count {
@@ -273,12 +270,12 @@ fn block(
     let mut most = DMatrix::from_element(a.ncols(), b.ncols(), f64::NEG_INFINITY);
     let mut sum: DMatrix<f64> = DMatrix::zeros(a.ncols(), b.ncols());
     let residuals = weights.less(a);
-    for size in &weights.sizes {
-        let (ln_size, left) = weights.whitened(size, more, &residuals)?;
-        let (_, other) = weights.whitened(size, more, b)?;
+    for level in &weights.levels {
+        let (ln_size, left) = weights.whitened(level, more, &residuals)?;
+        let (_, other) = weights.whitened(level, more, b)?;
         let besides = mixed.as_ref().map(|(change, shares)| {
             let change = DMatrix::from_column_slice(change.len(), 1, change.as_slice());
-            weights.whitened(size, more, &change).map(|(_, own)| {
+            weights.whitened(level, more, &change).map(|(_, own)| {
                 let own = own.column(0).into_owned();
                 (left.tr_mul(&own), other.tr_mul(&own), own.norm_squared(), shares)
             })

@@ -31,8 +31,9 @@ const ALARM: f64 = 5.0;
 const BELIEVED: f64 = 0.5;
 /// Probability from which on one effect may be named.
 const NAMED: f64 = 0.9;
-/// Formulation error over what is admitted beyond which nothing is named: so much no model should have, and what is named leaves it.
-const LEFT_OVER: f64 = 3.5;
+/// Formulation error over what the study states beyond which nothing is named: so much no model should have, and what is named leaves it.
+/// It is that from which on the largest share that is summed over is the most probable.
+const LEFT_OVER: f64 = 4.5;
 /// Pull on an uncertain input, in standard deviations, beyond which it may have taken up what is missing.
 const PULLED: f64 = 3.0;
 /// Hypotheses less probable than this are not listed.

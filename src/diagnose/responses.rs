@@ -1,7 +1,11 @@
 //! What the model reads with each missing effect at a few strengths: finite steps, for what saturates, switches or has no derivative at
 //! none. They depend on the campaign, not on its measured values.
 
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use nalgebra::{DMatrix, DVector};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::{Deserialize, Serialize};
 
 use crate::progress::Progress;
@@ -9,11 +13,16 @@ use crate::study::{Footing, Forward, Unknown, UnknownKind};
 
 use super::data::Data;
 use super::error::DiagnoseError;
+use super::interpolate::{Measure, interpolate};
 use super::steps::Steps;
 use super::table::columns::of_strengths;
 
 /// Strengths between none and the largest that was solved, to either side.
 const NODES: usize = 16;
+/// Closer nodes in the stead of each one where an effect is most likely.
+const CLOSER: usize = 6;
+/// How far between two places an effect is looked at.
+const AWAY: f64 = 1.0 / 3.0;
 /// Prior probability of a strength beyond what is plausible.
 const IMPLAUSIBLE: f64 = 0.005;
 
@@ -30,6 +39,8 @@ pub struct Response {
     /// Strengths in ascending order, none among them, with the change of every observable.
     #[serde(with = "of_strengths")]
     knots: Vec<(f64, DVector<f64>)>,
+    /// How far they are apart.
+    measure: Measure,
     /// Strengths at which the model has no solution.
     pub unsolved: Vec<f64>,
 }
@@ -43,6 +54,8 @@ pub struct Node {
     pub ln_prior: f64,
     /// Whether it is plausible.
     pub is_plausible: bool,
+    /// Whether the change is that at the effect's own place, and none between it and the next.
+    pub is_in_place: bool,
     /// Change of every observable.
     pub change: DVector<f64>,
 }
@@ -60,32 +73,49 @@ impl Responses {
         progress: &Progress,
     ) -> Result<Responses, DiagnoseError> {
         let (here, left) = forward.linearize_from(footing, at, &|_| false)?;
-        let left = left.as_ref().map(Footing::for_trials);
+        let left = left.as_ref().map(Footing::roughly);
         let steps = Steps::new(forward, data, at, &here.value, footing.or(left.as_ref()));
         let unknowns = forward.unknowns();
-        let mut each: Vec<Response> = Vec::new();
-        for (k, &i) in data.missing.iter().enumerate() {
-            progress.check()?;
-            progress.say(format_args!("effect {} of {}", k + 1, data.missing.len()));
-            let everywhere = data.missing[..k]
-                .iter()
-                .position(|&other| is_same_on_all_wings(unknowns, i, other));
-            each.push(match everywhere {
-                Some(everywhere) => of_wing(forward, &each[everywhere], unknowns, i),
-                None => {
-                    let slope = slopes.column(k) / unknowns[i].sigma;
-                    let (knots, unsolved) = steps.of(i, &slope)?;
-                    Response { knots, unsolved }
-                }
-            });
+        let missing = &data.missing;
+        let everywhere = |k: usize| {
+            let is_its = |&other: &usize| is_same_on_all_wings(unknowns, missing[k], other);
+            missing[..k].iter().position(is_its)
+        };
+        let asked: Vec<usize> = (0..missing.len()).filter(|&k| everywhere(k).is_none()).collect();
+        let begun = AtomicUsize::new(0);
+        let found: Vec<Response> = asked
+            .par_iter()
+            .map(|&k| {
+                progress.check()?;
+                let begun = 1 + begun.fetch_add(1, Ordering::Relaxed);
+                progress.say(format_args!("effect {begun} of {}", asked.len()));
+                let slope = slopes.column(k) / unknowns[missing[k]].sigma;
+                let (knots, unsolved) = steps.of(missing[k], &slope)?;
+                let measure = Measure::within(unknowns[missing[k]].range);
+                Ok(Response {
+                    knots,
+                    measure,
+                    unsolved,
+                })
+            })
+            .collect::<Result<_, DiagnoseError>>()?;
+        let mut each = vec![Response::default(); missing.len()];
+        for (k, own) in asked.into_iter().zip(found) {
+            each[k] = own;
+        }
+        for k in 0..missing.len() {
+            if let Some(all) = everywhere(k) {
+                each[k] = of_wing(forward, &each[all], unknowns, missing[k]);
+            }
         }
         Ok(Responses { each })
     }
 }
 
 impl Response {
-    /// The strengths that are weighed.
-    pub fn nodes(&self, unknown: &Unknown) -> Vec<Node> {
+    /// The strengths that are weighed, in ascending order: evenly spaced over what was solved, and closer where `likely` of them is
+    /// largest (it is asked once, for all that are even).
+    pub fn nodes(&self, unknown: &Unknown, likely: impl Fn(&[Node]) -> Vec<f64>) -> Vec<Node> {
         let UnknownKind::Effect {
             plausible: [low, high],
             all_or_none,
@@ -98,7 +128,7 @@ impl Response {
         let (Some((least, _)), Some((most, _))) = (self.knots.first(), self.knots.last()) else {
             return Vec::new();
         };
-        let strengths: Vec<f64> = match all_or_none {
+        let mut strengths: Vec<f64> = match all_or_none {
             true => self
                 .knots
                 .iter()
@@ -113,6 +143,7 @@ impl Response {
                 .filter(|strength| *strength != 0.0)
                 .collect(),
         };
+        strengths.sort_by(f64::total_cmp);
         let is_plausible = |strength: f64| (low..=high).contains(&strength);
         let inside = strengths.iter().filter(|own| is_plausible(**own)).count();
         let outside = strengths.len() - inside;
@@ -122,13 +153,56 @@ impl Response {
             (true, ..) => (1.0 - IMPLAUSIBLE) / inside as f64,
             (false, ..) => IMPLAUSIBLE / outside as f64,
         };
-        let node = |strength: f64| Node {
+        let node = |strength: f64, share: f64, of: f64| Node {
             strength,
-            ln_prior: prior(strength).ln(),
-            is_plausible: is_plausible(strength),
+            ln_prior: (share * prior(of)).ln(),
+            is_plausible: is_plausible(of),
+            is_in_place: true,
             change: self.at(strength),
         };
-        let mut nodes: Vec<Node> = strengths.into_iter().map(node).collect();
+        let even: Vec<Node> = strengths.iter().map(|&own| node(own, 1.0, own)).collect();
+        let Some(best) = place_of_largest(&likely(&even)).filter(|_| !all_or_none) else {
+            return even;
+        };
+        // a node stands for the stretch about it: of the best and its neighbours, for closer ones in their stead
+        let end = if strengths[best] < 0.0 { -least } else { *most };
+        let step = end / NODES as f64;
+        let mut nodes: Vec<Node> = Vec::new();
+        for (place, own) in even.into_iter().enumerate() {
+            if place.abs_diff(best) > 1 || own.strength * strengths[best] < 0.0 {
+                nodes.push(own);
+                continue;
+            }
+            let size = own.strength.abs();
+            let from = if size < 1.5 * step { 0.0 } else { size - 0.5 * step };
+            let to = (size + 0.5 * step).min(end);
+            for part in 0..CLOSER {
+                let closer = from + (to - from) * (part as f64 + 0.5) / CLOSER as f64;
+                let closer = closer.copysign(own.strength);
+                nodes.push(node(closer, 1.0 / CLOSER as f64, own.strength));
+            }
+        }
+        nodes.sort_by(|a, b| a.strength.total_cmp(&b.strength));
+        nodes
+    }
+
+    /// `nodes` and the same a third of the way to the places beside, where the change is mixed: what sits between two places must be no less
+    /// probable than what sits on one.
+    pub fn between_places(mut nodes: Vec<Node>, beside: &[&Response]) -> Vec<Node> {
+        let share = ((1 + beside.len()) as f64).recip();
+        for node in &mut nodes {
+            node.ln_prior += share.ln();
+        }
+        let mixed = |other: &&Response| -> Vec<Node> {
+            let there = |node: &Node| Node {
+                change: &node.change * (1.0 - AWAY) + other.at(node.strength) * AWAY,
+                is_in_place: false,
+                ..node.clone()
+            };
+            nodes.iter().map(there).collect()
+        };
+        let more: Vec<Node> = beside.iter().flat_map(mixed).collect();
+        nodes.extend(more);
         nodes.sort_by(|a, b| a.strength.total_cmp(&b.strength));
         nodes
     }
@@ -144,87 +218,71 @@ impl Response {
         matches!(ends, (Some((low, _)), Some((high, _))) if strength != 0.0 && (*low..=*high).contains(&strength))
     }
 
-    /// Change of every observable at a strength within the steps: cubics that keep what rises between two steps rising (Fritsch & Butland,
-    /// SIAM J. Sci. Stat. Comput. 5 (1984) 300).
+    /// Change of every observable at a strength within the steps.
     pub fn at(&self, strength: f64) -> DVector<f64> {
-        let knots = &self.knots;
-        let count = knots.len();
-        let Some(above) = knots.iter().position(|knot| knot.0 >= strength) else {
-            return knots
-                .last()
-                .map_or_else(|| DVector::zeros(0), |knot| knot.1.clone());
-        };
-        if above == 0 {
-            return knots[0].1.clone();
-        }
-        let below = above - 1;
-        let ((from, low), (to, high)) = (&knots[below], &knots[above]);
-        let width = to - from;
-        let t = (strength - from) / width;
-        let secant = |of: usize, row: usize| {
-            let ((from, low), (to, high)) = (&knots[of], &knots[of + 1]);
-            (high[row] - low[row]) / (to - from)
-        };
-        let span = |of: usize| knots[of + 1].0 - knots[of].0;
-        let slope = |knot: usize, row: usize| match knot {
-            _ if count == 2 => secant(0, row),
-            0 => at_end([secant(0, row), secant(1, row)], [span(0), span(1)]),
-            last if last + 1 == count => at_end(
-                [secant(last - 1, row), secant(last - 2, row)],
-                [span(last - 1), span(last - 2)],
-            ),
-            inner => {
-                let (left, right) = (secant(inner - 1, row), secant(inner, row));
-                let (before, after) = (span(inner - 1), span(inner));
-                let (a, b) = (2.0 * after + before, after + 2.0 * before);
-                match left * right > 0.0 {
-                    true => (a + b) / (a / left + b / right),
-                    false => 0.0,
-                }
-            }
-        };
-        let [h0, h1] = [(1.0 + 2.0 * t) * (1.0 - t).powi(2), t * (1.0 - t).powi(2)];
-        let [g0, g1] = [t * t * (3.0 - 2.0 * t), t * t * (t - 1.0)];
-        DVector::from_fn(low.len(), |row, _| {
-            h0 * low[row] + g0 * high[row] + width * (h1 * slope(below, row) + g1 * slope(above, row))
-        })
+        interpolate(&self.knots, strength, self.measure)
     }
 }
 
-/// Slope at an end, from the secants next to it and their widths: that of the parabola, kept from overshooting.
-fn at_end([near, far]: [f64; 2], [width, next]: [f64; 2]) -> f64 {
-    let slope = ((2.0 * width + next) * near - width * far) / (width + next);
-    if slope * near <= 0.0 {
-        0.0
-    } else if near * far <= 0.0 && slope.abs() > 3.0 * near.abs() {
-        3.0 * near
-    } else {
-        slope
+fn place_of_largest(values: &[f64]) -> Option<usize> {
+    (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))
+}
+
+/// Place of an effect, numbers with which it acts there and wing; none for what has no place.
+fn place<'a>(
+    unknowns: &'a [Unknown],
+    of: &Unknown,
+) -> Option<(f64, &'a BTreeMap<String, f64>, Option<&'a str>)> {
+    unknowns.iter().find_map(|unknown| match &unknown.kind {
+        UnknownKind::Place {
+            of: strength,
+            numbers,
+            wing,
+            ..
+        } if *strength == of.name => Some((unknown.mean, numbers, wing.as_deref())),
+        _ => None,
+    })
+}
+
+fn effect(of: &Unknown) -> Option<&str> {
+    match &of.kind {
+        UnknownKind::Effect { effect, .. } => Some(effect),
+        _ => None,
     }
+}
+
+/// Positions in `missing` of the same effect at the next places inboard and outboard.
+pub fn beside(unknowns: &[Unknown], missing: &[usize], k: usize) -> Vec<usize> {
+    let own = &unknowns[missing[k]];
+    let Some((here, numbers, wing)) = place(unknowns, own) else {
+        return Vec::new();
+    };
+    let mut inboard: Option<(f64, usize)> = None;
+    let mut outboard: Option<(f64, usize)> = None;
+    for (other, &i) in missing.iter().enumerate() {
+        let is_same = effect(&unknowns[i]) == effect(own);
+        let Some((there, _, _)) = place(unknowns, &unknowns[i])
+            .filter(|(_, others, on)| is_same && *others == numbers && *on == wing)
+        else {
+            continue;
+        };
+        if there < here && inboard.is_none_or(|known| there > known.0) {
+            inboard = Some((there, other));
+        }
+        if there > here && outboard.is_none_or(|known| there < known.0) {
+            outboard = Some((there, other));
+        }
+    }
+    inboard.into_iter().chain(outboard).map(|own| own.1).collect()
 }
 
 /// Whether `other` is the same effect at the same place on all wings as `own` is on one.
 fn is_same_on_all_wings(unknowns: &[Unknown], own: usize, other: usize) -> bool {
-    let place = |of: &Unknown| {
-        unknowns.iter().find_map(|unknown| match &unknown.kind {
-            UnknownKind::Place {
-                of: strength,
-                numbers,
-                wing,
-                ..
-            } if *strength == of.name => Some((unknown.mean, numbers.clone(), wing.clone())),
-            _ => None,
-        })
-    };
-    let effect = |of: &Unknown| match &of.kind {
-        UnknownKind::Effect { effect, .. } => Some(effect.clone()),
-        _ => None,
-    };
     let (own, other) = (&unknowns[own], &unknowns[other]);
     if effect(own) != effect(other) {
         return false;
     }
-    match (place(own), place(other)) {
+    match (place(unknowns, own), place(unknowns, other)) {
         (Some((at, numbers, Some(_))), Some((other_at, other_numbers, None))) => {
             at == other_at && numbers == other_numbers
         }
@@ -250,46 +308,4 @@ fn of_wing(forward: &dyn Forward, all: &Response, unknowns: &[Unknown], own: usi
         }
     }
     response
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn of(knots: &[(f64, f64)]) -> Response {
-        Response {
-            knots: knots
-                .iter()
-                .map(|&(s, y)| (s, DVector::from_element(1, y)))
-                .collect(),
-            unsolved: Vec::new(),
-        }
-    }
-
-    #[test]
-    fn between_steps_a_line_stays_a_line_and_a_parabola_nearly_one() {
-        let line = of(&[(-1.0, -2.0), (0.0, 0.0), (0.5, 1.0), (2.0, 4.0)]);
-        let parabola = of(&[(0.0, 0.0), (0.5, 0.75), (1.0, 2.0), (1.5, 3.75)]);
-        for k in 0..=15 {
-            let s = 0.1 * f64::from(k);
-            assert!((line.at(s)[0] - 2.0 * s).abs() < 1e-12, "{s}");
-            // a straight line would be 0.06 off
-            assert!(
-                (parabola.at(s)[0] - (s + s * s)).abs() < 0.02,
-                "{s}: {}",
-                parabola.at(s)[0]
-            );
-        }
-        let both = of(&[(0.0, 0.0), (1.0, 3.0)]);
-        assert_eq!(both.at(0.5)[0], 1.5);
-    }
-
-    #[test]
-    fn a_step_response_is_never_overshot() {
-        let kink = of(&[(0.0, 0.0), (1.0, 0.0), (2.0, 1.0), (3.0, 1.0)]);
-        for k in 0..=30 {
-            let y = kink.at(0.1 * f64::from(k))[0];
-            assert!((0.0..=1.0).contains(&y), "{y}");
-        }
-    }
 }

@@ -7,11 +7,13 @@ use crate::study::{Footing, Forward, Unknown, UnknownKind};
 
 use super::data::Data;
 use super::error::{DiagnoseError, where_solved};
+use super::interpolate::{Measure, interpolate};
 
-/// How far beyond a plausible end an effect is looked at.
+/// How far beyond a plausible end an effect is looked at, if its range reaches at least so far.
 const BEYOND: f64 = 1.5;
+const WORTHWHILE: f64 = 1.1;
 /// Bisections by which the largest strength with a solution is looked for.
-const RETREATS: usize = 4;
+const RETREATS: usize = 3;
 /// Most bisections of one stretch.
 const DEEPEST: usize = 3;
 /// Error of a straight line that is accepted, over the error of the effect's own formula.
@@ -130,7 +132,8 @@ impl Side<'_> {
         }
         let last = self.at(reached);
         // a straight line is off a parabola by a quarter of the bend
-        let bend = &last - slope * reached;
+        let far = self.measure().of(reached);
+        let bend = &last - slope * far;
         let has_slope = slope.iter().any(|own| *own != 0.0);
         let is_straight = has_slope && steps.is_faint(&(&bend * 0.25), &last, unknown);
         if !is_straight {
@@ -138,19 +141,19 @@ impl Side<'_> {
         }
         let [low, high] = unknown.range;
         let beyond = (BEYOND * end).clamp(low, high);
-        if reached != end || beyond.abs() <= end.abs() * 1.01 {
+        if reached != end || beyond.abs() < end.abs() * WORTHWHILE {
             return Ok(());
         }
-        match is_straight {
-            true => self.solved.push(Solved {
-                strength: beyond,
-                change: slope * beyond + &bend * (beyond / end).powi(2),
-                footing: None,
-            }),
-            false => {
-                self.ask(beyond)?;
-            }
+        if !is_straight {
+            self.ask(beyond)?;
+            return Ok(());
         }
+        let far_beyond = self.measure().of(beyond);
+        self.solved.push(Solved {
+            strength: beyond,
+            change: slope * far_beyond + &bend * (far_beyond / far).powi(2),
+            footing: None,
+        });
         Ok(())
     }
 
@@ -161,7 +164,7 @@ impl Side<'_> {
         }
         let (mut low, mut high) = (0.0, end);
         for _ in 0..RETREATS {
-            let middle = 0.5 * (low + high);
+            let middle = self.measure().middle(low, high);
             if self.ask(middle)? {
                 low = middle;
             } else {
@@ -179,26 +182,41 @@ impl Side<'_> {
         bend: Option<&DVector<f64>>,
         depth: usize,
     ) -> Result<(), DiagnoseError> {
-        let middle = 0.5 * (from + to);
-        let ends = [self.at(from), self.at(to)];
+        let middle = self.measure().middle(from, to);
+        let straight = (self.at(from) + self.at(to)) * 0.5;
+        let before = self.interpolated(middle);
         let is_known = self.solved.iter().any(|own| own.strength == middle);
         if !is_known && !self.ask(middle)? {
             return Ok(());
         }
         let here = self.at(middle);
-        let straight = (&ends[0] + &ends[1]) * 0.5;
-        // cubics through the steps are an order better than the parabola
         let expected = match bend {
             Some(bend) => straight - bend * 0.25,
-            None => straight,
+            None => before,
         };
-        let share = if bend.is_some() { 1.0 } else { 0.25 };
+        // with the step in the middle, cubics are at least four times as good
+        let left = (&here - expected) * 0.25;
         let unknown = &self.steps.forward.unknowns()[self.i];
-        if !self.steps.is_faint(&((&here - expected) * share), &here, unknown) && depth + 1 < DEEPEST {
+        if !self.steps.is_faint(&left, &here, unknown) && depth + 1 < DEEPEST {
             self.between(from, middle, None, depth + 1)?;
             self.between(middle, to, None, depth + 1)?;
         }
         Ok(())
+    }
+
+    /// Change at a strength between those that were solved.
+    fn interpolated(&self, strength: f64) -> DVector<f64> {
+        let mut knots: Knots = self
+            .solved
+            .iter()
+            .map(|own| (own.strength, own.change.clone()))
+            .collect();
+        knots.sort_by(|a, b| a.0.total_cmp(&b.0));
+        interpolate(&knots, strength, self.measure())
+    }
+
+    fn measure(&self) -> Measure {
+        Measure::within(self.steps.forward.unknowns()[self.i].range)
     }
 
     fn at(&self, strength: f64) -> DVector<f64> {
@@ -215,7 +233,8 @@ impl Side<'_> {
             here,
             ..
         } = self.steps;
-        let off = |own: &&Solved| (own.strength - strength).abs();
+        let measure = self.measure();
+        let off = |own: &&Solved| (measure.of(own.strength) - measure.of(strength)).abs();
         let nearest = self.solved.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
         let footing = nearest.and_then(|own| own.footing.as_ref());
         let mut there = at.to_vec();
@@ -233,7 +252,7 @@ impl Side<'_> {
         self.solved.push(Solved {
             strength,
             change,
-            footing: left.as_ref().map(Footing::for_trials),
+            footing: left.as_ref().map(Footing::roughly),
         });
         Ok(true)
     }

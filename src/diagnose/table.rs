@@ -50,7 +50,7 @@ impl Table {
         progress.check()?;
         let moment = forward.moment_response_from(footing.as_ref(), &start, settings.stations)?;
         let screening = forward.work() - before;
-        let footing = footing.as_ref().map(Footing::for_trials);
+        let footing = footing.as_ref().map(Footing::roughly);
         let responses = Responses::new(forward, &data, &start, (&missing, footing.as_ref()), progress)?;
         Ok(Table {
             slopes: missing,

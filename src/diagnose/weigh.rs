@@ -5,7 +5,7 @@
 //! formula stand. An unknown cause is a smooth error of reading larger than any formulation should have. Probabilities are priors times
 //! sums over strengths and sizes; there is no further test.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::baseline::Seen;
@@ -14,12 +14,15 @@ use super::evidence::ln_sum;
 use super::library::{Family, Trial};
 use super::model_error::{ModelError, Size};
 use super::pairs::{pairs, together};
-use super::responses::{Node, Responses};
+use super::responses::{Node, Response, Responses, beside};
 use super::screening::effect_of;
 use super::settings::Settings;
+use super::unknown::unknown;
 
 /// Strengths about which the error of an effect's own formula is taken.
 const ANCHORS: usize = 5;
+/// ln of the probability of a size, over that of the most probable, below which effects are not weighed with it.
+const IMPROBABLE: f64 = -9.0;
 /// An own error below this size, in standard deviations, changes nothing.
 const TOO_SMALL: f64 = 0.3;
 
@@ -45,9 +48,20 @@ pub struct Weights<'a> {
     /// The error that is expected.
     pub error: &'a ModelError,
     /// Sizes that are summed over.
-    pub sizes: Vec<Size>,
+    pub levels: Vec<Level>,
+    /// A typical size: the formulation error of the prior, the scatter as stated.
+    pub typical: Level,
     /// Measured minus modelled, inputs at their prior means.
     pub residual: &'a DVector<f64>,
+}
+
+/// One size of the errors.
+#[derive(Clone)]
+pub struct Level {
+    /// The size.
+    pub size: Size,
+    /// Root of the covariance.
+    root: Cholesky<f64, Dyn>,
 }
 
 /// One missing effect and the strengths at which it is weighed.
@@ -78,7 +92,34 @@ impl Member {
     }
 }
 
-impl Weights<'_> {
+impl<'a> Weights<'a> {
+    /// Of all sizes.
+    ///
+    /// # Errors
+    /// If a covariance is not positive definite.
+    pub fn new(
+        error: &'a ModelError,
+        residual: &'a DVector<f64>,
+        settings: &Settings,
+    ) -> Result<Weights<'a>, DiagnoseError> {
+        let level = |size: Size| {
+            let root = error.root(&size, None)?;
+            Ok(Level { size, root })
+        };
+        let sizes = ModelError::sizes(settings.slop, settings.noise_scale, settings.noise_trust);
+        let most = |a: &&Size, b: &&Size| a.ln_prior.total_cmp(&b.ln_prior);
+        let typical = *sizes.iter().max_by(most).unwrap_or(&sizes[0]);
+        Ok(Weights {
+            error,
+            levels: sizes
+                .into_iter()
+                .map(level)
+                .collect::<Result<_, DiagnoseError>>()?,
+            typical: level(typical)?,
+            residual,
+        })
+    }
+
     /// ln of the density of the readings for every size (row) and every column of `residuals`, the prior of the size in it.
     ///
     /// # Errors
@@ -88,9 +129,9 @@ impl Weights<'_> {
         more: Option<&DMatrix<f64>>,
         residuals: &DMatrix<f64>,
     ) -> Result<DMatrix<f64>, DiagnoseError> {
-        let mut found = DMatrix::zeros(self.sizes.len(), residuals.ncols());
-        for (row, size) in self.sizes.iter().enumerate() {
-            let (ln_size, whitened) = self.whitened(size, more, residuals)?;
+        let mut found = DMatrix::zeros(self.levels.len(), residuals.ncols());
+        for (row, level) in self.levels.iter().enumerate() {
+            let (ln_size, whitened) = self.whitened(level, more, residuals)?;
             for (column, own) in whitened.column_iter().enumerate() {
                 found[(row, column)] = ln_size - 0.5 * own.norm_squared();
             }
@@ -104,18 +145,20 @@ impl Weights<'_> {
     /// As [`Weights::of`].
     pub fn whitened(
         &self,
-        size: &Size,
+        level: &Level,
         more: Option<&DMatrix<f64>>,
         columns: &DMatrix<f64>,
     ) -> Result<(f64, DMatrix<f64>), DiagnoseError> {
-        let root = self.error.root(size, more)?;
-        let lower = root.l_dirty();
+        let own = more
+            .map(|more| self.error.root(&level.size, Some(more)))
+            .transpose()?;
+        let lower = own.as_ref().unwrap_or(&level.root).l_dirty();
         let ln_determinant: f64 = lower.diagonal().iter().map(|d| d.ln()).sum();
         let whitened = lower.solve_lower_triangular(columns);
         let whitened = whitened.ok_or_else(|| DiagnoseError::NotFinite {
             what: "the readings".into(),
         })?;
-        Ok((size.ln_prior - ln_determinant, whitened))
+        Ok((level.size.ln_prior - ln_determinant, whitened))
     }
 
     /// The readings less each of these changes.
@@ -125,12 +168,6 @@ impl Weights<'_> {
             column += self.residual;
         }
         residuals
-    }
-
-    /// A typical size: the formulation error of the prior, the scatter as stated.
-    pub fn typical(&self) -> &Size {
-        let most = |a: &&Size, b: &&Size| a.ln_prior.total_cmp(&b.ln_prior);
-        self.sizes.iter().max_by(most).unwrap_or(&self.sizes[0])
     }
 }
 
@@ -144,33 +181,19 @@ pub fn weigh(
     families: &[Family],
     settings: &Settings,
 ) -> Result<Weighing, DiagnoseError> {
-    let weights = Weights {
-        error: &seen.error,
-        sizes: ModelError::sizes(settings.slop, settings.noise_scale, settings.noise_trust),
-        residual: &seen.residual,
-    };
+    let mut weights = Weights::new(&seen.error, &seen.residual, settings)?;
     let shares = shares_of_families(seen, families);
-    let members = members(seen, responses, families, &shares);
+    let members = members(&weights, (seen, responses), families, &shares)?;
     let prior = settings.prior;
-    let mut of_sizes = vec![f64::NEG_INFINITY; weights.sizes.len()];
-    let mut take = |ln_prior: f64, found: &DMatrix<f64>| {
-        for (whole, row) in of_sizes.iter_mut().zip(found.row_iter()) {
-            *whole = ln_sum([*whole, ln_prior + ln_sum(row.iter().copied())].into_iter());
-        }
-        ln_prior + ln_sum(found.iter().copied())
-    };
+    let mut of_sizes = vec![f64::NEG_INFINITY; weights.levels.len()];
     let plain = weights.less(&DMatrix::zeros(seen.residual.len(), 1));
-    let ln_nothing = take(prior.nothing.ln(), &weights.of(None, &plain)?);
-    let unknown = seen.error.unknown();
-    let each: Vec<DMatrix<f64>> = unknown
-        .iter()
-        .collect::<Vec<_>>()
-        .into_par_iter()
-        .map(|field| weights.of(Some(field), &plain))
-        .collect::<Result<_, _>>()?;
-    let ln_each = (prior.novel / unknown.len() as f64).ln();
-    let each: Vec<f64> = each.iter().map(|found| take(ln_each, found)).collect();
-    let ln_unknown = ln_sum(each.into_iter());
+    let ln_nothing = take(&mut of_sizes, prior.nothing.ln(), &weights.of(None, &plain)?);
+    let ln_unknown = take(&mut of_sizes, prior.novel.ln(), &unknown(&weights, seen.fields)?);
+    // what neither of these makes probable, no effect does: a cause without a name takes up whatever is smooth
+    let most = of_sizes.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let mut is_looked_at = of_sizes.iter().map(|ln| *ln > most + IMPROBABLE);
+    weights.levels.retain(|_| is_looked_at.next() == Some(true));
+    of_sizes.retain(|ln| *ln > most + IMPROBABLE);
     let found: Vec<Option<DMatrix<f64>>> = members
         .iter()
         .collect::<Vec<_>>()
@@ -183,7 +206,7 @@ pub fn weigh(
             continue;
         };
         let ln_prior = prior.one.ln() + member.ln_prior;
-        let ln_weight = take(ln_prior, found);
+        let ln_weight = take(&mut of_sizes, ln_prior, found);
         let of_nodes: Vec<f64> = found
             .column_iter()
             .map(|own| ln_sum(own.iter().copied()))
@@ -208,8 +231,10 @@ pub fn weigh(
     }
     let whole = ln_sum(of_sizes.iter().copied());
     let mean = |of: &dyn Fn(&Size) -> f64| {
-        let parts = weights.sizes.iter().zip(&of_sizes);
-        parts.map(|(size, ln)| of(size) * (ln - whole).exp()).sum::<f64>()
+        let parts = weights.levels.iter().zip(&of_sizes);
+        parts
+            .map(|(level, ln)| of(&level.size) * (ln - whole).exp())
+            .sum::<f64>()
     };
     Ok(Weighing {
         ln_nothing,
@@ -219,6 +244,14 @@ pub fn weigh(
         share: mean(&|size| size.share),
         scale: mean(&|size| size.scale),
     })
+}
+
+/// ln of prior times evidence of a hypothesis, from its densities for every size (row); it is added to what each size has.
+fn take(of_sizes: &mut [f64], ln_prior: f64, found: &DMatrix<f64>) -> f64 {
+    for (whole, row) in of_sizes.iter_mut().zip(found.row_iter()) {
+        *whole = ln_sum([*whole, ln_prior + ln_sum(row.iter().copied())].into_iter());
+    }
+    ln_prior + ln_sum(found.iter().copied())
 }
 
 /// Shares of the families in the prior of one effect: with the root of how many effects they hold, for these are neither alternatives of one
@@ -239,16 +272,52 @@ fn shares_of_families(seen: &Seen, families: &[Family]) -> Vec<f64> {
 
 /// Every missing effect with the strengths at which it is weighed; the prior of a family (its share in `shares`) is shared evenly among its
 /// effects, and then among their places.
-fn members(seen: &Seen, responses: &Responses, families: &[Family], shares: &[f64]) -> Vec<Member> {
+fn members(
+    weights: &Weights,
+    (seen, responses): (&Seen, &Responses),
+    families: &[Family],
+    shares: &[f64],
+) -> Result<Vec<Member>, DiagnoseError> {
     let unknowns = seen.forward.unknowns();
     let missing = &seen.data.missing;
     let effect = |k: usize| effect_of(&unknowns[missing[k]]).map(|(effect, ..)| effect);
     let of_family = |k: usize| families.iter().position(|family| family.members.contains(&k));
-    (0..missing.len())
+    let rows = &seen.data.rows;
+    let changes =
+        |nodes: &[Node]| DMatrix::from_fn(rows.len(), nodes.len(), |i, node| nodes[node].change[rows[i]]);
+    let left = weights
+        .whitened(
+            &weights.typical,
+            None,
+            &weights.less(&DMatrix::zeros(rows.len(), 1)),
+        )?
+        .1;
+    let likely = |nodes: &[Node]| -> Vec<f64> {
+        let seen = weights.whitened(&weights.typical, None, &changes(nodes));
+        seen.map_or_else(
+            |_| Vec::new(),
+            |(_, seen)| {
+                seen.column_iter()
+                    .map(|own| -(left.column(0) - own).norm_squared())
+                    .collect()
+            },
+        )
+    };
+    Ok((0..missing.len())
+        .into_par_iter()
         .map(|k| {
             let unknown = &unknowns[missing[k]];
-            let nodes = responses.each[k].nodes(unknown);
-            let family = of_family(k).filter(|_| !nodes.is_empty());
+            let family = of_family(k);
+            let nodes = match family {
+                Some(_) => {
+                    let nodes = responses.each[k].nodes(unknown, likely);
+                    let others = beside(unknowns, missing, k).into_iter();
+                    let others: Vec<&Response> = others.map(|other| &responses.each[other]).collect();
+                    Response::between_places(nodes, &others)
+                }
+                None => Vec::new(),
+            };
+            let family = family.filter(|_| !nodes.is_empty());
             let ln_prior = family.map_or(f64::NEG_INFINITY, |family| {
                 let own = &families[family].members;
                 let share = shares[family];
@@ -258,26 +327,25 @@ fn members(seen: &Seen, responses: &Responses, families: &[Family], shares: &[f6
                 effects.dedup();
                 share.ln() - ((effects.len() * places) as f64).ln()
             });
-            let rows = &seen.data.rows;
             Member {
-                changes: DMatrix::from_fn(rows.len(), nodes.len(), |i, node| nodes[node].change[rows[i]]),
+                changes: changes(&nodes),
                 nodes,
                 own_error: unknown.own_error(),
                 ln_prior,
                 family,
             }
         })
-        .collect()
+        .collect())
 }
 
 /// ln of the density of the readings at each strength (column) of one effect for every size (row), the prior of the strength in it.
 fn single(weights: &Weights, member: &Member) -> Result<DMatrix<f64>, DiagnoseError> {
     let residuals = weights.less(&member.changes);
     let count = residuals.ncols();
-    let mut found = DMatrix::zeros(weights.sizes.len(), count);
+    let mut found = DMatrix::zeros(weights.levels.len(), count);
     let anchors: Vec<usize> = (0..ANCHORS).map(|a| a * (count - 1) / (ANCHORS - 1)).collect();
     let nearest = |node: usize| anchors.iter().min_by_key(|anchor| anchor.abs_diff(node)).copied();
-    let (_, largest) = weights.whitened(weights.typical(), None, &member.changes)?;
+    let (_, largest) = weights.whitened(&weights.typical, None, &member.changes)?;
     let mut done: Vec<usize> = Vec::new();
     for &anchor in &anchors {
         if done.contains(&anchor) {

@@ -10,7 +10,7 @@ use super::footing::Column;
 use super::work::Work;
 use crate::coupling::sensitivity::{Nearby, Rate};
 use crate::coupling::strips::Strips;
-use crate::coupling::{Near, Sensitivity};
+use crate::coupling::{Care, Near, Sensitivity};
 use crate::input::Design;
 use crate::progress::Progress;
 use crate::structure::Tangent;
@@ -64,7 +64,7 @@ impl PreparedCase {
                     let from = Near {
                         solution: &solved.solution,
                         step: rate.filter(|rate| !rate.moves_mesh).map(way),
-                        is_trial: false,
+                        care: Care::Full,
                     };
                     let (there, _) = self.solve(&design, Some(&from), progress)?;
                     work += there.work();

@@ -6,6 +6,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::coupling::Care;
 use crate::input::measurement::Bound;
 use crate::structure::{larger, smaller};
 
@@ -93,9 +94,9 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
     let free: Vec<usize> = task.free.to_vec();
     let wanted = |name: &str| free.iter().any(|&i| unknowns[i].name == name);
     let mut at = task.start.to_vec();
-    let is_trial = task.footing.is_some_and(Footing::is_for_trials);
+    let care = task.footing.map_or(Care::Full, Footing::care);
     let ask = |footing: Option<&Footing>, at: &[f64]| {
-        let footing = footing.map(|left| if is_trial { left.for_trials() } else { left.clone() });
+        let footing = footing.map(|left| left.with(care));
         forward.linearize_from(footing.as_ref(), at, &|unknown| wanted(&unknown.name))
     };
     let (mut linear, mut footing) = ask(task.footing, &at)?;

@@ -15,6 +15,7 @@ use super::other_mesh::OtherMesh;
 use super::skipped::{SkippedRow, in_words};
 use super::unknowns::{Target, Targets};
 use super::work::{Tally, Work};
+use crate::coupling::Care;
 use crate::input::study::{LoadedStudy, RulerKind, UnusedRows};
 use crate::progress::Progress;
 use crate::structure::Tangent;
@@ -243,12 +244,13 @@ impl Campaign {
     ) -> Result<(Stand, Option<Tangent>), StudyError> {
         let ground = footing.and_then(Footing::get::<Ground>);
         let touches = |unknown: usize| self.targets.targets[unknown].touches(index, at);
-        if let Some(ground) = ground.filter(|ground| ground.is_same(at, touches)) {
+        let care = footing.map_or(Care::Full, Footing::care);
+        let is_left = care == Care::Rough && self.conditions[index].is_held_out;
+        if let Some(ground) = ground.filter(|ground| is_left || ground.is_same(at, touches)) {
             return Ok((ground.cases[index].clone(), None));
         }
         let case = &self.cases[index];
-        let is_trial = footing.is_some_and(Footing::is_for_trials);
-        let near = ground.map(|ground| ground.near(index, at, is_trial));
+        let near = ground.map(|ground| ground.near(index, at, care));
         let design = self.design_at(index, at)?;
         let (solved, tangent) = match case.base_at(&design) {
             Some(solved) => (solved, None),

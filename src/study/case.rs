@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::sync::Arc;
 
-use super::admitted::admit;
 use super::error::StudyError;
 use super::footing::Column;
 use super::forward::{Condition, Observable};
@@ -14,7 +13,7 @@ use super::work::Work;
 use crate::aero::Flow;
 use crate::coupling::sensitivity::Nearby;
 use crate::coupling::wing::Wing;
-use crate::coupling::{self, BladeAir, CouplingError, Near};
+use crate::coupling::{self, BladeAir, Care, CouplingError, Near};
 use crate::effects::{acting, is_applicable, named, with_common_numbers};
 use crate::geometry::Planform;
 use crate::input::Design;
@@ -131,7 +130,6 @@ impl PreparedCase {
             }
         }
         if !candidates.is_empty() {
-            admit(&mut design);
             unnamed::place(&mut design);
         }
         Ok(PreparedCase {
@@ -219,7 +217,7 @@ impl PreparedCase {
         let from_base = base.map(|base| Near {
             solution: &base.at.solution,
             step: None,
-            is_trial: false,
+            care: Care::Full,
         });
         let start = near.or(from_base.as_ref());
         let alike = base.filter(|base| base.at.solution.mesh == mesh);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::case::Solved;
-use crate::coupling::Near;
+use crate::coupling::{Care, Near};
 
 /// A point at which all cases were solved.
 #[derive(Debug)]
@@ -42,8 +42,8 @@ impl Ground {
         values.all(|(unknown, (old, new))| old.to_bits() == new.to_bits() || !touches(unknown))
     }
 
-    /// Where the solve of a case at another point starts: its shape there to first order, as far as that is known. A trial can be given up.
-    pub fn near(&self, case: usize, at: &[f64], is_trial: bool) -> Near<'_> {
+    /// Where the solve of a case at another point starts: its shape there to first order, as far as that is known.
+    pub fn near(&self, case: usize, at: &[f64], care: Care) -> Near<'_> {
         let stand = &self.cases[case];
         let mut step: Option<Vec<f64>> = None;
         for (unknown, column) in &stand.columns {
@@ -58,7 +58,7 @@ impl Ground {
         Near {
             solution: &stand.solved.at.solution,
             step,
-            is_trial,
+            care,
         }
     }
 }

@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::coupling::Care;
 use crate::input::measurement::{Bound, Channel};
 
 use super::error::StudyError;
@@ -64,9 +65,6 @@ pub enum UnknownKind {
     Input,
     /// A nuisance of the ruler: it moves the reading, not the wing.
     Ruler,
-    /// An error of the model that is admitted ([`super::admitted`]): never fitted, part of the scatter. Its sigma is for an admitted
-    /// share of 1.
-    Admitted,
     /// A number of a cause without a name: off, unless a fit tries it.
     Unnamed {
         /// Name of the cause.
@@ -180,7 +178,7 @@ pub struct MeshError {
 #[derive(Clone)]
 pub struct Footing {
     kept: Arc<dyn Any + Send + Sync>,
-    is_for_trials: bool,
+    care: Care,
 }
 
 impl Footing {
@@ -188,22 +186,31 @@ impl Footing {
     pub fn new<T: Any + Send + Sync>(kept: T) -> Footing {
         Footing {
             kept: Arc::new(kept),
-            is_for_trials: false,
+            care: Care::Full,
         }
     }
 
-    /// The same for trials: answers from there may give up where a solution is hard to find. What they leave is not for trials.
+    /// The same, with how much is asked of answers from there. What they leave asks for all.
+    #[must_use]
+    pub fn with(&self, care: Care) -> Footing {
+        Footing { care, ..self.clone() }
+    }
+
+    /// The same for trials: answers from there may give up where a solution is hard to find.
     #[must_use]
     pub fn for_trials(&self) -> Footing {
-        Footing {
-            is_for_trials: true,
-            ..self.clone()
-        }
+        self.with(Care::Trial)
     }
 
-    /// Whether answers from there may give up.
-    pub fn is_for_trials(&self) -> bool {
-        self.is_for_trials
+    /// The same for rough answers.
+    #[must_use]
+    pub fn roughly(&self) -> Footing {
+        self.with(Care::Rough)
+    }
+
+    /// How much is asked of answers from there.
+    pub fn care(&self) -> Care {
+        self.care
     }
 
     /// What was kept, if it is of this type.

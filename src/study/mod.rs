@@ -1,7 +1,5 @@
 //! Predictions of whole studies; uncertainty of assumed inputs.
 
-pub mod admitted;
-
 mod answers;
 
 pub mod band;

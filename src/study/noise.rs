@@ -12,9 +12,8 @@ const CONDITION_CORRELATION: [f64; 2] = [0.7, 0.0];
 
 /// Covariance of measurement minus model for a choice of observables, by its Cholesky factor.
 ///
-/// Σ = diag(σ²) + τ² (y yᵀ) ∘ C + A Aᵀ with the prediction y, the admitted share τ of error, a smooth correlation C along
-/// the span, between conditions of one wing, within one channel, and the responses A to admitted errors of outline,
-/// stiffness and air law. Without these every small idealisation of a model becomes a discovery.
+/// Σ = diag(σ²) + τ² (y yᵀ) ∘ C with the prediction y, the admitted share τ of error, and a smooth correlation C along
+/// the span, between conditions of one wing, within one channel.
 #[derive(Debug, Clone)]
 pub struct Noise {
     factor: Cholesky<f64, Dyn>,
@@ -27,8 +26,6 @@ pub struct AdmittedError {
     pub share: f64,
     /// Predictions of all observables.
     pub value: DVector<f64>,
-    /// Responses of all observables to the admitted errors of the model's inputs, one standard deviation of each.
-    pub responses: DMatrix<f64>,
 }
 
 impl AdmittedError {
@@ -37,7 +34,6 @@ impl AdmittedError {
         AdmittedError {
             share,
             value: value.clone(),
-            responses: DMatrix::zeros(value.len(), 0),
         }
     }
 }
@@ -54,19 +50,13 @@ impl Noise {
         admitted: &AdmittedError,
     ) -> Result<Noise, StudyError> {
         let size = rows.len();
-        let AdmittedError {
-            share,
-            value,
-            responses,
-        } = admitted;
-        let mut covariance = DMatrix::from_fn(size, size, |i, j| {
+        let AdmittedError { share, value } = admitted;
+        let covariance = DMatrix::from_fn(size, size, |i, j| {
             let (a, b) = (&observables[rows[i]], &observables[rows[j]]);
             let measured = if i == j { a.sigma * a.sigma } else { 0.0 };
             let admitted = share * share * value[rows[i]] * value[rows[j]];
             measured + admitted * correlation(a, b, conditions)
         });
-        let responses = responses.select_rows(rows.iter());
-        covariance += &responses * responses.transpose();
         Noise::of_covariance(covariance)
     }
 

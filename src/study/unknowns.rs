@@ -1,6 +1,5 @@
 //! What a study may move, and where each of its unknowns acts.
 
-use super::admitted::{ADMITTED, CHORD};
 use super::case::PreparedCase;
 use super::error::StudyError;
 use super::forward::{Observable, Unknown, UnknownKind};
@@ -94,7 +93,7 @@ impl Target {
 }
 
 impl Targets {
-    /// Inputs first, then the ruler, then effects: those of the study, then the candidates; what is admitted; what has no name.
+    /// Inputs first, then the ruler, then effects: those of the study, then the candidates; what has no name.
     ///
     /// # Errors
     /// If no design has an input, or it states no prior.
@@ -136,47 +135,9 @@ impl Targets {
             }
         }
         if !candidates.is_empty() {
-            found.add_admitted(cases);
             found.add_unnamed(cases);
         }
         Ok(found)
-    }
-
-    /// The errors that are admitted of every wing.
-    fn add_admitted(&mut self, cases: &[PreparedCase]) {
-        let mut wings: Vec<&str> = cases.iter().map(|case| case.design.name.as_str()).collect();
-        wings.sort_unstable();
-        wings.dedup();
-        let formulas = ADMITTED
-            .iter()
-            .map(|error| (format!("effects.{}.strength", error.name), error.per_share, 1.0));
-        let is_free = |target: &Target| matches!(target, Target::Key { key, .. } if key == CHORD);
-        let chord = (!self.targets.iter().any(is_free)).then(|| (CHORD.to_string(), 1.0, 0.0));
-        for (key, per_share, unit) in formulas.chain(chord) {
-            for wing in &wings {
-                let of = |index: usize| match cases[index].design.name == *wing {
-                    true => cases[index].design.get(&key),
-                    false => None,
-                };
-                let Some(value) = (0..cases.len()).find_map(of) else {
-                    continue;
-                };
-                let touched = (0..cases.len()).filter(|&index| of(index) == Some(value));
-                let unknown = Unknown {
-                    name: format!("admitted error of {key} of {wing}"),
-                    unit: unit_of(&key),
-                    kind: UnknownKind::Admitted,
-                    mean: value,
-                    sigma: per_share * f64::max(unit, value),
-                    range: [value - 1.0, value + 1.0],
-                };
-                let target = Target::Key {
-                    key: key.clone(),
-                    cases: touched.collect(),
-                };
-                self.add(unknown, target, value);
-            }
-        }
     }
 
     /// Causes without a name, off.

@@ -94,7 +94,7 @@ fn a_campaign_without_values_can_be_judged_but_not_compared() {
 
 /// θ = T/GJ (r + 1.640 s (r − from)) outboard of the split; half split from 53 mm on, which is no place that is looked at first.
 #[test]
-fn a_rod_that_is_split_from_somewhere_on_leads_with_the_place() {
+fn a_rod_that_is_split_from_somewhere_on_is_named_with_the_place() {
     let folder = tempfile::tempdir().unwrap();
     campaign(folder.path(), &MANY);
     let gj = 80e9 * std::f64::consts::PI / 32.0 * 1e-12;
@@ -118,15 +118,14 @@ fn a_rod_that_is_split_from_somewhere_on_leads_with_the_place() {
     let study = study.replace("'root-flexure']", "'root-flexure', 'rod-split']");
     fs::write(folder.path().join("study.toml"), study).unwrap();
     let said = json(&washout(folder.path(), &["diagnose", "study.toml", "--json"]));
-    let verdict = said["verdict"].as_str().unwrap();
-    assert!(verdict == "effect" || verdict == "set", "{}", said["sentence"]);
+    assert_eq!(said["verdict"], "effect", "{}", said["sentence"]);
     let strength = &said["hypotheses"][0]["strengths"][0];
     assert_eq!(strength["effect"], "rod-split");
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     let place = &strength["place"];
     assert_eq!(place["parameter"], "from");
     let (from, error) = (number(&place["value"]), number(&place["standard_error"]));
-    assert!((from - 0.53).abs() < 3.0 * error && error < 0.03, "{place}");
+    assert!((from - 0.53).abs() < 3.0 * error && error < 0.02, "{place}");
     assert!(
         (number(&strength["value"]) - 0.5).abs() < 3.0 * number(&strength["standard_error"]),
         "{strength}"
