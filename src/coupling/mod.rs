@@ -126,7 +126,7 @@ pub enum Care {
     Full,
     /// A trial that can be given up: the same by Newton's method alone.
     Trial,
-    /// A trial whose shape is good to [`ROUGH_DEG`] of twist and [`ROUGH_RESIDUAL`] of the load; a study leaves held-out cases as they are.
+    /// A trial whose shape is good to 0.015° of twist and 5 % of the load; a study leaves held-out cases as they are.
     Rough,
 }
 

@@ -11,7 +11,7 @@ use super::data::{Data, Scatter, start};
 use super::error::{DiagnoseError, where_solved};
 use super::evidence::Likelihood;
 use super::fields::{Field, Law, fields};
-use super::library::{Family, families};
+use super::library::{Family, Trial, families};
 use super::model_error::{ModelError, Size};
 use super::refit::Refits;
 use super::responses::Responses;
@@ -173,14 +173,7 @@ impl<'a> Baseline<'a> {
             footing: footing.as_ref(),
         };
         let weighing = weigh(&seen, &responses, &families, settings)?;
-        let size = Size {
-            share: weighing.share,
-            scale: match settings.noise_scale {
-                None if count >= FEWEST => weighing.scale,
-                known => known.unwrap_or(1.0),
-            },
-            ln_prior: 0.0,
-        };
+        let size = size_of_fits([weighing.share, weighing.scale], count, settings);
         let error = seen.error;
         let scatter = Scatter::new(&error, &size, widening)?;
         progress.say("fitting the model with the errors that the data show");
@@ -227,6 +220,18 @@ impl<'a> Baseline<'a> {
         }
     }
 
+    /// The scatter under an explanation: with what was missing less is left to the formulation.
+    ///
+    /// # Errors
+    /// If a standard deviation is not positive.
+    pub fn scatter_under(&self, trial: &Trial) -> Result<Scatter, DiagnoseError> {
+        let Some(found) = trial.size else {
+            return Ok(self.scatter.clone());
+        };
+        let size = size_of_fits(found, self.data.rows.len(), self.settings);
+        Scatter::new(&self.error, &size, self.scatter.widening.clone())
+    }
+
     /// Whether the scale of the noise is taken on trust, for want of numbers.
     pub fn on_trust(&self) -> bool {
         self.settings.noise_scale.is_none() && self.data.rows.len() < FEWEST
@@ -237,6 +242,19 @@ impl<'a> Baseline<'a> {
         self.responses.each[k]
             .at(strength)
             .select_rows(self.data.rows.iter())
+    }
+}
+
+/// The size of the errors by which fits of `count` numbers weigh, from what the data show: with few numbers the scatter is that which is stated.
+fn size_of_fits([share, scale]: [f64; 2], count: usize, settings: &Settings) -> Size {
+    let scale = match settings.noise_scale {
+        None if count >= FEWEST => scale,
+        known => known.unwrap_or(1.0),
+    };
+    Size {
+        share,
+        scale,
+        ln_prior: 0.0,
     }
 }
 

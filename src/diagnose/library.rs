@@ -57,4 +57,6 @@ pub struct Trial {
     pub strength: Vec<f64>,
     /// Their standard deviations.
     pub error: Vec<f64>,
+    /// Mean share of formulation error and scale of the scatter under it, where that was looked at.
+    pub size: Option<[f64; 2]>,
 }

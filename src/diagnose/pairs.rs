@@ -369,6 +369,7 @@ fn of_nodes(members: &[Member], (pair, nodes): Found, [ln_prior, ln_weight]: [f6
         best: at.to_vec(),
         strength: at.to_vec(),
         error: vec![0.0; 2],
+        size: None,
     }
 }
 

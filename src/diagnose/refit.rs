@@ -3,6 +3,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use crate::study::boxed::least_in_box;
+use crate::study::calibrate::misfit;
 use crate::study::left_out::Local;
 use crate::study::{Fit, Footing, Forward};
 
@@ -66,7 +67,7 @@ impl Refits<'_> {
             let share = self.forward.unknowns()[self.data.missing[k]].own_error();
             own += baseline.error.own(&baseline.change(k, best), share);
         }
-        let scatter = self.scatter.with(&own)?;
+        let scatter = baseline.scatter_under(trial)?.with(&own)?;
         let starts = [
             self.stepped(&trial.members, &trial.best),
             self.start(&trial.members, &trial.best),
@@ -92,7 +93,12 @@ impl Refits<'_> {
         let mut free = self.data.model.clone();
         free.extend(&fitted);
         free.extend(self.places(&effects));
-        let most = self.baseline.q + 1e-6 * (1.0 + self.baseline.q);
+        let observables = self.forward.observables();
+        let left = |&row: &usize| misfit(&observables[row], self.baseline.predicted[row]);
+        let left = DMatrix::from_iterator(self.data.rows.len(), 1, self.data.rows.iter().map(left));
+        let without = scatter.noise.whiten_columns(&left).norm_squared();
+        let without = without + self.baseline.q - self.baseline.misfit;
+        let most = without + 1e-6 * (1.0 + without);
         for start in starts {
             let mut start = start.clone();
             for &effect in &whole {

@@ -138,7 +138,7 @@ fn rungs<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<Explained<'a>
     };
     let halves = families.iter().filter_map(|&family| fitted(&[family]));
     let half = halves
-        .min_by(|a, b| a.1.q.total_cmp(&b.1.q))
+        .max_by(|a, b| a.0.ln_weight.total_cmp(&b.0.ln_weight))
         .filter(|_| families.len() == 2);
     match half {
         Some((first, half)) => {

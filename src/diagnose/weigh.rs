@@ -220,6 +220,7 @@ pub fn weigh(
             best: vec![best],
             strength: vec![strength],
             error: vec![error],
+            size: Some(mean_size(&weights.levels, found)),
         });
     }
     let members: Vec<Member> = members.iter().map(Member::plausible).collect();
@@ -229,21 +230,29 @@ pub fn weigh(
         let with = |at: [(usize, f64); 2]| seen.with(at);
         together(&weights, &members, &mut pairs, &with)?;
     }
-    let whole = ln_sum(of_sizes.iter().copied());
-    let mean = |of: &dyn Fn(&Size) -> f64| {
-        let parts = weights.levels.iter().zip(&of_sizes);
-        parts
-            .map(|(level, ln)| of(&level.size) * (ln - whole).exp())
-            .sum::<f64>()
-    };
+    let of_sizes = DMatrix::from_column_slice(of_sizes.len(), 1, &of_sizes);
+    let [share, scale] = mean_size(&weights.levels, &of_sizes);
     Ok(Weighing {
         ln_nothing,
         ln_unknown,
         singles,
         pairs,
-        share: mean(&|size| size.share),
-        scale: mean(&|size| size.scale),
+        share,
+        scale,
     })
+}
+
+/// Mean share of formulation error and scale of the scatter, from densities for every size (row).
+fn mean_size(levels: &[Level], found: &DMatrix<f64>) -> [f64; 2] {
+    let of_sizes: Vec<f64> = found.row_iter().map(|row| ln_sum(row.iter().copied())).collect();
+    let whole = ln_sum(of_sizes.iter().copied());
+    let mean = |of: &dyn Fn(&Size) -> f64| {
+        let parts = levels.iter().zip(&of_sizes);
+        parts
+            .map(|(level, ln)| of(&level.size) * (ln - whole).exp())
+            .sum()
+    };
+    [mean(&|size| size.share), mean(&|size| size.scale)]
 }
 
 /// ln of prior times evidence of a hypothesis, from its densities for every size (row); it is added to what each size has.

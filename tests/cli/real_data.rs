@@ -84,9 +84,9 @@ fn the_skin_of_the_pre_pazy_wing_adds_bending_stiffness_and_its_torsion_is_undec
     );
 }
 
-/// With every effect tried it is a skin that gives way. Held-out deflections are wrong by 4.4 mm with it as by 4.2 without, where the scatter
-/// is 1.7: with an error of formulation of 1.8 % in the fit the pull on the rod's stiffness (4 sigma) takes up what the skin does there. With
-/// scatter alone in the fit they had fallen from 6.0 to 2.3 mm.
+/// With every effect tried it is a skin that gives way. Held-out deflections are wrong by 3.5 mm with it and by 4.3 without, where the scatter
+/// is 1.7: with an error of formulation of 1 to 2 % in the fit the pull on the rod's stiffness (4 sigma) takes up some of what the skin does
+/// there. With scatter alone in the fit they had fallen from 6.0 to 2.3 mm.
 #[test]
 fn with_every_effect_tried_the_skin_of_the_pre_pazy_wing_gives_way() {
     let said = diagnosed("pre-pazy-skin.toml", &[]);
@@ -106,7 +106,7 @@ fn with_every_effect_tried_the_skin_of_the_pre_pazy_wing_gives_way() {
     let [calibrated, explained] = held_out_deflections(&said);
     println!("held out {calibrated} mm, {explained} mm");
     assert!(
-        explained < 1.1 * calibrated && explained < 3.0 * 1.7,
+        explained < 0.9 * calibrated && explained < 2.5 * 1.7,
         "{calibrated} {explained}"
     );
 }
