@@ -12,7 +12,7 @@ use super::baseline::Baseline;
 use super::error::DiagnoseError;
 use super::evidence::ln_sum;
 use super::fields::{Field, fields};
-use super::novel::{AMPLITUDES, COMPLIANCES, LOADS, SPRINGS};
+use super::novel::AMPLITUDES;
 use super::refit::{Refits, ln_determinant};
 use super::whitened::Whitened;
 
@@ -24,7 +24,7 @@ const STARTS: [[f64; 2]; 2] = [[0.6, 0.1], [0.35, -0.1]];
 pub struct Hump {
     /// What kind of thing it is.
     pub kind: Kind,
-    /// Logarithm of the evidence, on the scale of all explanations.
+    /// Logarithm of the evidence, by which the humps are told from one another.
     pub ln_evidence: f64,
     /// The fit.
     pub fit: Fit,
@@ -55,15 +55,6 @@ impl Hump {
             local,
             size,
         })
-    }
-
-    /// Prior share of its kind among the causes without a name: that of the fields of that kind.
-    pub fn share(&self) -> f64 {
-        match self.kind {
-            Kind::Moment => LOADS,
-            Kind::Spring => SPRINGS,
-            Kind::Softness => COMPLIANCES,
-        }
     }
 }
 

@@ -66,33 +66,18 @@ pub struct Reconstruction {
     pub scaling: Option<Scaling>,
 }
 
-/// Fields weighed against the data.
-#[derive(Debug, Clone)]
-pub struct Weighed {
-    /// ln Z of the mixture of all fields minus that of none.
-    pub ln_gain: f64,
-    /// ln Z of each field (amplitudes averaged) and its best amplitude.
-    pub each: Vec<(f64, f64)>,
-}
-
 /// Columns of unit covariance of each field, in the order given.
-pub fn seen(fields: &[Field], whitened: &Whitened) -> Vec<DMatrix<f64>> {
+fn seen(fields: &[Field], whitened: &Whitened) -> Vec<DMatrix<f64>> {
     fields
         .iter()
         .map(|field| whitened.directions_of_rows(&field.columns))
         .collect()
 }
 
-/// Weighs `fields`, whose columns are `seen`.
-pub fn weigh(
-    fields: &[Field],
-    seen: &[DMatrix<f64>],
-    whitened: &Whitened,
-    likelihood: Likelihood,
-) -> Weighed {
+/// ln Z of each field (amplitudes averaged) whose columns are `seen`, and its best amplitude.
+fn weigh(seen: &[DMatrix<f64>], whitened: &Whitened, likelihood: Likelihood) -> Vec<(f64, f64)> {
     let q0 = whitened.q();
-    let each: Vec<(f64, f64)> = seen
-        .iter()
+    seen.iter()
         .map(|columns| {
             let spectrum = Spectrum::new(columns, &whitened.residual);
             let gains: Vec<f64> = AMPLITUDES
@@ -103,14 +88,7 @@ pub fn weigh(
             let mean = ln_sum(gains.iter().copied()) - (gains.len() as f64).ln();
             (mean, AMPLITUDES[best.unwrap_or(0)])
         })
-        .collect();
-    let ln_gain = ln_sum(
-        fields
-            .iter()
-            .zip(&each)
-            .map(|(field, (gain, _))| gain + share(field.law, fields).ln()),
-    );
-    Weighed { ln_gain, each }
+        .collect()
 }
 
 /// Prior share of loads that scale with the motion, among the unnamed fields.
@@ -153,16 +131,16 @@ pub fn reconstruct(baseline: &Baseline, around: Option<&Around>) -> Option<Recon
     let loads = growths.iter().map(|growth| &growth.field);
     let fields: Vec<Field> = loads.chain(others).cloned().collect();
     let seen = seen(&fields, whitened);
-    let weighed = weigh(&fields, &seen, whitened, baseline.likelihood);
+    let weighed = weigh(&seen, whitened, baseline.likelihood);
     let weight = |k: usize| {
         let share = match growths.get(k) {
             Some(growth) => LOADS * growth.laws.iter().map(|own| own.share).sum::<f64>(),
             None => share(fields[k].law, &fields),
         };
-        weighed.each[k].0 + share.ln()
+        weighed[k].0 + share.ln()
     };
     let of_laws = growths.iter().enumerate().flat_map(|(k, growth)| {
-        let gain = weighed.each[k].0;
+        let gain = weighed[k].0;
         growth.laws.iter().map(move |own| (*own, gain + own.share.ln()))
     });
     let of_loads = scaling(&of_laws.collect::<Vec<_>>());
@@ -178,7 +156,7 @@ pub fn reconstruct(baseline: &Baseline, around: Option<&Around>) -> Option<Recon
         (Law::Onset { .. }, Some(onset)) => onset.law(),
         (law, _) => law,
     };
-    let amplitude = weighed.each[best].1;
+    let amplitude = weighed[best].1;
     let (mean, covariance) = weights_of(&(&seen[best] * amplitude), &whitened.residual)?;
     let field = fields[best].profiles.iter().map(|(condition, map)| {
         let map = map * amplitude;
@@ -194,7 +172,7 @@ pub fn reconstruct(baseline: &Baseline, around: Option<&Around>) -> Option<Recon
     };
     let laws = order.iter().map(|&k| LawRow {
         law: fields[k].law,
-        delta_ln_evidence: weighed.each[k].0 - weighed.each[best].0,
+        delta_ln_evidence: weighed[k].0 - weighed[best].0,
     });
     let unit = match fields[best].law {
         Law::Load { .. } | Law::Onset { .. } | Law::Free => "N m/m",

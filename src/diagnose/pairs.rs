@@ -14,7 +14,7 @@ use super::weigh::{Member, Weights, strength};
 
 /// Strengths of an effect that are looked at among all pairs.
 const GLANCES: usize = 6;
-/// Pairs of either search that are weighed with the errors of both effects.
+/// Pairs of the search among all that are weighed with the errors of both effects; of those with one of the best single effects, twice as many.
 const WEIGHED: usize = 12;
 /// Single effects with which all others are paired.
 const FIRST: usize = 6;

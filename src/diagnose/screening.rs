@@ -17,7 +17,7 @@ pub const ENOUGH_POWER: f64 = 0.8;
 /// Share of its plausible size from which on an effect must have been seen to be called absent.
 pub const MATTERS: f64 = 1.0 / 3.0;
 
-/// Level of one score when any of `count` effects, or either of two other tests, may raise the alarm.
+/// Level of one score when any of `count` effects may raise the alarm, with a margin of three.
 pub fn family_wise(level: f64, count: usize) -> f64 {
     level / (3 * count.max(1)) as f64
 }
@@ -38,12 +38,6 @@ pub enum Sight {
 pub fn power_at_distance(distance: f64, one_sided: bool, level: f64) -> f64 {
     let normal = Normal::standard();
     1.0 - normal.cdf(threshold(one_sided, level) - distance)
-}
-
-/// Whether a score is beyond chance at `level`.
-fn is_beyond(score: f64, one_sided: bool, level: f64) -> bool {
-    let score = if one_sided { score } else { score.abs() };
-    score > threshold(one_sided, level)
 }
 
 fn threshold(one_sided: bool, level: f64) -> f64 {
@@ -191,30 +185,6 @@ impl Directions {
             (self.gram[(a, b)] / lengths).clamp(-1.0, 1.0)
         } else {
             0.0
-        }
-    }
-
-    /// Probability to see effect `k` at its plausible size with false alarms at `level`.
-    pub fn power(&self, k: usize, unknown: &Unknown, level: f64) -> f64 {
-        self.power_at(1.0, k, unknown, level)
-    }
-
-    /// The same at a share of that size.
-    fn power_at(&self, share: f64, k: usize, unknown: &Unknown, level: f64) -> f64 {
-        effect_of(unknown).map_or(0.0, |(_, _, scale, one_sided)| {
-            power_at_distance(share * scale / unknown.sigma * self.lengths[k], one_sided, level)
-        })
-    }
-
-    /// Verdict of one glance at effect `k`, at `level`.
-    pub fn sight(&self, k: usize, unknown: &Unknown, level: f64) -> Sight {
-        let one_sided = is_one_sided(unknown);
-        if is_beyond(self.scores[k], one_sided, level) {
-            Sight::Possible
-        } else if self.power_at(MATTERS, k, unknown, level) > ENOUGH_POWER {
-            Sight::Absent
-        } else {
-            Sight::Undecidable
         }
     }
 }

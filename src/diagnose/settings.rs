@@ -20,16 +20,10 @@ pub struct Settings {
     pub start: Option<Vec<f64>>,
     /// Factor on the stated standard deviations, if it is known; estimated from the data otherwise.
     pub noise_scale: Option<f64>,
-    /// Draws of noise that the significance is judged by.
-    pub draws: usize,
-    /// Seed of these draws.
+    /// Seed by which a user's own draws are known: data that were made with it are refused.
     pub seed: u64,
     /// Probabilities before the data.
     pub prior: PriorOdds,
-    /// Effects that are fitted anew, one by one, at most.
-    pub refits: usize,
-    /// Pairs of effects that are fitted anew, at most.
-    pub pair_refits: usize,
     /// Places along the span by which a missing load is reconstructed.
     pub stations: usize,
     /// Step by which effects with a kink at zero are seen, as a share of their scale; without it the derivative that
@@ -72,11 +66,8 @@ impl Default for Settings {
             noise_trust: 5,
             start: None,
             noise_scale: None,
-            draws: 8000,
             seed: 1,
             prior: PriorOdds::default(),
-            refits: 8,
-            pair_refits: 6,
             stations: 16,
             switch_step: None,
             tempering: 1.0,
@@ -102,7 +93,6 @@ impl Settings {
             (
                 "significance",
                 self.significance,
-                // what the draws can tell
                 1e-3,
                 0.5,
                 "give 0.001 to 0.5, such as 0.01",
@@ -120,13 +110,6 @@ impl Settings {
                 1e-6,
                 1e6,
                 positive,
-            ),
-            (
-                "draws",
-                self.draws as f64,
-                200.0,
-                1e6,
-                "give 200 to 1000000, such as 8000",
             ),
             ("prior.nothing", self.prior.nothing, 1e-9, 1e9, positive),
             ("prior.one", self.prior.one, 1e-9, 1e9, positive),

@@ -1,4 +1,4 @@
-//! At which strengths the model is asked for an effect: at its plausible ends, and between and beyond them as often as straight lines
+//! At which strengths the model is asked for an effect: at its plausible ends, and between and beyond them as often as cubics
 //! between the answers need.
 
 use nalgebra::DVector;
@@ -16,9 +16,9 @@ const WORTHWHILE: f64 = 1.1;
 const RETREATS: usize = 3;
 /// Most bisections of one stretch.
 const DEEPEST: usize = 3;
-/// Error of a straight line that is accepted, over the error of the effect's own formula.
+/// Error between two steps that is accepted, over the error of the effect's own formula.
 const STRAIGHT: f64 = 0.5;
-/// Error of a straight line that never counts, over the readings (root mean square): a fraction of any formulation error.
+/// Error between two steps that never counts, over the readings (root mean square): a fraction of any formulation error.
 const FAINT: f64 = 0.002;
 /// Readings near zero count like this share of the root mean square of all.
 const FLOOR: f64 = 0.25;

@@ -5,7 +5,7 @@
 //! fit. A direction g becomes L⁻¹ g: its length is what remains of it after the fitted unknowns, held by their priors,
 //! have taken their part.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn, SVD};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use crate::study::Noise;
 use crate::study::left_out::Local;
@@ -63,33 +63,6 @@ impl Whitened {
     /// The same for columns that hold the fitted observables only.
     pub fn directions_of_rows(&self, chosen: &DMatrix<f64>) -> DMatrix<f64> {
         self.free_of_fit(&self.noise.whiten_columns(chosen))
-    }
-
-    /// The rotation Q that brings a residual to the basis where each entry belongs to one reading: of all that are free of
-    /// correlation, Q e has the entries nearest to the readings, each per its own standard deviation.
-    ///
-    /// With F = L_noise L, so that the readings have covariance F Fᵀ, and V its diagonal, V^(−1/2) F = U S Wᵀ and Q = U Wᵀ
-    /// (A. Kessy, A. Lewin, K. Strimmer, Optimal whitening and decorrelation, The American Statistician 72 (2018) 309,
-    /// "ZCA-cor").
-    pub fn rotation_to_readings(&self) -> DMatrix<f64> {
-        let mut joint = self.root.l();
-        for mut column in joint.column_iter_mut() {
-            let coloured = self.noise.colour(&column.clone_owned());
-            column.copy_from(&coloured);
-        }
-        for mut row in joint.row_iter_mut() {
-            let deviation = row.norm().max(f64::MIN_POSITIVE);
-            row /= deviation;
-        }
-        let size = joint.nrows();
-        match joint.svd(true, true) {
-            SVD {
-                u: Some(u),
-                v_t: Some(v_t),
-                ..
-            } => u * v_t,
-            _ => DMatrix::identity(size, size),
-        }
     }
 
     /// ‖e‖²: least Q of the linear fit.

@@ -51,10 +51,7 @@ fn derivatives_of_the_toy_are_those_of_its_solutions() {
 
 #[test]
 fn where_nothing_is_missing_nothing_is_said_to_be() {
-    let settings = Settings {
-        draws: 2000,
-        ..Settings::default()
-    };
+    let settings = Settings::default();
     for kind in [Kind::Null, Kind::NullQuiet, Kind::NullOutlier] {
         let alarms = Share::of(run(kind, 50_000, 4, &settings).iter().map(|o| o.is_alarm()));
         assert_eq!(alarms.hits, 0, "{kind:?}");
