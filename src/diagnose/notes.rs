@@ -50,7 +50,7 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
     let unsolved = unsolved(baseline);
     if !unsolved.is_empty() {
         notes.push(format!(
-            "{}: no equilibrium at a size that was looked at; weighed without it.",
+            "{}: no equilibrium was found at a size that was looked at; weighed without it.",
             unsolved.join(", ")
         ));
     }

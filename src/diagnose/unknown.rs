@@ -18,7 +18,8 @@ use super::weigh::{Level, Weights};
 const ERRORS: f64 = 0.4;
 const SMOOTH: f64 = 0.3;
 const LOCAL: f64 = 0.3;
-/// Share to which the change by a field is known: it is linear about the first fit, and its shape is that of no real thing.
+/// Share to which the change by a field is known: it is linear about the first fit, and its shape is that of no real thing. Assumed; so are the
+/// prior shares above.
 const OWN_ERROR: f64 = 0.15;
 
 /// ln of the density of the readings under each cause without a name (column) for every size (row), the priors of both in it.
