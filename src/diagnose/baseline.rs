@@ -1,5 +1,7 @@
 //! The model as it is: fitted, with the errors that the data show, and how it answers to everything that could be missing.
 
+use std::sync::OnceLock;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
@@ -86,9 +88,10 @@ pub struct Seen<'a> {
     pub residual: DVector<f64>,
     /// Fields that have no name.
     pub fields: &'a [Field],
-    /// Where the unknowns start, and what the model left at the fit.
+    /// Where the unknowns start.
     pub start: &'a [f64],
-    pub footing: Option<&'a Footing>,
+    /// What the model reads there on its coarser mesh, if it has one, and what it leaves, once it was asked; none if there is no solution.
+    pub without: OnceLock<Option<(DVector<f64>, Option<Footing>)>>,
 }
 
 impl Seen<'_> {
@@ -101,12 +104,26 @@ impl Seen<'_> {
         for (k, strength) in effects {
             there[self.data.missing[k]] = strength;
         }
-        let footing = self.footing.map(Footing::for_trials);
-        let read = |at: &[f64]| where_solved(self.forward.linearize_from(footing.as_ref(), at, &|_| false));
-        let (Some((without, _)), Some((with, _))) = (read(self.start)?, read(&there)?) else {
+        let forward = self.forward.coarse().unwrap_or(self.forward);
+        let read = |footing: Option<&Footing>, at: &[f64]| {
+            where_solved(forward.linearize_from(footing, at, &|_| false))
+        };
+        let without = match self.without.get() {
+            Some(known) => known.clone(),
+            None => {
+                let found = read(None, self.start)?;
+                let found =
+                    found.map(|(linear, left)| (linear.value, left.as_ref().map(Footing::for_trials)));
+                self.without.get_or_init(|| found).clone()
+            }
+        };
+        let Some((without, footing)) = without else {
             return Ok(None);
         };
-        let change = (with.value - without.value).select_rows(self.data.rows.iter());
+        let Some((with, _)) = read(footing.as_ref(), &there)? else {
+            return Ok(None);
+        };
+        let change = (with.value - without).select_rows(self.data.rows.iter());
         Ok(change.iter().all(|own| own.is_finite()).then_some(change))
     }
 }
@@ -170,7 +187,7 @@ impl<'a> Baseline<'a> {
             residual: local.at_means,
             fields: &fields,
             start: &start,
-            footing: footing.as_ref(),
+            without: OnceLock::new(),
         };
         let weighing = weigh(&seen, &responses, &families, settings)?;
         let size = size_of_fits([weighing.share, weighing.scale], count, settings);

@@ -31,12 +31,14 @@ const FORMULATION: Kernel = Kernel {
     conditions: 0.9,
     wings: 0.3,
 };
-/// What the mesh leaves: the length of an element or two.
+/// What the mesh leaves, and what two models differ by where the mesh decides: within a bay.
 const MESH: Kernel = Kernel {
-    length: 0.1,
+    length: 0.06,
     conditions: 0.95,
     wings: 0.3,
 };
+/// How far about a station what two meshes differ by counts, over the length of the wing: at one station the difference may vanish by chance.
+const ABOUT: f64 = 0.1;
 /// Error of an effect's own formula.
 const OWN: Kernel = Kernel {
     length: 0.15,
@@ -44,7 +46,9 @@ const OWN: Kernel = Kernel {
     wings: 0.5,
 };
 /// The same of an effect whose formula is known badly, for it acts through the film: within a bay.
-const OWN_IN_FILM: Kernel = Kernel { length: 0.1, ..OWN };
+const OWN_IN_FILM: Kernel = Kernel { length: 0.07, ..OWN };
+/// The share of a change by which it is wrong at most.
+const WORST: f64 = 0.7;
 /// Own errors from which on an effect counts as acting through the film.
 const BADLY_KNOWN: f64 = 0.2;
 /// Causes without a name: how far they reach along the span, and how they go together between conditions of one wing and between wings: a
@@ -63,6 +67,39 @@ const MEDIAN_SHARE: f64 = 1.3;
 const SHARE_SPREAD: f64 = 0.7;
 /// Scales of the scatter that are summed over, if it is not known.
 const SCALES: [f64; 6] = [0.6, 0.75, 1.0, 1.33, 1.8, 2.4];
+
+/// How badly the formula of an effect is known, over what its card says: log-normal with a median of 1 and a spread (ln) of 0.7.
+pub const OWN_SIZES: [OwnSize; 3] = [
+    OwnSize {
+        factor: 0.6,
+        ln_prior: -0.98,
+    },
+    OwnSize {
+        factor: 1.3,
+        ln_prior: -0.78,
+    },
+    OwnSize {
+        factor: 2.8,
+        ln_prior: -1.79,
+    },
+];
+
+/// One size of the error of an effect's own formula.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OwnSize {
+    /// Over what the card of the effect says.
+    pub factor: f64,
+    /// Logarithm of its prior probability.
+    pub ln_prior: f64,
+}
+
+impl OwnSize {
+    /// A formula that is exact.
+    pub const EXACT: OwnSize = OwnSize {
+        factor: 0.0,
+        ln_prior: 0.0,
+    };
+}
 
 /// One size of the errors that are not known.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,6 +127,10 @@ pub struct ModelError {
     places: Vec<Place>,
     /// Root mean square of the readings of each row's channel.
     typical: DVector<f64>,
+    /// What the model reads, those near zero as a share of what is typical.
+    local: DVector<f64>,
+    /// The same with its sign.
+    read: DVector<f64>,
 }
 
 /// Where a reading was taken.
@@ -152,13 +193,36 @@ impl ModelError {
             formulation: DMatrix::zeros(0, 0),
             places,
             typical,
+            read: DVector::from_fn(rows.len(), |i, _| local[i].copysign(value[rows[i]])),
+            local,
         };
-        error.formulation = error.smooth(FORMULATION, &local);
+        error.formulation = error.smooth(FORMULATION, &error.local);
         if let Some(MeshError { deviation, .. }) = forward.mesh_error() {
             let left = DVector::from_iterator(rows.len(), rows.iter().map(|&row| deviation[row]));
-            error.mesh = Some(error.smooth(MESH, &left));
+            error.mesh = Some(error.smooth(MESH, &error.about(&left)));
         }
         error
+    }
+
+    /// Root mean square of `each` about every row: along the span, within its condition and channel.
+    fn about(&self, each: &DVector<f64>) -> DVector<f64> {
+        let count = self.places.len();
+        DVector::from_fn(count, |i, _| {
+            let (mut sum, mut weights) = (0.0, 0.0);
+            for j in 0..count {
+                let (a, b) = (&self.places[i], &self.places[j]);
+                if a.channel != b.channel || a.condition != b.condition {
+                    continue;
+                }
+                let weight = match (a.along, b.along) {
+                    (Some(x), Some(y)) => (-0.5 * ((x - y) / ABOUT).powi(2)).exp(),
+                    _ => 1.0,
+                };
+                sum += weight * each[j].powi(2);
+                weights += weight;
+            }
+            (sum / weights).sqrt()
+        })
     }
 
     /// Covariance of a smooth error of size `local`.
@@ -241,9 +305,24 @@ impl ModelError {
         })
     }
 
-    /// Error of an effect's own formula, known to `share` of the `change` that it makes.
-    pub fn own(&self, change: &DVector<f64>, share: f64) -> DMatrix<f64> {
-        let size = self.places.len();
+    /// What two changes make besides their sum, if one scales what the other makes.
+    pub fn product(&self, a: &DVector<f64>, b: &DVector<f64>) -> DVector<f64> {
+        let of = |i: usize| match self.read[i] {
+            0.0 => 0.0,
+            read => a[i] * b[i] / read,
+        };
+        DVector::from_fn(a.len(), |i, _| of(i))
+    }
+
+    /// Error of taking two changes to add: what one scales, the other changes in proportion.
+    pub fn interplay(&self, a: &DVector<f64>, b: &DVector<f64>) -> DMatrix<f64> {
+        self.smooth(OWN, &self.product(a, b))
+    }
+
+    /// Error of an effect's own formula, whose card says that it is known to `share` of the `change` that it makes, and which is known so many
+    /// times worse (`factor`).
+    pub fn own(&self, change: &DVector<f64>, share: f64, factor: f64) -> DMatrix<f64> {
+        let (size, worst) = (self.places.len(), (share * factor).min(WORST));
         let mean_square = |condition: usize, channel: Channel| {
             let is_its =
                 |i: &usize| self.places[*i].condition == condition && self.places[*i].channel == channel;
@@ -253,7 +332,7 @@ impl ModelError {
         let local = DVector::from_fn(size, |i, _| {
             let own = &self.places[i];
             let typical = OWN_FLOOR * OWN_FLOOR * mean_square(own.condition, own.channel);
-            share * (change[i].powi(2) + typical).sqrt()
+            worst * (change[i].powi(2) + typical).sqrt()
         });
         let kernel = if share > BADLY_KNOWN { OWN_IN_FILM } else { OWN };
         self.smooth(kernel, &local)

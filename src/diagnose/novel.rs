@@ -16,7 +16,7 @@ use super::scaling::{Scaling, scaling};
 use super::whitened::Whitened;
 
 /// Amplitudes tried, as the size of the response over that of the prediction.
-pub const AMPLITUDES: [f64; 3] = [0.03, 0.1, 0.3];
+pub const AMPLITUDES: [f64; 4] = [0.03, 0.1, 0.3, 1.0];
 
 /// One law with its evidence.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]

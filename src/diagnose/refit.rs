@@ -65,7 +65,7 @@ impl Refits<'_> {
         let mut own = DMatrix::zeros(size, size);
         for (&k, &best) in trial.members.iter().zip(&trial.best) {
             let share = self.forward.unknowns()[self.data.missing[k]].own_error();
-            own += baseline.error.own(&baseline.change(k, best), share);
+            own += baseline.error.own(&baseline.change(k, best), share, 1.0);
         }
         let scatter = baseline.scatter_under(trial)?.with(&own)?;
         let starts = [

@@ -80,7 +80,7 @@ fn of_fields(
         let size = field.columns.row_iter().map(|row| row.norm());
         let size = DVector::from_iterator(field.columns.nrows(), size);
         for amplitude in AMPLITUDES {
-            let error = weights.error.own(&(&size * amplitude), OWN_ERROR);
+            let error = weights.error.own(&(&size * amplitude), OWN_ERROR, 1.0);
             let (ln_size, whitened) = weights.whitened(level, Some(&error), &columns)?;
             let residual = whitened.column(0).into_owned();
             let ln_plain = ln_size - 0.5 * residual.norm_squared();

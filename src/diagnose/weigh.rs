@@ -6,13 +6,13 @@
 //! sums over strengths and sizes; there is no further test.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 use super::baseline::Seen;
 use super::error::DiagnoseError;
 use super::evidence::ln_sum;
 use super::library::{Family, Trial};
-use super::model_error::{ModelError, Size};
+use super::model_error::{ModelError, OWN_SIZES, OwnSize, Size};
 use super::pairs::{pairs, together};
 use super::responses::{Node, Response, Responses, beside};
 use super::screening::effect_of;
@@ -23,6 +23,8 @@ use super::unknown::unknown;
 const ANCHORS: usize = 5;
 /// ln of the probability of a size, over that of the most probable, below which effects are not weighed with it.
 const IMPROBABLE: f64 = -9.0;
+/// ln of prior times evidence, over that of the best, below which an effect is not looked at closely.
+const HOPELESS: f64 = -14.0;
 /// An own error below this size, in standard deviations, changes nothing.
 const TOO_SMALL: f64 = 0.3;
 
@@ -194,12 +196,7 @@ pub fn weigh(
     let mut is_looked_at = of_sizes.iter().map(|ln| *ln > most + IMPROBABLE);
     weights.levels.retain(|_| is_looked_at.next() == Some(true));
     of_sizes.retain(|ln| *ln > most + IMPROBABLE);
-    let found: Vec<Option<DMatrix<f64>>> = members
-        .iter()
-        .collect::<Vec<_>>()
-        .into_par_iter()
-        .map(|member| member.family.map(|_| single(&weights, member)).transpose())
-        .collect::<Result<_, _>>()?;
+    let found = all_singles(&weights, &members, prior.one.ln(), &of_sizes)?;
     let mut singles = Vec::new();
     for (k, (member, found)) in members.iter().zip(&found).enumerate() {
         let (Some(family), Some(found)) = (member.family, found) else {
@@ -225,11 +222,12 @@ pub fn weigh(
     }
     let members: Vec<Member> = members.iter().map(Member::plausible).collect();
     let mut pairs = pairs(&weights, &members, &singles, &shares, prior.two)?;
-    let mut named = singles.iter().chain(&pairs).map(|trial| trial.ln_weight);
-    if ln_unknown > ln_nothing || named.any(|ln_weight| ln_weight > ln_nothing) {
-        let with = |at: [(usize, f64); 2]| seen.with(at);
-        together(&weights, &members, &mut pairs, &with)?;
-    }
+    let others = singles.iter().map(|trial| trial.ln_weight);
+    let most = others
+        .chain([ln_nothing, ln_unknown])
+        .fold(f64::NEG_INFINITY, f64::max);
+    let with = |at: [(usize, f64); 2]| seen.with(at);
+    together(&weights, &members, &mut pairs, most, &with)?;
     let of_sizes = DMatrix::from_column_slice(of_sizes.len(), 1, &of_sizes);
     let [share, scale] = mean_size(&weights.levels, &of_sizes);
     Ok(Weighing {
@@ -347,11 +345,57 @@ fn members(
         .collect())
 }
 
-/// ln of the density of the readings at each strength (column) of one effect for every size (row), the prior of the strength in it.
-fn single(weights: &Weights, member: &Member) -> Result<DMatrix<f64>, DiagnoseError> {
+/// [`single`] of every effect that the data can see. What is hopeless at the size of errors that is most probable, its own formula known as
+/// badly as it may be, is weighed there alone. `of_sizes`: ln of how probable each size is by what is no effect.
+fn all_singles(
+    weights: &Weights,
+    members: &[Member],
+    ln_one: f64,
+    of_sizes: &[f64],
+) -> Result<Vec<Option<DMatrix<f64>>>, DiagnoseError> {
+    let seen: Vec<&Member> = members.iter().filter(|member| member.family.is_some()).collect();
+    let best = place_of_largest(of_sizes).unwrap_or(0);
+    let at_best = [best];
+    let [.., widest] = OWN_SIZES;
+    let glance = |member: &&Member| single(weights, member, &at_best, &[widest]);
+    let glanced: Vec<DMatrix<f64>> = seen.par_iter().map(glance).collect::<Result<_, _>>()?;
+    let ln_of = |(member, found): (&&Member, &DMatrix<f64>)| {
+        ln_one + member.ln_prior + ln_sum(found.iter().copied().filter(|ln| ln.is_finite()))
+    };
+    let lns: Vec<f64> = seen.iter().zip(&glanced).map(ln_of).collect();
+    let most = lns
+        .iter()
+        .chain(of_sizes)
+        .copied()
+        .fold(f64::NEG_INFINITY, f64::max);
+    let every: Vec<usize> = (0..weights.levels.len()).collect();
+    let whole: Vec<DMatrix<f64>> = (0..seen.len())
+        .into_par_iter()
+        .map(|own| match lns[own] > most + HOPELESS {
+            true => single(weights, seen[own], &every, &OWN_SIZES),
+            false => Ok(glanced[own].clone()),
+        })
+        .collect::<Result<_, _>>()?;
+    let mut whole = whole.into_iter();
+    let of_member = |member: &Member| member.family.and_then(|_| whole.next());
+    Ok(members.iter().map(of_member).collect())
+}
+
+fn place_of_largest(values: &[f64]) -> Option<usize> {
+    (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))
+}
+
+/// ln of the density of the readings at each strength (column) of one effect for every size (row) in `looked_at`, the prior of the strength
+/// in it, summed over how badly its own formula is known (`own_sizes`); −∞ for the other sizes.
+fn single(
+    weights: &Weights,
+    member: &Member,
+    looked_at: &[usize],
+    own_sizes: &[OwnSize],
+) -> Result<DMatrix<f64>, DiagnoseError> {
     let residuals = weights.less(&member.changes);
     let count = residuals.ncols();
-    let mut found = DMatrix::zeros(weights.levels.len(), count);
+    let mut found = DMatrix::from_element(weights.levels.len(), count, f64::NEG_INFINITY);
     let anchors: Vec<usize> = (0..ANCHORS).map(|a| a * (count - 1) / (ANCHORS - 1)).collect();
     let nearest = |node: usize| anchors.iter().min_by_key(|anchor| anchor.abs_diff(node)).copied();
     let (_, largest) = weights.whitened(&weights.typical, None, &member.changes)?;
@@ -362,12 +406,22 @@ fn single(weights: &Weights, member: &Member) -> Result<DMatrix<f64>, DiagnoseEr
         }
         done.push(anchor);
         let own: Vec<usize> = (0..count).filter(|&node| nearest(node) == Some(anchor)).collect();
-        let matters = member.own_error * largest.column(anchor).norm() > TOO_SMALL;
+        let residuals = residuals.select_columns(own.iter());
+        let widest = own_sizes.iter().map(|own| own.factor).fold(0.0, f64::max);
+        let matters = widest * member.own_error * largest.column(anchor).norm() > TOO_SMALL;
         let change = member.changes.column(anchor).into_owned();
-        let more = matters.then(|| weights.error.own(&change, member.own_error));
-        let part = weights.of(more.as_ref(), &residuals.select_columns(own.iter()))?;
-        for (place, &node) in own.iter().enumerate() {
-            found.set_column(node, &part.column(place).add_scalar(member.nodes[node].ln_prior));
+        let sizes = if matters { own_sizes } else { &[OwnSize::EXACT] };
+        for size in sizes {
+            let more = matters.then(|| weights.error.own(&change, member.own_error, size.factor));
+            for &row in looked_at {
+                let (ln_size, whitened) =
+                    weights.whitened(&weights.levels[row], more.as_ref(), &residuals)?;
+                for (&node, left) in own.iter().zip(whitened.column_iter()) {
+                    let ln =
+                        size.ln_prior + member.nodes[node].ln_prior + ln_size - 0.5 * left.norm_squared();
+                    found[(row, node)] = ln_sum([found[(row, node)], ln].into_iter());
+                }
+            }
         }
     }
     Ok(found)

@@ -38,7 +38,7 @@ impl Effect for FilmSlack {
 
     // as for a film under tension, whose bays decide
     fn own_error(&self) -> f64 {
-        0.3
+        0.5
     }
 
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {

@@ -51,6 +51,11 @@ impl Effect for LeadingEdgeVortexLoss {
         CARD
     }
 
+    // where the vortex sheds is a round number, and the loss beyond has an assumed shape.
+    fn own_error(&self) -> f64 {
+        0.12
+    }
+
     fn places(&self) -> Option<Places> {
         Some(Places {
             parameter: 1,

@@ -14,9 +14,9 @@ use crate::progress::Progress;
 const COARSE: f64 = 0.75;
 /// Error of a mesh over that of one twice as fine: elements of second order.
 const ORDER: f64 = 4.0;
-/// What remains uncertain of the correction, for orders of one to three, over the difference of the two meshes.
-const LEFT_BY_COARSE: f64 = 1.0 / 3.0;
-const LEFT_BY_FINE: f64 = 0.2;
+/// What remains uncertain, over the difference of the two meshes: where the mesh decides, in free film, the order is not sure, and two models
+/// of one wing differ by as much as their meshes move them (three rods, 1.1° of 23° near the tip, where these two meshes differ by 1.2°).
+const LEFT: f64 = 1.0;
 
 /// A campaign on two meshes.
 #[derive(Debug, Clone)]
@@ -83,10 +83,9 @@ fn left(own: &DVector<f64>, other: &DVector<f64>, is_coarse: bool) -> MeshError 
     } else {
         1.0 / (ORDER - 1.0)
     };
-    let left = if is_coarse { LEFT_BY_COARSE } else { LEFT_BY_FINE };
     MeshError {
         correction: difference.iter().map(|own| share * own).collect(),
-        deviation: difference.iter().map(|own| left * own).collect(),
+        deviation: difference.iter().map(|own| LEFT * own).collect(),
     }
 }
 
@@ -103,7 +102,8 @@ mod tests {
             (left(&fine, &coarse, false), &fine),
         ] {
             assert!((own[0] + found.correction[0] - 10.0).abs() < 1e-12);
-            assert!(found.deviation[0].abs() < found.correction[0].abs());
+            // as uncertain as the two meshes are apart
+            assert!((found.deviation[0].abs() - 0.75).abs() < 1e-12);
         }
     }
 }

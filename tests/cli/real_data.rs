@@ -122,7 +122,8 @@ fn what_the_skinned_wing_has_and_the_bare_one_has_not_is_a_skin_that_gives_way()
     let row = |name: &str| rows.iter().find(|row| row["effect"] == name).unwrap();
     let found = row("skin-yielding");
     assert!((number(&found["refitted"]) - 0.204).abs() < 0.01, "{found}");
-    assert!(number(&found["ln_evidence"]) > 5.0 + number(&row("skin-bending")["ln_evidence"]));
+    // 4.7: odds of a hundred, with the formulas of both known to 14 % at worst
+    assert!(number(&found["ln_evidence"]) > 4.5 + number(&row("skin-bending")["ln_evidence"]));
     let [calibrated, explained] = held_out_deflections(&said);
     assert!(explained < 0.5 * calibrated, "{calibrated} {explained}");
     let notes = said["notes"].to_string();

@@ -11,6 +11,7 @@ use crate::rod::Toy;
 use crate::truth::{Hidden, Nature};
 
 const EFFECT: &str = "gravity";
+const WRONG: &str = "lift_gain";
 
 /// The toy, in which a strength of u scales acts as (u² − u/10) scales, and as |u|/10 below zero: the derivative at zero points away from
 /// large strengths.
@@ -99,5 +100,38 @@ fn an_effect_whose_derivative_at_zero_points_the_wrong_way_is_found_by_finite_st
         (strength - 0.97 * scale).abs() < 3.0 * error,
         "{strength} ± {error} for {}",
         0.97 * scale
+    );
+}
+
+/// Between two models of one wing the change that an effect makes differs by a tenth and more of itself, smoothly along the span. That is no cause
+/// of its own: the effect leads, and neither a second effect nor a cause without a name stands before it.
+#[test]
+fn an_effect_whose_formula_is_off_by_an_eighth_of_itself_is_known_by_its_name() {
+    let draws = Draws::new(17);
+    let mut toy = good_campaign(0.2);
+    let at = toy
+        .unknowns
+        .iter()
+        .position(|u| u.name == WRONG)
+        .expect("the effect");
+    let scale = toy.unknowns[at].sigma / 1.5;
+    let none: Vec<f64> = toy.unknowns.iter().map(|u| u.mean).collect();
+    let mut with = none.clone();
+    with[at] = 2.0 * scale;
+    let change = toy.predict(&with).expect("a twist") - toy.predict(&none).expect("a twist");
+    let hidden = vec![Hidden::Known(WRONG, 2.0 * scale)];
+    measure(&mut toy, &Nature::drawn(draws, hidden), draws, 1.0);
+    let lengths: Vec<f64> = toy.conditions.iter().map(|own| 1e3 * own.length_m).collect();
+    for (row, own) in toy.observables.iter_mut().enumerate() {
+        let along = own.r_mm.expect("a station") / lengths[own.condition];
+        own.value += 0.125 * change[row] * (7.0 * along).cos();
+    }
+    let said = diagnose(&toy, &Settings::default(), &Progress::quiet()).expect("a diagnosis");
+    println!("{}", said.sentence);
+    assert_eq!(said.hypotheses[0].effects, [WRONG], "{}", said.sentence);
+    assert!(
+        matches!(said.verdict, Verdict::Effect | Verdict::Set),
+        "{}",
+        said.sentence
     );
 }
