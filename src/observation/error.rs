@@ -32,7 +32,7 @@ pub enum ObservationError {
     },
     /// Effects of the design that are none, or cannot act.
     #[error(transparent)]
-    Effects(#[from] EffectError),
+    Effects(#[from] Box<EffectError>),
     /// A state that does not belong to the mesh.
     #[error("the {state} state has {found} nodes, the mesh {expected}: give the solution of this mesh")]
     ForeignState {

@@ -8,11 +8,12 @@
 
 use nalgebra::{Rotation3, Vector2, Vector3};
 
-use crate::effects::{EffectError, View, bind};
+use crate::effects::{View, bind};
 use crate::input::design::{CameraAxis, Design};
 
 use super::camera::{Camera, CameraReading};
 use super::edges::Edges;
+use super::error::ObservationError;
 use super::station::SkipReason;
 
 /// A camera, and how it differs from what the design says of it.
@@ -31,9 +32,9 @@ impl Picture {
     ///
     /// # Errors
     /// If an effect is none, or cannot act.
-    pub fn of_design(design: &Design, camera: Camera) -> Result<Option<Picture>, EffectError> {
+    pub fn of_design(design: &Design, camera: Camera) -> Result<Option<Picture>, ObservationError> {
         let mut view = View::default();
-        for bound in bind(design)? {
+        for bound in bind(design).map_err(Box::new)? {
             bound.effect.view(&bound.values, design, &mut view);
         }
         if view == View::default() {
