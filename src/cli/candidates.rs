@@ -1,7 +1,7 @@
 //! Which effects a diagnosis may try: those of `--effect`, those that the study names, or all.
 
 use crate::diagnose::DiagnoseError;
-use crate::effects::{Effect, all, instead_of, lacks, named};
+use crate::effects::{Effect, all, instead_of, named};
 use crate::export::text::first_up;
 use crate::input::refused_in;
 use crate::input::study::LoadedStudy;
@@ -141,7 +141,7 @@ fn unable(study: &LoadedStudy, names: &[String]) -> Result<Vec<Unable>, Failure>
                 .iter()
                 .filter(|case| study.study.is_tried_on(&case.design.name))
             {
-                let lack = named(name).and_then(|effect| lacks(&effect.card(), &case.design));
+                let lack = named(name).and_then(|effect| case.why_not_tried(effect));
                 lacking.extend(lack.filter(|lack| !lacking.contains(lack)));
             }
             lacking.join(", or ")

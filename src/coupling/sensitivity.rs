@@ -430,8 +430,9 @@ impl Part {
         if !stays || !is_plain(here) || !wings().all(is_plain) {
             return Part::All;
         }
-        let at_air = |(_, _, beside): &(f64, f64, Beside)| beside.seam == Some(Seam::Air);
-        if around.points.iter().all(at_air) {
+        let is_of_loads =
+            |(_, _, beside): &(f64, f64, Beside)| matches!(beside.seam, Some(Seam::Air | Seam::Picture));
+        if around.points.iter().all(is_of_loads) {
             Part::Loads
         } else if wings().all(|wing| Arc::ptr_eq(&wing.model.shells, &here.model.shells)) {
             Part::BeamsAndLoads

@@ -107,7 +107,7 @@ impl Wing {
             None => Some(Arc::new(motion_near(design, mesh, air_table, nearby)?)),
         };
         let (model, bench) = match beside {
-            Some((wing, Some(Seam::Air))) => (wing.model.clone(), wing.bench.clone()),
+            Some((wing, Some(Seam::Air | Seam::Picture))) => (wing.model.clone(), wing.bench.clone()),
             _ => {
                 let known = beside.map(|(wing, _)| &wing.model);
                 built(design, mesh, &effects, motion.as_deref(), known)?

@@ -279,6 +279,10 @@ pub fn lacks(card: &Card, design: &Design) -> Option<String> {
                 design.gravity.is_some() || has("gravity") || has("centrifugal-load"),
                 "mass is not felt in this design: it has no gravity, nor the effect gravity or centrifugal-load",
             ),
+            Need::Camera => (
+                design.observation.camera_axis.is_some(),
+                "no camera looks at this wing (observation.camera_axis is missing)",
+            ),
         };
         (!has).then(|| words.to_string())
     };

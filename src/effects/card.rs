@@ -95,6 +95,9 @@ pub const STRUCTURE_CHANNELS: &[Channel] = &[
 /// What every effect changes there, for its shape follows the load, and the load its shape: all but natural frequencies.
 pub const WING_CHANNELS: &[Channel] = STRUCTURE_CHANNELS.split_at(6).0;
 
+/// What a picture changes: the twist that is read from it.
+pub const PICTURE_CHANNELS: &[Channel] = STRUCTURE_CHANNELS.split_at(2).0;
+
 /// Where an effect acts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -107,6 +110,8 @@ pub enum Seam {
     Load,
     /// Small or large rotations.
     Kinematics,
+    /// The picture that a camera takes of the wing; the wing stays as it is.
+    Picture,
 }
 
 /// What a design must have for an effect to act.
@@ -141,4 +146,6 @@ pub enum Need {
     Linear,
     /// Gravity, as the design or an effect has it, or centrifugal load: what makes mass felt at rest.
     Gravity,
+    /// A camera whose axis is stated.
+    Camera,
 }

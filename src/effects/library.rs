@@ -4,16 +4,16 @@ use std::sync::OnceLock;
 
 use super::error::EffectError;
 use super::{
-    Effect, added_mass, air_density, amplitude_drag, bend_twist_coupling, broken_spar,
-    centre_of_pressure_shift, centrifugal_load, coefficient_scale, distributed_mass, drag_scale,
+    Effect, added_mass, air_density, amplitude_drag, bend_twist_coupling, broken_spar, camera_perspective,
+    camera_tilt, centre_of_pressure_shift, centrifugal_load, coefficient_scale, distributed_mass, drag_scale,
     drive_compliance, film_camber, film_cure_tension, film_slack, film_softening, film_wrinkling,
-    finite_span_downwash, gravity, half_rod_shear_centre, inertia_off_mid_stroke, inflow_momentum,
-    inflow_uniform, large_rotation, leading_edge_frame, leading_edge_vortex_loss, lift_gain_linear,
-    lift_gain_saturating, phase_lag, rod_bending_loss, rod_creep, rod_ends_early, rod_shear_modulus,
-    rod_split, rod_torsion_loss, root_bending, root_chord_held, root_flexure, rotational_damping,
-    rotational_lift, skin_bending, skin_torsion, skin_yielding, spar_joint_compliance, spar_stiffness,
-    stall_shift, stop_backlash, tip_loss_exponential, tip_loss_prandtl, tip_mass, twist_dynamics, wagner_lag,
-    warping_restraint,
+    finite_span_downwash, frame_timing, gravity, half_rod_shear_centre, inertia_off_mid_stroke,
+    inflow_momentum, inflow_uniform, large_rotation, leading_edge_frame, leading_edge_vortex_loss,
+    lift_gain_linear, lift_gain_saturating, phase_lag, rod_bending_loss, rod_creep, rod_ends_early,
+    rod_shear_modulus, rod_split, rod_torsion_loss, root_bending, root_chord_held, root_flexure,
+    rotational_damping, rotational_lift, skin_bending, skin_torsion, skin_yielding, spar_joint_compliance,
+    spar_stiffness, stall_shift, stop_backlash, tip_loss_exponential, tip_loss_prandtl, tip_mass,
+    twist_dynamics, wagner_lag, warping_restraint,
 };
 
 use crate::origin::with_code_of_its_own;
@@ -49,6 +49,7 @@ pub static ALL: &[&dyn Effect] = &[
     &amplitude_drag::AmplitudeDrag,
     &drive_compliance::DriveCompliance,
     &phase_lag::PhaseLag,
+    &frame_timing::FrameTiming,
     &wagner_lag::WagnerLag,
     &inflow_uniform::InflowUniform,
     &inflow_momentum::InflowMomentum,
@@ -72,6 +73,8 @@ pub static ALL: &[&dyn Effect] = &[
     &inertia_off_mid_stroke::InertiaOffMidStroke,
     &gravity::Gravity,
     &stop_backlash::StopBacklash,
+    &camera_perspective::CameraPerspective,
+    &camera_tilt::CameraTilt,
 ];
 
 static OWN: OnceLock<Vec<&'static dyn Effect>> = OnceLock::new();

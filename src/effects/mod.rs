@@ -119,11 +119,17 @@ pub mod tip_loss_exponential;
 
 pub mod air_density;
 
+pub mod camera_perspective;
+
+pub mod camera_tilt;
+
+pub mod frame_timing;
+
 pub use bind::{Acting, Bound, Values, acting, bind, instead_of, is_applicable, lacks, with_common_numbers};
 pub use card::{Card, Need, Parameter, Places, Seam};
 pub use error::EffectError;
 pub use library::{ALL, all, named, register};
-pub use seam::{Dual, Motion, MotionNumbers, NodeLoad, StripMotion, StripPlace, Structure};
+pub use seam::{Dual, Motion, MotionNumbers, NodeLoad, StripMotion, StripPlace, Structure, View};
 
 /// How well the change that most effects make is known, as a share of it: between two models of one wing that share no code slopes were 0.98
 /// (root flexure), 0.95 (tip loss), 1.04 (torsion lost outboard) and 1.07 (rod ends early).
@@ -133,7 +139,8 @@ use crate::aero::{SectionAir, SectionCoefficients};
 use crate::input::Design;
 use crate::structure::{Loads, StructureError};
 
-/// One effect. Each acts at the one seam that its card names; the other methods stay as they are.
+/// One effect. Each acts at the one seam that its card names; the other methods stay as they are, but for an effect on the wing that the
+/// picture shows in another place, too ([`Effect::view`]).
 pub trait Effect: Sync + Send + std::fmt::Debug {
     /// What it says about itself.
     fn card(&self) -> Card<'_>;
@@ -173,6 +180,12 @@ pub trait Effect: Sync + Send + std::fmt::Debug {
         false
     }
 
+    /// Whether it is of the picture and not of the flight, so that a diagnosis tries it where a camera reads, and means over the stroke know
+    /// nothing of it.
+    fn is_of_picture(&self) -> bool {
+        false
+    }
+
     /// Changes sections, sheets, joints or supports.
     ///
     /// # Errors
@@ -196,6 +209,9 @@ pub trait Effect: Sync + Send + std::fmt::Debug {
 
     /// Adds loads to nodes.
     fn load(&self, _values: &Values, _wing: &Structure, _loads: &mut Loads) {}
+
+    /// Changes how a picture of the wing is taken.
+    fn view(&self, _values: &Values, _design: &Design, _view: &mut View) {}
 
     /// Numbers of the motion over the stroke, if it states them.
     fn motion(&self, _values: &Values) -> Option<MotionNumbers> {

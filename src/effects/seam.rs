@@ -137,6 +137,23 @@ pub struct StripMotion {
     pub twist_acceleration_rad_s2: f64,
 }
 
+/// How a picture of the wing is taken. All zero: a camera far away, on the axis that the design states, in a frame at the
+/// stroke phase of the design.
+///
+/// The axis points along the flapping axis toward lift, or along the stroke the way the air runs past the wing.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct View {
+    /// One over the distance of the camera from where it is aimed, 1/m; positive where it stands on the side to which the axis
+    /// points, negative on the other.
+    pub nearness_per_m: f64,
+    /// Place on the leading edge of the wing at rest at which it is aimed, m from the base.
+    pub aim_m: f64,
+    /// Angle by which the camera is turned about the span, rad, positive the way washout turns a chord.
+    pub tilt_rad: f64,
+    /// Angle about the flapping axis by which the wing has swung on from the phase of the design, rad.
+    pub swing_rad: f64,
+}
+
 impl Motion {
     /// Rate of the twist at a span position, rad/s; linear between strips.
     pub fn twist_rate_rad_s(&self, r_m: f64) -> f64 {

@@ -65,6 +65,10 @@ fn set_for(effect: &str) -> &'static [&'static str] {
         ],
         "finite-span-downwash" => &["steady.speed_m_s=8.0", "steady.root_angle_deg=10.0"],
         "inertia-off-mid-stroke" => &["flapping.phase_deg=20"],
+        "camera-perspective" | "camera-tilt" => &[
+            "observation.instrument=\"camera\"",
+            "observation.camera_axis=\"stroke\"",
+        ],
         _ => &[],
     }
 }

@@ -44,10 +44,23 @@ pub struct CameraReading {
 impl Camera {
     /// The direction across the span that the frame shows: the stroke, or the flapping axis.
     pub fn seen_direction(&self) -> Vector3<f64> {
+        self.direction_of(match self.axis {
+            CameraAxis::FlappingAxis => CameraAxis::Stroke,
+            CameraAxis::Stroke => CameraAxis::FlappingAxis,
+        })
+    }
+
+    /// The direction of its axis: toward lift along the flapping axis, downstream along the stroke.
+    pub fn axis_direction(&self) -> Vector3<f64> {
+        self.direction_of(self.axis)
+    }
+
+    /// Unit vector along an axis, wing frame: u or w of the module.
+    pub fn direction_of(&self, axis: CameraAxis) -> Vector3<f64> {
         let (sin, cos) = self.root_angle_rad.sin_cos();
-        match self.axis {
-            CameraAxis::FlappingAxis => Vector3::new(0.0, cos, sin),
-            CameraAxis::Stroke => Vector3::new(0.0, -sin, cos),
+        match axis {
+            CameraAxis::Stroke => Vector3::new(0.0, cos, sin),
+            CameraAxis::FlappingAxis => Vector3::new(0.0, -sin, cos),
         }
     }
 

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::effects::EffectError;
+
 /// Why a profile cannot be read as the design asks.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ObservationError {
@@ -28,6 +30,9 @@ pub enum ObservationError {
         /// Root angle of attack, deg.
         root_angle_deg: f64,
     },
+    /// Effects of the design that are none, or cannot act.
+    #[error(transparent)]
+    Effects(#[from] Box<EffectError>),
     /// A state that does not belong to the mesh.
     #[error("the {state} state has {found} nodes, the mesh {expected}: give the solution of this mesh")]
     ForeignState {

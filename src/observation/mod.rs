@@ -20,6 +20,8 @@ pub mod motion;
 
 pub mod observer;
 
+pub mod picture;
+
 pub mod profile;
 
 pub mod rate;
@@ -42,6 +44,7 @@ pub use deflection::{LeadingEdgeReading, read_leading_edge};
 pub use error::ObservationError;
 pub use motion::{ModeReader, ModeReading, MotionShare};
 pub use observer::Observer;
+pub use picture::Picture;
 pub use profile::{TwistProfile, TwistReading, read_profile, twist_at};
 pub use rate::{MeanRate, mean_rate};
 pub use ruler_hint::{RulerHint, ruler_hints};

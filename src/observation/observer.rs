@@ -12,6 +12,7 @@ use super::camera::Camera;
 use super::deflection::{LeadingEdgeReading, displacement_at, leading_edge_at};
 use super::edges::{Edges, edges_at, sections_at};
 use super::error::ObservationError;
+use super::picture::Picture;
 use super::profile::{TwistProfile, TwistReading};
 use super::station::{Place, SkipReason, SkippedStation, Station, readable, stations};
 
@@ -24,14 +25,15 @@ pub struct Observer<'a> {
     lines: ChordLines<'a>,
     instrument: Instrument,
     camera: Option<Camera>,
+    picture: Option<Picture>,
     root_angle_rad: Option<f64>,
 }
 
 impl<'a> Observer<'a> {
     /// The instrument of `design` before a solved wing.
     ///
-    /// Errors: a camera whose axis or root angle is not stated or that sees the wing edge-on; states of another
-    /// mesh.
+    /// Errors: a camera whose axis or root angle is not stated or that sees the wing edge-on, or whose effects cannot act; states of
+    /// another mesh.
     pub fn new(
         design: &'a Design,
         planform: &'a Planform,
@@ -67,6 +69,10 @@ impl<'a> Observer<'a> {
             Instrument::ChordRotation => None,
             Instrument::Camera => Some(camera(design, root_angle_rad)?),
         };
+        let picture = match camera {
+            Some(camera) => Picture::of_design(design, camera)?,
+            None => None,
+        };
         let lines = ChordLines::new(&solution.mesh);
         Ok(Observer {
             design,
@@ -75,6 +81,7 @@ impl<'a> Observer<'a> {
             lines,
             instrument,
             camera,
+            picture,
             root_angle_rad,
         })
     }
@@ -150,7 +157,10 @@ impl<'a> Observer<'a> {
         let (twist_rad, sigma_rad, bound) = match self.camera.filter(|_| !is_base) {
             None => (chord_rotation_rad(&unloaded, &loaded), None, Bound::None),
             Some(camera) => {
-                let reading = camera.read(&unloaded, &loaded, chord_m);
+                let reading = match &self.picture {
+                    Some(picture) => picture.read(&unloaded, &loaded, chord_m)?,
+                    None => camera.read(&unloaded, &loaded, chord_m),
+                };
                 (reading.twist_rad, reading.sigma_rad, reading.bound)
             }
         };

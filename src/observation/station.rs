@@ -58,6 +58,15 @@ pub enum SkipReason {
         /// Where the wing is cut, m.
         tip_m: f64,
     },
+    /// The station lies beside or behind a camera that stands near.
+    #[error(
+        "the camera of the effect camera-perspective stands {:.0} mm from where it is aimed, and does not see it",
+        .distance_m * 1e3
+    )]
+    OutOfSight {
+        /// Distance of the camera from where it is aimed, m.
+        distance_m: f64,
+    },
 }
 
 /// Stations of a design, r rising: the base, the trailing-edge end of each spar, the tip station, places on request.

@@ -14,9 +14,10 @@ use crate::aero::Flow;
 use crate::coupling::sensitivity::Nearby;
 use crate::coupling::wing::Wing;
 use crate::coupling::{self, BladeAir, Care, CouplingError, Near};
-use crate::effects::{acting, is_applicable, named, with_common_numbers};
+use crate::effects::{Effect, acting, is_applicable, lacks, named, with_common_numbers};
 use crate::geometry::Planform;
 use crate::input::Design;
+use crate::input::design::Instrument;
 use crate::input::measurement::{Channel, Row};
 use crate::input::study::{CaseNumber, LoadedCase, LoadedStudy};
 use crate::lift::LiftReport;
@@ -122,7 +123,7 @@ impl PreparedCase {
             let Some(effect) = named(name) else {
                 return Err(failed(format!("there is no effect {name} (washout effects)")));
             };
-            if !design.effects.contains_key(name) && is_applicable(&effect.card(), &design) {
+            if !design.effects.contains_key(name) && why_not_tried(effect, &design, &case.rows).is_none() {
                 let mut table = toml::Table::new();
                 table.insert("strength".to_string(), toml::Value::Float(0.0));
                 common(name, &mut table, study).map_err(|error| failed(error.to_string()))?;
@@ -143,6 +144,11 @@ impl PreparedCase {
             air_table: case.loaded.air_table.clone(),
             mesh_file: case.loaded.mesh_file.clone(),
         })
+    }
+
+    /// Why a diagnosis cannot try an effect on the case; none if it can.
+    pub fn why_not_tried(&self, effect: &dyn Effect) -> Option<String> {
+        why_not_tried(effect, &self.design, &self.rows)
     }
 
     /// What the case is as a condition.
@@ -324,6 +330,17 @@ impl Observable {
             bound: row.bound,
         }
     }
+}
+
+/// What the design or the rows of a case lack for an effect to be tried: one of the picture changes what a camera reads.
+fn why_not_tried(effect: &dyn Effect, design: &Design, rows: &[Row]) -> Option<String> {
+    let is_by_camera = |row: &Row| {
+        let instrument = row.instrument.unwrap_or(design.observation.instrument);
+        matches!(row.channel, Channel::Twist | Channel::TwistRate) && instrument == Instrument::Camera
+    };
+    let is_blind = effect.is_of_picture() && !rows.iter().any(is_by_camera);
+    let no_camera = || is_blind.then(|| "no twist was read by a camera".to_string());
+    lacks(&effect.card(), design).or_else(no_camera)
 }
 
 /// Adds the numbers of an effect that all wings of a study have in common.

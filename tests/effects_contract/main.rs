@@ -15,6 +15,8 @@ mod page;
 
 mod periodic;
 
+mod picture_forms;
+
 mod signatures;
 
 mod stream_forms;
@@ -31,9 +33,9 @@ use washout::coupling::wing::Wing;
 use washout::coupling::{self, Sensitivity};
 use washout::effects::{ALL, Card, Effect, Need, Seam, bind, is_applicable};
 use washout::geometry::Planform;
-use washout::input::design::Design;
+use washout::input::design::{Design, Instrument};
 use washout::mesh::{Mesh, for_design};
-use washout::observation::twist_at;
+use washout::observation::{Observer, twist_at};
 use washout::progress::Progress;
 
 /// Wings on which an effect may act; the first on which it can is used, effects of the film aside, which are tried on films.
@@ -56,6 +58,10 @@ fn wings() -> Vec<(Design, f64)> {
         ),
         (in_stream(), 1e-5),
         (ribs("[structure]\nkinematics = 'linear'\n"), 1e-5),
+        (
+            ribs("[observation]\ninstrument = 'camera'\ncamera_axis = 'stroke'\n"),
+            1e-5,
+        ),
         film(&[]),
         (thin_plate(), 2e-4),
         film(&["structure.kinematics=linear", "film.pretension_n_per_m=74"]),
@@ -265,6 +271,11 @@ fn off_is_bit_for_bit_off() {
     let found = solve(&all_off);
     assert_eq!(found.solution.state, expected.solution.state);
     assert_eq!(found.solution.air_force_n, expected.solution.air_force_n);
+    let by_camera = |solved: &Nearby| {
+        let observer = Observer::new(&solved.design, &solved.planform, &solved.solution).unwrap();
+        observer.seen_by(Instrument::Camera).unwrap().profile()
+    };
+    assert_eq!(by_camera(&found), by_camera(&expected));
 }
 
 #[test]
@@ -329,6 +340,7 @@ fn with_the_shape_frozen_an_effect_acts_at_its_seam_alone() {
             Seam::Air => (false, false, true),
             // the air's law follows the kinematics: the thin airfoil has its suction in large rotation only
             Seam::Kinematics => (false, false, air_changed),
+            Seam::Picture => (false, false, false),
         };
         assert_eq!(found, expected, "{}: structure, loads, air", card.name);
     }

@@ -43,7 +43,15 @@ const ROOMS: &[(&str, &[&str])] = &[
     ),
     (
         "observation",
-        &["progress", "input", "geometry", "mesh", "structure", "coupling"],
+        &[
+            "progress",
+            "input",
+            "geometry",
+            "mesh",
+            "structure",
+            "effects",
+            "coupling",
+        ],
     ),
     (
         "lift",
