@@ -120,10 +120,11 @@ pub fn fields(forward: &dyn Forward, data: &Data, moment: &DMatrix<f64>, value: 
     let root = smooth_root(stations);
     let moment = moment.select_rows(data.rows.iter());
     let place = Places::new(forward, data, value, stations);
-    let loads = POWERS.map(|(frequency_power, amplitude_power)| Law::Load {
+    let powers = POWERS.map(|(frequency_power, amplitude_power)| Law::Load {
         frequency_power,
         amplitude_power,
     });
+    let loads: Vec<Law> = powers.into_iter().chain(onsets(forward, data)).collect();
     let loads = load_fields(forward, data, &place, &moment, &root, &loads);
     let mut found: Vec<Field> = loads.into_iter().map(|(field, _)| field).collect();
     found.push(free_field(forward, data, &place, &moment, &root));
@@ -138,6 +139,23 @@ pub fn fields(forward: &dyn Forward, data: &Data, moment: &DMatrix<f64>, value: 
             continue;
         }
         found.extend(scaled(&place, law, &response, &root));
+    }
+    found
+}
+
+/// Loads that set in between two neighbouring frequencies or amplitudes of what is fitted, halfway.
+fn onsets(forward: &dyn Forward, data: &Data) -> Vec<Law> {
+    let mut found = Vec::new();
+    for of in [Driver::Frequency, Driver::Amplitude] {
+        let conditions = data.conditions(forward).into_iter();
+        let values = conditions.filter_map(|(condition, _)| of.of(&forward.conditions()[condition]));
+        let mut values: Vec<f64> = values.collect();
+        values.sort_by(f64::total_cmp);
+        let halfway = values.windows(2).filter(|pair| pair[1] > pair[0] * (1.0 + 1e-9));
+        found.extend(halfway.map(|pair| Law::Onset {
+            of,
+            from: 0.5 * (pair[0] + pair[1]),
+        }));
     }
     found
 }

@@ -100,7 +100,9 @@ pub(super) const COMPLIANCES: f64 = 0.2;
 
 /// Prior share of a law among the unnamed fields.
 pub(super) fn share(law: Law, fields: &[Field]) -> f64 {
-    let same = |a: Law, b: Law| std::mem::discriminant(&a) == std::mem::discriminant(&b);
+    let is_load = |law: Law| matches!(law, Law::Load { .. } | Law::Onset { .. });
+    let is_kind = |a: Law, b: Law| std::mem::discriminant(&a) == std::mem::discriminant(&b);
+    let same = |a: Law, b: Law| is_kind(a, b) || (is_load(a) && is_load(b));
     let rivals = fields.iter().filter(|field| same(field.law, law)).count() as f64;
     let group = match law {
         Law::Load { .. } | Law::Onset { .. } => LOADS,
@@ -126,7 +128,7 @@ pub fn reconstruct(baseline: &Baseline, around: Option<&Around>) -> Option<Recon
         ),
     };
     let growths = growths(forward, &baseline.data, moment, value);
-    let is_load = |field: &&Field| matches!(field.law, Law::Load { .. });
+    let is_load = |field: &&Field| matches!(field.law, Law::Load { .. } | Law::Onset { .. });
     let others = known.iter().filter(|field| !is_load(field));
     let loads = growths.iter().map(|growth| &growth.field);
     let fields: Vec<Field> = loads.chain(others).cloned().collect();
