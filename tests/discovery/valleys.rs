@@ -104,9 +104,9 @@ fn an_effect_whose_derivative_at_zero_points_the_wrong_way_is_found_by_finite_st
 }
 
 /// Between two models of one wing the change that an effect makes differs by a tenth and more of itself, smoothly along the span. That is no cause
-/// of its own: the effect leads, and neither a second effect nor a cause without a name stands before it.
+/// of its own: the effect is in whatever explains the readings, and no cause without a name stands before it.
 #[test]
-fn an_effect_whose_formula_is_off_by_an_eighth_of_itself_is_known_by_its_name() {
+fn an_effect_whose_formula_is_off_by_an_eighth_of_itself_is_in_every_explanation() {
     let draws = Draws::new(17);
     let mut toy = good_campaign(0.2);
     let at = toy
@@ -128,7 +128,12 @@ fn an_effect_whose_formula_is_off_by_an_eighth_of_itself_is_known_by_its_name() 
     }
     let said = diagnose(&toy, &Settings::default(), &Progress::quiet()).expect("a diagnosis");
     println!("{}", said.sentence);
-    assert_eq!(said.hypotheses[0].effects, [WRONG], "{}", said.sentence);
+    let with_it = said
+        .hypotheses
+        .iter()
+        .filter(|own| own.effects.iter().any(|name| name == WRONG));
+    let probability: f64 = with_it.map(|own| own.probability).sum();
+    assert!(probability > 0.95, "{probability}: {}", said.sentence);
     assert!(
         matches!(said.verdict, Verdict::Effect | Verdict::Set),
         "{}",
