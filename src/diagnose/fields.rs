@@ -149,15 +149,21 @@ fn onsets(forward: &dyn Forward, data: &Data) -> Vec<Law> {
     for of in [Driver::Frequency, Driver::Amplitude] {
         let conditions = data.conditions(forward).into_iter();
         let values = conditions.filter_map(|(condition, _)| of.of(&forward.conditions()[condition]));
-        let mut values: Vec<f64> = values.collect();
-        values.sort_by(f64::total_cmp);
-        let halfway = values.windows(2).filter(|pair| pair[1] > pair[0] * (1.0 + 1e-9));
-        found.extend(halfway.map(|pair| Law::Onset {
+        let onset = |pair: &[f64]| Law::Onset {
             of,
             from: 0.5 * (pair[0] + pair[1]),
-        }));
+        };
+        found.extend(distinct(values).windows(2).map(onset));
     }
     found
+}
+
+/// Values, rising, each once.
+pub(super) fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * b.abs());
+    values
 }
 
 /// A field for each way in which `laws` grow in the conditions that are fitted, with the laws that grow so, the first of which it has;

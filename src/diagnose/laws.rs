@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::study::Forward;
 
 use super::data::Data;
-use super::fields::{Driver, Field, Law, load_fields, smooth_root};
+use super::fields::{Driver, Field, Law, distinct, load_fields, smooth_root};
 use super::places::Places;
 
 /// Largest power of frequency and of amplitude.
@@ -94,14 +94,6 @@ pub(super) fn laws(f: &[f64], phi: &[f64]) -> Vec<LoadLaw> {
         ..onset
     }));
     all
-}
-
-/// Values, rising, each once.
-pub(super) fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
-    let mut values: Vec<f64> = values.collect();
-    values.sort_by(f64::total_cmp);
-    values.dedup_by(|a, b| (*a - *b).abs() < 1e-9 * b.abs());
-    values
 }
 
 /// Where a growth with these values may set in, and the stretch that each place stands for: evenly between all neighbours, and as far

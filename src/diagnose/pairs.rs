@@ -1,4 +1,4 @@
-//! Two known effects at once: their changes add, and so do the errors of their formulas. The best are found among all pairs with effects
+//! Two known effects at once: their changes add, with a share of their product, and so do the errors of their formulas. The best are found among all pairs with effects
 //! taken as exact, and among those with one of the best single effects, whose error is then counted; these are weighed with both errors.
 
 use std::collections::BTreeMap;
@@ -31,7 +31,7 @@ const RETURNS: usize = 3;
 /// pairs that were solved on three rods, half lie between 0.45 and 0.77, the median is 0.65.
 const PRODUCT: f64 = 0.6;
 const INTERPLAY: f64 = 0.4;
-/// Share to which what two effects make besides is known, where it was solved at one pair of strengths.
+/// Share to which what two effects make besides is known, where it was solved at one pair of strengths; assumed.
 const OWN_OF_BOTH: f64 = 0.2;
 /// Change that can be seen at all, in standard deviations.
 const VISIBLE: f64 = 1.0;

@@ -221,7 +221,8 @@ impl Onset {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::laws::{distinct, laws};
+    use crate::diagnose::fields::distinct;
+    use crate::diagnose::laws::laws;
     use crate::study::Condition;
 
     fn load(frequency_power: f64, amplitude_power: f64) -> LoadLaw {

@@ -36,7 +36,7 @@ impl Effect for FilmSlack {
         CARD
     }
 
-    // as for a film under tension, whose bays decide
+    // assumed, as for a film under tension, whose bays decide
     fn own_error(&self) -> f64 {
         0.5
     }

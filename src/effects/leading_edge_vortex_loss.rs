@@ -51,7 +51,7 @@ impl Effect for LeadingEdgeVortexLoss {
         CARD
     }
 
-    // where the vortex sheds is a round number, and the loss beyond has an assumed shape.
+    // assumed, as for a tip loss: where the vortex sheds is a round number, and so is the shape of the loss beyond
     fn own_error(&self) -> f64 {
         0.12
     }

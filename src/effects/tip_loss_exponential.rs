@@ -47,7 +47,7 @@ impl Effect for TipLossExponential {
         CARD
     }
 
-    // how the loss falls off inboard is assumed: it differs from Prandtl's by 12 to 16 % at the same reach.
+    // how the loss falls off inboard is assumed: Prandtl's loss in another model of the wing is met to 12 to 16 % of what it makes
     fn own_error(&self) -> f64 {
         0.12
     }
