@@ -45,8 +45,13 @@ const OWN: Kernel = Kernel {
     conditions: 0.9,
     wings: 0.5,
 };
-/// The same of an effect whose formula is known badly, for it acts through the film: within a bay.
-const OWN_IN_FILM: Kernel = Kernel { length: 0.07, ..OWN };
+/// The same of an effect whose formula is known badly, for it acts through the film: within a bay, and much alike on all wings, whose spars are
+/// the same. Read off three tensions of the film in two models of three wings.
+const OWN_IN_FILM: Kernel = Kernel {
+    length: 0.05,
+    conditions: 0.95,
+    wings: 0.7,
+};
 /// The share of a change by which it is wrong at most; assumed.
 const WORST: f64 = 0.7;
 /// Own errors from which on an effect counts as acting through the film.
@@ -122,6 +127,8 @@ pub struct ModelError {
     inputs: DMatrix<f64>,
     /// What the mesh leaves.
     mesh: Option<DMatrix<f64>>,
+    /// Its standard deviation over what the model reads.
+    mesh_share: DVector<f64>,
     /// Formulation error for a share of 1.
     formulation: DMatrix<f64>,
     /// Of the rows: channel, condition, wing, place.
@@ -191,6 +198,7 @@ impl ModelError {
             stated: DVector::from_iterator(rows.len(), stated),
             inputs: slopes * slopes.transpose(),
             mesh: None,
+            mesh_share: DVector::zeros(rows.len()),
             formulation: DMatrix::zeros(0, 0),
             places,
             typical,
@@ -200,7 +208,12 @@ impl ModelError {
         error.formulation = error.smooth(FORMULATION, &error.local);
         if let Some(MeshError { deviation, .. }) = forward.mesh_error() {
             let left = DVector::from_iterator(rows.len(), rows.iter().map(|&row| deviation[row]));
-            error.mesh = Some(error.smooth(MESH, &error.about(&left)));
+            let about = error.about(&left);
+            error.mesh_share = about.zip_map(
+                &error.local,
+                |left, read| if read > 0.0 { left / read } else { 0.0 },
+            );
+            error.mesh = Some(error.smooth(MESH, &about));
         }
         error
     }
@@ -321,7 +334,7 @@ impl ModelError {
     }
 
     /// Error of an effect's own formula, whose card says that it is known to `share` of the `change` that it makes, and which is known so many
-    /// times worse (`factor`).
+    /// times worse (`factor`); where the mesh decides, the change is as uncertain as the reading.
     pub fn own(&self, change: &DVector<f64>, share: f64, factor: f64) -> DMatrix<f64> {
         let (size, worst) = (self.places.len(), (share * factor).min(WORST));
         let mean_square = |condition: usize, channel: Channel| {
@@ -336,7 +349,8 @@ impl ModelError {
             worst * (change[i].powi(2) + typical).sqrt()
         });
         let kernel = if share > BADLY_KNOWN { OWN_IN_FILM } else { OWN };
-        self.smooth(kernel, &local)
+        let of_mesh = change.component_mul(&self.mesh_share);
+        self.smooth(kernel, &local) + self.smooth(MESH, &of_mesh)
     }
 
     /// Covariances of causes without a name: in all channels, and in each alone.

@@ -24,7 +24,7 @@ const CLOSER: usize = 6;
 /// How far between two places an effect is looked at.
 const AWAY: f64 = 1.0 / 3.0;
 /// Prior probability of a strength beyond what is plausible.
-const IMPLAUSIBLE: f64 = 0.005;
+const IMPLAUSIBLE: f64 = 0.002;
 
 /// The steps of every missing effect.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

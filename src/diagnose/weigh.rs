@@ -355,9 +355,15 @@ fn all_singles(
 ) -> Result<Vec<Option<DMatrix<f64>>>, DiagnoseError> {
     let seen: Vec<&Member> = members.iter().filter(|member| member.family.is_some()).collect();
     let best = place_of_largest(of_sizes).unwrap_or(0);
-    let at_best = [best];
+    // what an effect leaves may be more than what a cause without a name leaves
+    let share = |level: usize| weights.levels[level].size.share;
+    let scale = weights.levels[best].size.scale;
+    let wider = (0..weights.levels.len())
+        .filter(|&level| weights.levels[level].size.scale == scale && share(level) > share(best));
+    let wider = wider.min_by(|&a, &b| share(a).total_cmp(&share(b)));
+    let glanced_at: Vec<usize> = [best].into_iter().chain(wider).collect();
     let [.., widest] = OWN_SIZES;
-    let glance = |member: &&Member| single(weights, member, &at_best, &[widest]);
+    let glance = |member: &&Member| single(weights, member, &glanced_at, &[widest]);
     let glanced: Vec<DMatrix<f64>> = seen.par_iter().map(glance).collect::<Result<_, _>>()?;
     let ln_of = |(member, found): (&&Member, &DMatrix<f64>)| {
         ln_one + member.ln_prior + ln_sum(found.iter().copied().filter(|ln| ln.is_finite()))

@@ -284,6 +284,33 @@ fn uniform_downwash_of_an_actuator_disc() {
     });
 }
 
+/// A wake of its own width: the downwash is the same share of the tip speed at 30 and 60 deg of amplitude. Where the disc is the sector that the wing
+/// sweeps, that share falls with the root of the amplitude. A tenth of the ideal downwash at the tip, where the wing turns the air by
+/// a small angle: force over dynamic pressure tells it.
+#[test]
+fn downwash_of_a_wake_of_fixed_width_follows_the_tip_speed() {
+    let turned = |effect: &str, half_amplitude_deg: f64, exponent: f64| {
+        let text =
+            format!("{FILM}[flapping]\nfrequency_hz = 20.0\nhalf_amplitude_deg = {half_amplitude_deg}\n");
+        let base = rectangle(&text);
+        let mut after = with(base.clone(), effect, 0.1);
+        after
+            .set(&format!("effects.{effect}.area_exponent"), exponent)
+            .unwrap();
+        let [before, after] = [strips(&base, 0.0), strips(&after, 0.0)];
+        let [before, after] =
+            [before, after].map(|all| all.last().map(|tip| tip.drag / tip.lift).expect("strips"));
+        after - before
+    };
+    for effect in ["inflow-uniform", "inflow-momentum"] {
+        let of = |exponent: f64| turned(effect, 60.0, exponent) / turned(effect, 30.0, exponent);
+        close(of(0.0), 1.0, 1e-6);
+        close(of(1.0), 0.5f64.sqrt(), 2e-2);
+        // at 45 deg both are the same
+        close(turned(effect, 45.0, 0.0), turned(effect, 45.0, 1.0), 1e-9);
+    }
+}
+
 /// Thin airfoil at 2 deg: Leishman's root of the quadratic, φ = σa/2 (√(1 + 4α/σa) − 1), σ = c/(16Φr'); at the tip 1.58 deg
 /// of the 2 are inflow. And at 45 deg lift and momentum of each ring balance.
 #[test]
