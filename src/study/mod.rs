@@ -18,6 +18,8 @@ pub mod draws;
 
 pub mod error;
 
+mod experiments;
+
 mod footing;
 
 pub mod forward;
