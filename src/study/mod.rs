@@ -4,6 +4,8 @@ mod answers;
 
 pub mod band;
 
+mod bench;
+
 mod best_fit;
 
 pub mod boxed;
@@ -31,6 +33,8 @@ pub mod noise;
 mod other_mesh;
 
 pub mod output;
+
+pub mod proposed;
 
 pub mod quantile;
 
@@ -60,6 +64,7 @@ pub use error::StudyError;
 pub use forward::{Condition, Footing, Forward, Linear, MeshError, Observable, Unknown, UnknownKind};
 pub use noise::{AdmittedError, Noise};
 pub use output::{Output, ProfileOutputs};
+pub use proposed::{Cost, Proposal, Proposals};
 pub use shares::Share;
 pub use skipped::SkippedRow;
 pub use uncertainty::{Uncertainty, UncertaintySettings, propagate};
