@@ -5,10 +5,10 @@ use serde::{Deserialize, Serialize};
 
 use super::outcome::{set_size, truth_probability};
 use super::{Blind, BlindError, Kind};
-use crate::diagnose::{self, Diagnosis, judged};
+use crate::diagnose::{self, Diagnosis, Experiments, judged};
 use crate::progress::Progress;
+use crate::study::Campaign;
 use crate::study::draws::Draws;
-use crate::study::{Campaign, Forward};
 use crate::synthesize::{Answer, Recipe, synthesize};
 
 /// A campaign with the measurement that its diagnosis asked for, beside the same with another.
@@ -99,8 +99,10 @@ fn measured_too(
     let mut settings = blind.settings.clone();
     settings.start = Some(campaign.start());
     let (baseline, judgement) = judged(&campaign, &settings, None, progress)?;
-    let candidates: Option<&dyn Forward> = None;
     Ok(diagnose::report::report(
-        &baseline, &judgement, candidates, progress,
+        &baseline,
+        &judgement,
+        Experiments::Unknown,
+        progress,
     )?)
 }

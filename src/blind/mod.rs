@@ -36,10 +36,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::diagnose::plan::{Outlook, PlannedEffect};
 use crate::diagnose::table::Table;
-use crate::diagnose::{self, Settings, judged};
+use crate::diagnose::{self, Experiments, Settings, judged};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
-use crate::study::{Campaign, Forward};
+use crate::study::Campaign;
 use crate::synthesize::{Recipe, Synthetic, synthesize};
 
 use distance::turned;
@@ -251,8 +251,8 @@ impl<'a> Blind<'a> {
         };
         let (baseline, judgement) = judged(&campaign, &self.settings, table, progress)?;
         let experiments = self.experiments.as_ref().filter(|_| kind == Kind::Twin);
-        let candidates = experiments.map(|experiments| experiments as &dyn Forward);
-        let said = diagnose::report::report(&baseline, &judgement, candidates, progress)?;
+        let experiments = experiments.map_or(Experiments::Unknown, |listed| Experiments::Listed(listed));
+        let said = diagnose::report::report(&baseline, &judgement, experiments, progress)?;
         let simpler = baselines::answers(&baseline, &judgement);
         let seconds = started.elapsed().as_secs_f64();
         let followed = followed::follow(self, kind, &made.answer, &said, progress)?;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::diagnose::verdict::{Diagnosis, Hypothesis, Strength, Verdict};
-use crate::diagnose::{DiagnoseError, Settings, diagnose_with, plan};
+use crate::diagnose::{DiagnoseError, Experiments, Settings, diagnose_among, plan};
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::html::{self, REPORT};
 use crate::export::pictures::write::add_diagnosis;
@@ -16,7 +16,7 @@ use crate::input::measurement::InCommon;
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
 use crate::progress::Progress;
-use crate::study::{Campaign, Forward};
+use crate::study::{Campaign, Forward, Proposals};
 
 use super::candidates::{Candidates, candidates, known};
 use super::kept::{self, Prepared};
@@ -36,8 +36,9 @@ pub const DIAGNOSIS: &str = "diagnosis.json";
   washout diagnose my-study.toml --report                report.html besides: the wings with and without what is found
   washout diagnose my-study.toml --json | jq .verdict
 
-The verdict comes first, in one sentence; then what it rests on. With tables [[experiment]] in the study (as [[case]], the
-values of their measurement files empty) it says which of them to make next.
+The verdict comes first, in one sentence; then what it rests on. Where explanations compete it says what to measure next:
+of tables [[experiment]] in the study (as [[case]], the values of their measurement files empty), which one; without such tables, the
+cheapest of these that decides: one more station, the still wing under a torque or a push, half the frequency or the speed.
 Writes output/NAME-diagnosis/: effects against the residual, residuals in sigma, the error step by step and what is
 missing as pictures (SVG), with the numbers behind each (CSV); diagnosis.json. With --plan it writes no files.
 How the model answers to every effect takes most of the time. It does not depend on what was measured, and is kept for the next
@@ -234,7 +235,7 @@ pub fn diagnosed(
     answered(path, study, &candidates(study, &[], console)?, settings, console)
 }
 
-/// What the measurements of a study say, and which of its experiments comes next.
+/// What the measurements of a study say, and what to measure next: of its experiments, or of what any study can add.
 fn answered(
     path: &Path,
     study: &LoadedStudy,
@@ -252,8 +253,12 @@ fn answered(
     } = prepared;
     let experiments = Campaign::of_experiments(study, &names, progress);
     let experiments = experiments.map_err(|error| fault(path, error.into()))?;
-    let next = experiments.as_ref().map(|campaign| campaign as &dyn Forward);
-    let diagnosis = diagnose_with(&campaign, next, Some(&table), &settings, progress);
+    let proposals = Proposals::new(study, &names);
+    let experiments = match &experiments {
+        Some(listed) => Experiments::Listed(listed),
+        None => Experiments::Proposed(&proposals),
+    };
+    let diagnosis = diagnose_among(&campaign, experiments, Some(&table), &settings, progress);
     let mut diagnosis = diagnosis.map_err(|error| fault(path, error))?;
     if let Some(wings) = &study.study.candidates_on {
         let wings = wings.join(", ");

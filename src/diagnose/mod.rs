@@ -75,6 +75,7 @@ pub mod whitened;
 pub mod words;
 
 pub use error::DiagnoseError;
+pub use next::Experiments;
 pub use plan::{Plan, plan};
 pub use settings::{PriorOdds, Settings};
 pub use verdict::{Diagnosis, Verdict};
@@ -111,8 +112,23 @@ pub fn diagnose_with(
     settings: &Settings,
     progress: &Progress,
 ) -> Result<Diagnosis, DiagnoseError> {
+    let experiments = candidates.map_or(Experiments::Unknown, Experiments::Listed);
+    diagnose_among(forward, experiments, table, settings, progress)
+}
+
+/// The same of any experiments: those of a study, or those that can be added to it.
+///
+/// # Errors
+/// As [`diagnose`].
+pub fn diagnose_among(
+    forward: &dyn Forward,
+    experiments: Experiments,
+    table: Option<&Table>,
+    settings: &Settings,
+    progress: &Progress,
+) -> Result<Diagnosis, DiagnoseError> {
     let (baseline, judgement) = judged(forward, settings, table, progress)?;
-    report::report(&baseline, &judgement, candidates, progress)
+    report::report(&baseline, &judgement, experiments, progress)
 }
 
 /// The model as it is, and everything that was weighed against it: what a report is made of; `table`: how the campaign

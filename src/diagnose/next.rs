@@ -1,19 +1,31 @@
-//! The next experiment: which of the candidates tells the rivals apart best.
+//! The next experiment: which of those that a study lists tells the rivals apart best; or, where it lists none, the cheapest that does.
 //!
 //! Buzzi-Ferraris & Forzatti, Chem. Eng. Sci. 38 (1983) 225: T = Σ πᵢπⱼ (ŷᵢ − ŷⱼ)ᵀ (Vᵢ + Vⱼ)⁻¹ (ŷᵢ − ŷⱼ), V = J C Jᵀ + Σ, here
 //! divided by Σ πᵢπⱼ, so that √T is a distance in standard deviations.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::progress::Progress;
-use crate::study::{Fit, Forward, Unknown, UnknownKind};
+use crate::study::{Cost, Fit, Footing, Forward, Observable, Proposal, Proposals, Unknown, UnknownKind};
 
 use super::error::DiagnoseError;
 
 /// Distance from which on an experiment tells rivals apart.
 const SEPARATE: f64 = 3.0;
+
+/// What could be measured next.
+#[derive(Clone, Copy)]
+pub enum Experiments<'a> {
+    /// Nothing is known of that.
+    Unknown,
+    /// The conditions of a model with unknowns of the same names, whose observables state the noise that is to be expected.
+    Listed(&'a dyn Forward),
+    /// What can be added to any study.
+    Proposed(&'a Proposals<'a>),
+}
 
 /// What to measure next.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -29,7 +41,7 @@ pub struct NextExperiment {
 /// One candidate.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Candidate {
-    /// Name of its condition.
+    /// Name of its condition; of what a study does not list, what to do in plain words.
     pub name: String,
     /// Distance expected between the rivals, in standard deviations.
     pub separation_sigma: f64,
@@ -45,60 +57,26 @@ pub struct Rival<'a> {
     pub variance: f64,
 }
 
-/// Scores every condition of `candidates`: a model with unknowns of the same names, whose observables state the noise
-/// that is to be expected.
+/// Scores the experiments; those that no study lists by rising cost, and no further than where some tell the rivals apart. Besides: which
+/// were left out, and why. `is_decided`: whether the verdict stands without them.
 ///
 /// # Errors
-/// If a candidate has no solution, or the user asked to stop.
+/// If a listed experiment has no solution, or the user asked to stop.
 pub fn next_experiment(
     forward: &dyn Forward,
-    candidates: &dyn Forward,
+    experiments: Experiments,
     rivals: &[Rival],
+    is_decided: bool,
     progress: &Progress,
-) -> Result<NextExperiment, DiagnoseError> {
-    let mut answers: Vec<(DVector<f64>, DMatrix<f64>)> = Vec::new();
-    for rival in rivals {
-        progress.check()?;
-        progress.say("what the rivals predict for candidate experiments");
-        answers.push(answer(forward, candidates, rival)?);
+) -> Result<(Option<NextExperiment>, Vec<String>), DiagnoseError> {
+    if rivals.len() < 2 {
+        return Ok((None, Vec::new()));
     }
-    let observables = candidates.observables();
-    let score = |condition: usize| {
-        let rows: Vec<usize> = (0..observables.len())
-            .filter(|&row| observables[row].condition == condition)
-            .collect();
-        let noise = DMatrix::from_diagonal(&DVector::from_iterator(
-            rows.len(),
-            rows.iter().map(|&row| 2.0 * observables[row].sigma.powi(2)),
-        ));
-        let (mut sum, mut weights) = (0.0, 0.0);
-        for i in 0..rivals.len() {
-            for j in 0..i {
-                let weight = rivals[i].probability * rivals[j].probability;
-                let apart = (&answers[i].0 - &answers[j].0).select_rows(rows.iter());
-                let spread = |k: usize| answers[k].1.select_rows(rows.iter()).select_columns(rows.iter());
-                let Some(factor) = Cholesky::new(spread(i) + spread(j) + &noise) else {
-                    continue;
-                };
-                sum += weight * apart.dot(&factor.solve(&apart));
-                weights += weight;
-            }
-        }
-        if weights > 0.0 {
-            (sum / weights).sqrt()
-        } else {
-            0.0
-        }
+    let (mut found, left_out) = match experiments {
+        Experiments::Unknown => return Ok((None, Vec::new())),
+        Experiments::Listed(listed) => (listed_ones(forward, listed, rivals, progress)?, Vec::new()),
+        Experiments::Proposed(proposals) => proposed_ones(forward, proposals, rivals, progress)?,
     };
-    let mut found: Vec<Candidate> = candidates
-        .conditions()
-        .iter()
-        .enumerate()
-        .map(|(index, condition)| Candidate {
-            name: condition.name.clone(),
-            separation_sigma: score(index),
-        })
-        .collect();
     found.sort_by(|a, b| {
         b.separation_sigma
             .total_cmp(&a.separation_sigma)
@@ -107,31 +85,179 @@ pub fn next_experiment(
     let best = found
         .first()
         .filter(|candidate| candidate.separation_sigma >= SEPARATE);
-    let sentence = match (best, found.first()) {
-        (Some(best), _) => format!(
-            "Measure {} next: the rivals are expected {:.1} standard deviations apart there.",
-            best.name, best.separation_sigma
-        ),
-        (None, Some(first)) => format!(
-            "No listed experiment can tell these apart; the best, {}, puts them {:.1} standard deviations apart.",
-            first.name, first.separation_sigma
-        ),
-        (None, None) => "No candidate experiment was listed.".into(),
-    };
-    Ok(NextExperiment {
+    let is_listed = matches!(experiments, Experiments::Listed(_));
+    if !is_listed && best.is_none() && (is_decided || found.is_empty()) {
+        return Ok((None, left_out));
+    }
+    let next = NextExperiment {
         best: best.map(|candidate| candidate.name.clone()),
+        sentence: sentence(&found, is_listed, is_decided),
         candidates: found,
-        sentence,
-    })
+    };
+    Ok((Some(next), left_out))
 }
 
-/// Prediction of a rival for the candidates, and its covariance by what the fit leaves open.
+/// The advice of candidates, best first.
+fn sentence(candidates: &[Candidate], is_listed: bool, is_decided: bool) -> String {
+    let Some(Candidate {
+        name,
+        separation_sigma,
+    }) = candidates.first()
+    else {
+        return "No candidate experiment was listed.".into();
+    };
+    match (*separation_sigma >= SEPARATE, is_listed, is_decided) {
+        (true, ..) => format!(
+            "Measure {name} next: the rivals are expected {separation_sigma:.1} standard deviations apart there."
+        ),
+        (false, true, false) => format!(
+            "No listed experiment can tell these apart; the best, {name}, puts them {separation_sigma:.1} standard deviations apart."
+        ),
+        (false, true, true) => format!(
+            "No experiment is asked for. Of those listed, {name} would set what else is possible farthest apart, by \
+             {separation_sigma:.1} standard deviations."
+        ),
+        (false, false, _) => format!(
+            "None of the readings that could be added tells these apart; the best, {name}, puts them {separation_sigma:.1} standard \
+             deviations apart."
+        ),
+    }
+}
+
+/// Every condition of a model.
+fn listed_ones(
+    forward: &dyn Forward,
+    listed: &dyn Forward,
+    rivals: &[Rival],
+    progress: &Progress,
+) -> Result<Vec<Candidate>, DiagnoseError> {
+    let mut answers: Vec<Answer> = Vec::new();
+    for rival in rivals {
+        progress.check()?;
+        progress.say("what the rivals predict for candidate experiments");
+        answers.push(answer(forward, listed, rival, None)?.0);
+    }
+    let observables = listed.observables();
+    let of = |(index, name): (usize, &String)| Candidate {
+        name: name.clone(),
+        separation_sigma: separation(&answers, rivals, observables, &|o| o.condition == index),
+    };
+    let names = listed.conditions().iter().map(|condition| &condition.name);
+    Ok(names.enumerate().map(of).collect())
+}
+
+/// What could be added to a study, up to the cost at which something tells the rivals apart; and what has no solution.
+fn proposed_ones(
+    forward: &dyn Forward,
+    proposals: &Proposals,
+    rivals: &[Rival],
+    progress: &Progress,
+) -> Result<(Vec<Candidate>, Vec<String>), DiagnoseError> {
+    let (mut found, mut left_out): (Vec<Candidate>, Vec<String>) = (Vec::new(), Vec::new());
+    for cost in Cost::ALL {
+        progress.check()?;
+        progress.say("which further reading would tell the rivals apart");
+        let of_cost: Vec<&Proposal> = proposals.all.iter().filter(|own| own.cost == cost).collect();
+        let scored: Vec<Result<Option<Candidate>, DiagnoseError>> = of_cost
+            .into_par_iter()
+            .map(|proposal| proposed(forward, proposals, proposal, rivals, progress))
+            .collect();
+        for scored in scored {
+            match scored {
+                Ok(candidate) => found.extend(candidate),
+                Err(DiagnoseError::Cancelled(cancelled)) => return Err(DiagnoseError::Cancelled(cancelled)),
+                Err(error) => left_out.push(format!("Not looked at as a next measurement: {error}")),
+            }
+        }
+        if found.iter().any(|own| own.separation_sigma >= SEPARATE) {
+            break;
+        }
+    }
+    Ok((found, left_out))
+}
+
+/// A proposal by what tells the rivals apart best of it; none if nothing of it can be read.
+fn proposed(
+    forward: &dyn Forward,
+    proposals: &Proposals,
+    proposal: &Proposal,
+    rivals: &[Rival],
+    progress: &Progress,
+) -> Result<Option<Candidate>, DiagnoseError> {
+    let campaign = proposals.campaign(proposal, progress)?;
+    let (mut answers, mut footing): (Vec<Answer>, Option<Footing>) = (Vec::new(), None);
+    for rival in rivals {
+        progress.check()?;
+        let from = footing.as_ref().map(Footing::roughly);
+        // what has no solution from there may have one from the case as it stands
+        let (told, left) = match answer(forward, &campaign, rival, from.as_ref()) {
+            Err(DiagnoseError::Study(_)) if from.is_some() => answer(forward, &campaign, rival, None)?,
+            told => told?,
+        };
+        answers.push(told);
+        footing = left.or(footing);
+    }
+    let observables = campaign.observables();
+    let apart = |rows: &[&Observable]| Candidate {
+        name: proposal.words(rows),
+        separation_sigma: separation(&answers, rivals, observables, &|own| {
+            rows.iter().any(|row| std::ptr::eq(*row, own))
+        }),
+    };
+    let all: Vec<&Observable> = observables.iter().collect();
+    let sets = all.chunks(match proposal.is_of_one_reading() {
+        true => 1,
+        false => all.len().max(1),
+    });
+    let farthest = |a: &Candidate, b: &Candidate| a.separation_sigma.total_cmp(&b.separation_sigma);
+    Ok(sets.map(apart).max_by(farthest))
+}
+
+/// What a rival predicts for every observable, and its covariance by what the fit leaves open.
+type Answer = (DVector<f64>, DMatrix<f64>);
+
+/// How far apart rivals are in the observables that count, in standard deviations.
+fn separation(
+    answers: &[Answer],
+    rivals: &[Rival],
+    observables: &[Observable],
+    counts: &dyn Fn(&Observable) -> bool,
+) -> f64 {
+    let rows: Vec<usize> = (0..observables.len())
+        .filter(|&row| counts(&observables[row]))
+        .collect();
+    let noise = DMatrix::from_diagonal(&DVector::from_iterator(
+        rows.len(),
+        rows.iter().map(|&row| 2.0 * observables[row].sigma.powi(2)),
+    ));
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for i in 0..rivals.len() {
+        for j in 0..i {
+            let weight = rivals[i].probability * rivals[j].probability;
+            let apart = (&answers[i].0 - &answers[j].0).select_rows(rows.iter());
+            let spread = |k: usize| answers[k].1.select_rows(rows.iter()).select_columns(rows.iter());
+            let Some(factor) = Cholesky::new(spread(i) + spread(j) + &noise) else {
+                continue;
+            };
+            sum += weight * apart.dot(&factor.solve(&apart));
+            weights += weight;
+        }
+    }
+    if weights > 0.0 {
+        (sum / weights).sqrt()
+    } else {
+        0.0
+    }
+}
+
+/// Prediction of a rival for the candidates, and its covariance; from a footing, if there is one, and what it leaves.
 fn answer(
     forward: &dyn Forward,
     candidates: &dyn Forward,
     rival: &Rival,
-) -> Result<(DVector<f64>, DMatrix<f64>), DiagnoseError> {
-    let known = forward.unknowns();
+    footing: Option<&Footing>,
+) -> Result<(Answer, Option<Footing>), DiagnoseError> {
+    let (known, own) = (forward.unknowns(), candidates.unknowns());
     // among experiments on one wing alone nothing is told by its wing
     let wings = candidates
         .conditions()
@@ -143,42 +269,73 @@ fn answer(
         [wing] => format!(" on {wing}"),
         _ => String::new(),
     };
-    let is_same = |own: &Unknown, name: &str| {
-        own.name == name || (!only.is_empty() && own.name.strip_suffix(&only) == Some(name))
+    let is_same = |known: &Unknown, name: &str| {
+        known.name == name || (!only.is_empty() && known.name.strip_suffix(&only) == Some(name))
     };
-    let is_free = |name: &str| rival.fit.free.iter().any(|&i| is_same(&known[i], name));
-    let of_known = |name: &str| {
-        let free = rival.fit.free.iter().copied().find(|&i| is_same(&known[i], name));
-        free.or_else(|| known.iter().position(|own| own.name == name))
+    // inputs of several wings can have one key: they are told by their priors
+    let has_prior = |known: &Unknown, own: &Unknown| (known.mean, known.sigma) == (own.mean, own.sigma);
+    let same_as = |own: &Unknown| {
+        let free = || {
+            rival
+                .fit
+                .free
+                .iter()
+                .copied()
+                .filter(|&i| is_same(&known[i], &own.name))
+        };
+        let all = || (0..known.len()).filter(|&i| known[i].name == own.name);
+        let of_prior = |&i: &usize| has_prior(&known[i], own);
+        let free_one = free().find(of_prior).or_else(|| free().next());
+        free_one.or_else(|| all().find(of_prior)).or_else(|| all().next())
     };
-    let at: Vec<f64> = candidates
-        .unknowns()
+    let same: Vec<Option<usize>> = own.iter().map(same_as).collect();
+    let at: Vec<f64> = own
         .iter()
-        .map(|unknown| of_known(&unknown.name).map_or(unknown.mean, |i| rival.fit.at[i]))
+        .zip(&same)
+        .map(|(own, same)| same.map_or(own.mean, |i| rival.fit.at[i]))
         .collect();
+    let is_free = |name: &str| rival.fit.free.iter().any(|&i| is_same(&known[i], name));
     // a nuisance that only the candidate has is as open as its prior leaves it
     let is_new = |unknown: &Unknown| {
         unknown.kind == UnknownKind::Ruler && !known.iter().any(|k| k.name == unknown.name)
     };
-    let linear = candidates.linearize(&at, &|unknown| is_free(&unknown.name) || is_new(unknown))?;
-    let place = |i: usize| {
-        candidates
-            .unknowns()
-            .iter()
-            .position(|unknown| is_same(&known[i], &unknown.name))
-    };
+    let wanted = |unknown: &Unknown| is_free(&unknown.name) || is_new(unknown);
+    let (linear, left) = candidates.linearize_from(footing, &at, &wanted)?;
+    let place = |i: usize| same.iter().position(|same| *same == Some(i));
     let slopes = DMatrix::from_fn(linear.value.len(), rival.fit.free.len(), |row, k| {
         place(rival.fit.free[k]).map_or(0.0, |column| linear.jacobian[(row, column)])
     });
     let mut covariance = &slopes * &rival.fit.covariance * slopes.transpose() * rival.variance;
-    for (column, unknown) in candidates
-        .unknowns()
-        .iter()
-        .enumerate()
-        .filter(|(_, u)| is_new(u))
-    {
+    for (column, unknown) in own.iter().enumerate().filter(|(_, u)| is_new(u)) {
         let slope = linear.jacobian.column(column) * unknown.sigma;
         covariance += &slope * slope.transpose();
     }
-    Ok((linear.value, covariance))
+    Ok(((linear.value, covariance), left))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_advice_says_what_to_measure_or_that_nothing_decides() {
+        let far = |separation_sigma: f64| {
+            vec![Candidate {
+                name: "the still wing w under a torque of 0.2 mN·m at its tip (67 mm)".into(),
+                separation_sigma,
+            }]
+        };
+        let said = sentence(&far(4.25), false, false);
+        assert_eq!(
+            said,
+            "Measure the still wing w under a torque of 0.2 mN·m at its tip (67 mm) next: the rivals are expected 4.2 standard \
+             deviations apart there."
+        );
+        assert!(sentence(&far(1.0), true, false).starts_with("No listed experiment can tell these apart"));
+        assert!(sentence(&far(1.0), false, false).starts_with("None of the readings that could be added"));
+        // where nothing is missing nothing has to be told apart
+        for is_listed in [true, false] {
+            assert!(!sentence(&far(1.0), is_listed, true).contains("No listed experiment"));
+        }
+    }
 }

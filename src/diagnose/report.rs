@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::progress::Progress;
-use crate::study::{Fit, Forward};
+use crate::study::Fit;
 
 use super::added_variable::added_variable;
 use super::baseline::Baseline;
@@ -12,7 +12,7 @@ use super::hump::Around;
 use super::judge::Judgement;
 use super::ladder::{Explained, ladder};
 use super::misfit::{self, Pull};
-use super::next::{NextExperiment, Rival, next_experiment};
+use super::next::{Experiments, NextExperiment, Rival, next_experiment};
 use super::notes::notes;
 use super::novel::reconstruct;
 use super::novel_words::draft;
@@ -39,17 +39,19 @@ const LEFT_OVER: f64 = 4.5;
 const PULLED: f64 = 3.0;
 /// Hypotheses less probable than this are not listed.
 const LISTED: f64 = 1e-3;
+/// Probability of a named effect, with a second or none, from which on nothing is proposed to measure next.
+const SURE: f64 = 0.95;
 /// Rivals that the next experiment is to tell apart.
 const RIVALS: usize = 5;
 
 /// Puts the diagnosis together.
 ///
 /// # Errors
-/// If the model fails at held-out cases or candidates, or the user asked to stop.
+/// If the model fails at held-out cases or listed experiments, or the user asked to stop.
 pub fn report(
     baseline: &Baseline,
     judgement: &Judgement,
-    candidates: Option<&dyn Forward>,
+    experiments: Experiments,
     progress: &Progress,
 ) -> Result<Diagnosis, DiagnoseError> {
     let gains = Gains::new(baseline);
@@ -74,6 +76,7 @@ pub fn report(
             let k = judgement.trials[index].members[0];
             added_variable(baseline, k, &name(baseline, k))
         });
+    let (next_experiment, left_out) = next(baseline, judgement, (experiments, verdict), progress)?;
     let mut diagnosis = Diagnosis {
         sentence: String::new(),
         verdict,
@@ -86,8 +89,8 @@ pub fn report(
         added_variables: added.collect(),
         ladder: ladder(baseline, &rungs(baseline, judgement)),
         predictions: predictions(baseline, found(judgement))?,
-        next_experiment: next(baseline, judgement, candidates, progress)?,
-        notes: notes(baseline, judgement),
+        next_experiment,
+        notes: [notes(baseline, judgement), left_out].concat(),
         screening: baseline.screening,
         hypotheses,
         effects,
@@ -305,12 +308,9 @@ fn predictions(baseline: &Baseline, found: Option<&Fit>) -> Result<Vec<Predictio
 fn next(
     baseline: &Baseline,
     judgement: &Judgement,
-    candidates: Option<&dyn Forward>,
+    (experiments, verdict): (Experiments, Verdict),
     progress: &Progress,
-) -> Result<Option<NextExperiment>, DiagnoseError> {
-    let Some(candidates) = candidates else {
-        return Ok(None);
-    };
+) -> Result<(Option<NextExperiment>, Vec<String>), DiagnoseError> {
     let mut rivals: Vec<Rival> = Vec::new();
     for belief in judgement.beliefs.iter().filter(|belief| belief.in_set) {
         let fit = match belief.case {
@@ -327,8 +327,16 @@ fn next(
         }));
     }
     rivals.truncate(RIVALS);
-    if rivals.len() < 2 {
-        return Ok(None);
-    }
-    next_experiment(baseline.forward, candidates, &rivals, progress).map(Some)
+    let families = judgement.beliefs.first().map(|first| first.case.families());
+    let with_first = judgement.beliefs.iter().filter(|belief| {
+        let mut families = families.iter().flatten();
+        families.all(|own| belief.case.families().contains(own))
+    });
+    let is_sure = verdict == Verdict::Effect && with_first.map(|own| own.probability).sum::<f64>() > SURE;
+    let is_decided = matches!(verdict, Verdict::Nothing | Verdict::Effect);
+    let experiments = match experiments {
+        Experiments::Proposed(_) if is_sure => Experiments::Unknown,
+        experiments => experiments,
+    };
+    next_experiment(baseline.forward, experiments, &rivals, is_decided, progress)
 }

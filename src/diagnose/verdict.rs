@@ -62,7 +62,7 @@ pub struct Diagnosis {
     pub ladder: Vec<Rung>,
     /// What the best known explanation, or a cause without a name where that is the verdict, predicts for the held-out observables.
     pub predictions: Vec<Prediction>,
-    /// What to measure next; none if no candidates were given.
+    /// What to measure next; none if that is not known, or the answer needs nothing more.
     pub next_experiment: Option<NextExperiment>,
     /// What a reader must know besides.
     pub notes: Vec<String>,

@@ -188,6 +188,22 @@ pub fn innermost_rod(design: &Design) -> Result<Option<Section>, StructureError>
         .transpose()
 }
 
+/// Twist of the rods from the base to a place under a torque there, over that torque, rad/(N·m): spars and film left out.
+///
+/// # Errors
+/// As [`innermost_rod`].
+pub fn rod_twist_rad_n_m(design: &Design, to_mm: f64) -> Result<f64, StructureError> {
+    let root = design.root.pitch_stiffness_n_m_per_rad.as_ref();
+    let mut twist = root.map_or(0.0, |stiffness| 1.0 / stiffness.value());
+    for (index, rod) in design.rod.iter().enumerate() {
+        let long_mm = rod.to_mm.value().min(to_mm) - rod.from_mm.value();
+        if long_mm > 0.0 {
+            twist += 1e-3 * long_mm / section_of(design, BeamPart::Rod(index))?.gj_n_m2();
+        }
+    }
+    Ok(twist)
+}
+
 fn section_of(design: &Design, part: BeamPart) -> Result<Section, StructureError> {
     let missing = |part: String| StructureError::UnknownPart { part };
     match part {

@@ -57,11 +57,18 @@ impl Campaign {
         candidates: &[&str],
         progress: &Progress,
     ) -> Result<Campaign, StudyError> {
-        let cases = study
-            .cases
-            .iter()
-            .map(|case| PreparedCase::new(case, study, candidates));
-        let mut cases: Vec<PreparedCase> = cases.collect::<Result<_, _>>()?;
+        let cases = study.cases.iter();
+        let cases = cases.map(|case| PreparedCase::new(case, study, candidates));
+        Campaign::of_prepared(study, cases.collect::<Result<_, _>>()?, candidates, progress)
+    }
+
+    /// The cases solved as they stand.
+    pub(super) fn of_prepared(
+        study: &LoadedStudy,
+        mut cases: Vec<PreparedCase>,
+        candidates: &[&str],
+        progress: &Progress,
+    ) -> Result<Campaign, StudyError> {
         progress.say(format_args!(
             "{}: solving {} cases",
             study.study.name,
@@ -112,31 +119,6 @@ impl Campaign {
             tally,
             other_mesh: None,
         })
-    }
-
-    /// The experiments of a study that could be made next, as conditions of a model with the same unknowns; none if it lists
-    /// none.
-    ///
-    /// # Errors
-    /// As [`Campaign::new`].
-    pub fn of_experiments(
-        study: &LoadedStudy,
-        candidates: &[&str],
-        progress: &Progress,
-    ) -> Result<Option<Campaign>, StudyError> {
-        if study.experiments.is_empty() {
-            return Ok(None);
-        }
-        let mut next = study.clone();
-        next.cases = std::mem::take(&mut next.experiments);
-        next.unused.clear();
-        let has = |key: &str| {
-            next.cases
-                .iter()
-                .any(|case| case.loaded.design.get(key).is_some())
-        };
-        next.study.uncertain.retain(|uncertain| has(&uncertain.key));
-        Campaign::new(&next, candidates, progress).map(Some)
     }
 
     /// The same campaign with what is known of another mesh.

@@ -4,6 +4,8 @@ mod answers;
 
 pub mod band;
 
+mod bench;
+
 mod best_fit;
 
 pub mod boxed;
@@ -18,6 +20,8 @@ pub mod draws;
 
 pub mod error;
 
+mod experiments;
+
 mod footing;
 
 pub mod forward;
@@ -29,6 +33,8 @@ pub mod noise;
 mod other_mesh;
 
 pub mod output;
+
+pub mod proposed;
 
 pub mod quantile;
 
@@ -58,6 +64,7 @@ pub use error::StudyError;
 pub use forward::{Condition, Footing, Forward, Linear, MeshError, Observable, Unknown, UnknownKind};
 pub use noise::{AdmittedError, Noise};
 pub use output::{Output, ProfileOutputs};
+pub use proposed::{Cost, Proposal, Proposals};
 pub use shares::Share;
 pub use skipped::SkippedRow;
 pub use uncertainty::{Uncertainty, UncertaintySettings, propagate};

@@ -325,7 +325,27 @@ fn what_one_campaign_cannot_tell_apart_the_experiment_that_it_names_does() {
         said["next_experiment"]
     );
 
-    // it is made, and decides
+    // without a list it names the cheapest reading that decides, and looks at none that is dearer
+    let study = folder.path().join("first/study.toml");
+    let text = fs::read_to_string(&study).unwrap();
+    let (cases, _) = text.split_once("[[experiment]]").unwrap();
+    fs::write(&study, cases).unwrap();
+    let said = json(&run(&["diagnose", "first/study.toml", "--json"]));
+    let next = &said["next_experiment"];
+    assert_eq!(next["best"], "twist at 49 mm in case m-3", "{next}");
+    assert_eq!(next["candidates"].as_array().map(Vec::len), Some(1), "{next}");
+    let sentence = next["sentence"].as_str().unwrap();
+    assert!(
+        sentence.starts_with("Measure twist at 49 mm in case m-3 next: "),
+        "{sentence}"
+    );
+    let shown = run(&["diagnose", "first/study.toml", "--report"]);
+    let page = fs::read_to_string(folder.path().join("output/bench-diagnosis/report.html")).unwrap();
+    for text in [&shown.out, &page] {
+        assert!(text.contains("twist at 49 mm in case m-3"), "{text}");
+    }
+
+    // an experiment that is listed is made, and decides
     campaign(folder.path(), &[10, 20, 98, 99, 100]);
     hide("second");
     let said = json(&run(&["diagnose", "second/study.toml", "--json"]));
