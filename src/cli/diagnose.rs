@@ -15,7 +15,6 @@ use crate::export::text::significant;
 use crate::input::measurement::InCommon;
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
-use crate::progress::Progress;
 use crate::study::{Campaign, Forward, Proposals};
 
 use super::candidates::{Candidates, candidates, known};
@@ -245,12 +244,14 @@ fn answered(
 ) -> Result<(Campaign, DiagnosisReport), Failure> {
     let progress = console.progress();
     let names: Vec<&str> = effects.names.iter().map(String::as_str).collect();
-    let (prepared, settings) = prepared(path, study, &names, settings, progress)?;
+    let prepared = kept::prepared(study, &names, settings, progress);
     let Prepared {
         campaign,
+        settings,
         table,
         beside,
-    } = prepared;
+        note,
+    } = prepared.map_err(|error| fault(path, error))?;
     let experiments = Campaign::of_experiments(study, &names, progress);
     let experiments = experiments.map_err(|error| fault(path, error.into()))?;
     let proposals = Proposals::new(study, &names);
@@ -267,6 +268,7 @@ fn answered(
         ));
     }
     diagnosis.notes.extend(effects.left_out.iter().cloned());
+    diagnosis.notes.extend(note);
     let not_compared = campaign.not_compared().into_iter();
     let told = not_compared.map(|row| format!("Not compared: {row}"));
     diagnosis.notes.extend(told);
@@ -290,30 +292,16 @@ fn planned(
     console: &Console,
 ) -> Result<(), Failure> {
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let (prepared, settings) = prepared(path, study, &names, settings, console.progress())?;
-    let Prepared { campaign, table, .. } = prepared;
+    let prepared = kept::prepared(study, &names, settings, console.progress());
+    let Prepared {
+        campaign,
+        settings,
+        table,
+        ..
+    } = prepared.map_err(|error| fault(path, error))?;
     let plan = plan(&campaign, Some(&table), &settings, console.progress());
     let plan = plan.map_err(|error| fault(path, error))?;
     console.result(&page_of_plan(&campaign.name, &plan), &plan)
-}
-
-/// The campaign of a study with its table, and the settings with what it states of its model.
-fn prepared(
-    path: &Path,
-    study: &LoadedStudy,
-    names: &[&str],
-    settings: Settings,
-    progress: &Progress,
-) -> Result<(Prepared, Settings), Failure> {
-    let campaign = Campaign::new(study, names, progress);
-    let campaign = campaign.map_err(|error| fault(path, error.into()))?;
-    let settings = Settings {
-        slop: campaign.slop,
-        start: Some(campaign.start()),
-        ..settings
-    };
-    let prepared = kept::prepared(campaign, study, names, &settings, progress);
-    Ok((prepared.map_err(|error| fault(path, error))?, settings))
 }
 
 fn fault(study: &Path, source: DiagnoseError) -> Failure {

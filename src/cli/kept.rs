@@ -12,7 +12,7 @@ use crate::diagnose::{DiagnoseError, Settings};
 use crate::input::study::LoadedStudy;
 use crate::origin::{program_sha256, sha256};
 use crate::progress::Progress;
-use crate::study::{Campaign, Forward, MeshError, Work};
+use crate::study::{Campaign, Forward, MeshError, StudyError, TwoMeshes, Work};
 
 /// Tables that are kept at most; those used longest ago go.
 const MOST: usize = 64;
@@ -23,30 +23,44 @@ const FOLDER: &str = "WASHOUT_CACHE";
 #[derive(Serialize, Deserialize)]
 struct Kept {
     mesh: Option<MeshError>,
+    note: Option<String>,
     table: Table,
 }
 
-/// A campaign corrected for its mesh, its table, and what that took less what the campaign counts itself.
+/// A campaign on the coarser of two meshes, corrected by the finer one, its table, and what that took less what the campaign counts itself.
 pub struct Prepared {
     /// The campaign.
     pub campaign: Campaign,
+    /// The settings, with what the study states of its model.
+    pub settings: Settings,
     /// Its table.
     pub table: Table,
     /// What the table took, the campaign's own count of it left out.
     pub beside: Work,
+    /// What must be said of the meshes.
+    pub note: Option<String>,
 }
 
-/// Corrects a campaign for its mesh and finds how it answers, or takes that from an earlier run.
+/// Reads a study, corrects it for its mesh and finds how it answers, or takes that from an earlier run.
 ///
 /// # Errors
-/// As [`Table::new`].
+/// As [`Campaign::new`] and [`Table::new`].
 pub fn prepared(
-    campaign: Campaign,
     study: &LoadedStudy,
     candidates: &[&str],
-    settings: &Settings,
+    settings: Settings,
     progress: &Progress,
 ) -> Result<Prepared, DiagnoseError> {
+    let Meshed {
+        campaign,
+        finer,
+        note,
+    } = on_coarser_mesh(study, candidates, progress)?;
+    let settings = Settings {
+        slop: campaign.slop,
+        start: Some(campaign.start()),
+        ..settings
+    };
     let made_of = format!(
         "{}{}{:?}",
         program_sha256(),
@@ -55,35 +69,80 @@ pub fn prepared(
     );
     let file = folder().map(|folder| folder.join(format!("{}.json", sha256(made_of.as_bytes()))));
     let known = file.as_ref().and_then(|file| read(file, &campaign));
-    if let Some(Kept { mesh, table }) = known {
-        let campaign = match mesh {
-            Some(mesh) => campaign.with_mesh_error(mesh),
-            None => campaign,
-        };
-        let beside = table.work;
+    let with = |campaign: Campaign, mesh: Option<MeshError>| match mesh {
+        Some(mesh) => campaign.with_mesh_error(mesh),
+        None => campaign,
+    };
+    if let Some(kept) = known {
         return Ok(Prepared {
-            campaign,
-            table,
-            beside,
+            campaign: with(campaign, kept.mesh),
+            settings,
+            beside: kept.table.work,
+            table: kept.table,
+            note: kept.note,
         });
     }
-    let campaign = campaign.on_two_meshes(study, candidates, progress)?;
-    let before = campaign.work();
-    let table = Table::new(&campaign, settings, progress)?;
-    let beside = table.work - (campaign.work() - before);
-    let kept = Kept {
-        mesh: campaign.mesh_error().cloned(),
-        table,
+    let mesh = finer.map(|finer| campaign.mesh_error_by(&finer, candidates, progress));
+    let (mesh, note) = match mesh {
+        Some(Ok(mesh)) => (Some(mesh), note),
+        Some(Err(StudyError::Cancelled(cancelled))) => return Err(StudyError::Cancelled(cancelled).into()),
+        Some(Err(error)) => (None, Some(not_known("twice as fine", &error))),
+        None => (None, note),
     };
+    let campaign = with(campaign, mesh.clone());
+    let before = campaign.work();
+    let table = Table::new(&campaign, &settings, progress)?;
+    let beside = table.work - (campaign.work() - before);
+    let kept = Kept { mesh, note, table };
     if let Some(file) = &file {
         // to keep it is a convenience: what cannot be written is made anew
         let _ = write(file, &kept);
     }
     Ok(Prepared {
         campaign,
+        settings,
         table: kept.table,
         beside,
+        note: kept.note,
     })
+}
+
+/// A campaign, and the study on the mesh that corrects it.
+struct Meshed {
+    campaign: Campaign,
+    finer: Option<LoadedStudy>,
+    note: Option<String>,
+}
+
+/// A study on the coarser of two meshes; on its own where it has no solution on that one.
+fn on_coarser_mesh(
+    study: &LoadedStudy,
+    candidates: &[&str],
+    progress: &Progress,
+) -> Result<Meshed, StudyError> {
+    let TwoMeshes { coarser, finer } = TwoMeshes::of(study);
+    let refine = |of: &LoadedStudy| of.cases.first().map(|case| case.loaded.design.mesh.refine);
+    match Campaign::new(&coarser, candidates, progress) {
+        Ok(campaign) => Ok(Meshed {
+            campaign,
+            finer,
+            note: None,
+        }),
+        Err(error) if matches!(error, StudyError::Cancelled(_)) || refine(&coarser) == refine(study) => {
+            Err(error)
+        }
+        Err(error) => Ok(Meshed {
+            campaign: Campaign::new(study, candidates, progress)?,
+            finer: None,
+            note: Some(not_known("half as fine", &error)),
+        }),
+    }
+}
+
+fn not_known(mesh: &str, error: &StudyError) -> String {
+    format!(
+        "What the mesh leaves is not known, and not in any error: on a mesh {mesh} there is no answer ({error})."
+    )
 }
 
 fn folder() -> Option<PathBuf> {

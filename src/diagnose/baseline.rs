@@ -1,7 +1,5 @@
 //! The model as it is: fitted, with the errors that the data show, and how it answers to everything that could be missing.
 
-use std::sync::OnceLock;
-
 use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
@@ -90,8 +88,10 @@ pub struct Seen<'a> {
     pub fields: &'a [Field],
     /// Where the unknowns start.
     pub start: &'a [f64],
-    /// What the model reads there on its coarser mesh, if it has one, and what it leaves, once it was asked; none if there is no solution.
-    pub without: OnceLock<Option<(DVector<f64>, Option<Footing>)>>,
+    /// What the model reads there.
+    pub raw: &'a DVector<f64>,
+    /// What the first fit left.
+    pub footing: Option<Footing>,
 }
 
 impl Seen<'_> {
@@ -104,26 +104,13 @@ impl Seen<'_> {
         for (k, strength) in effects {
             there[self.data.missing[k]] = strength;
         }
-        let forward = self.forward.coarse().unwrap_or(self.forward);
-        let read = |footing: Option<&Footing>, at: &[f64]| {
-            where_solved(forward.linearize_from(footing, at, &|_| false))
-        };
-        let without = match self.without.get() {
-            Some(known) => known.clone(),
-            None => {
-                let found = read(None, self.start)?;
-                let found =
-                    found.map(|(linear, left)| (linear.value, left.as_ref().map(Footing::for_trials)));
-                self.without.get_or_init(|| found).clone()
-            }
-        };
-        let Some((without, footing)) = without else {
+        let found = self
+            .forward
+            .linearize_from(self.footing.as_ref(), &there, &|_| false);
+        let Some((with, _)) = where_solved(found)? else {
             return Ok(None);
         };
-        let Some((with, _)) = read(footing.as_ref(), &there)? else {
-            return Ok(None);
-        };
-        let change = (with.value - without).select_rows(self.data.rows.iter());
+        let change = (with.value - self.raw).select_rows(self.data.rows.iter());
         Ok(change.iter().all(|own| own.is_finite()).then_some(change))
     }
 }
@@ -187,7 +174,8 @@ impl<'a> Baseline<'a> {
             residual: local.at_means,
             fields: &fields,
             start: &start,
-            without: OnceLock::new(),
+            raw: &raw,
+            footing: footing.as_ref().map(Footing::for_trials),
         };
         let weighing = weigh(&seen, &responses, &families, settings)?;
         let size = size_of_fits([weighing.share, weighing.scale], count, settings);

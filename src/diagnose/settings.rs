@@ -51,9 +51,9 @@ impl Default for PriorOdds {
     fn default() -> Self {
         PriorOdds {
             nothing: 0.5,
-            one: 0.35,
+            one: 0.39,
             two: 0.07,
-            novel: 0.08,
+            novel: 0.04,
         }
     }
 }

@@ -13,7 +13,7 @@ use super::responses::{Response, Responses};
 use super::screening::{Slopes, slopes_of_missing};
 use super::settings::Settings;
 
-/// The answers of one campaign, on its coarser mesh if it has one.
+/// The answers of one campaign.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Table {
     /// Derivatives of all observables with the missing effects, a column each, per prior standard deviation.
@@ -43,7 +43,6 @@ impl Table {
         settings.check()?;
         let start = start(forward, settings)?;
         let data = Data::new(forward, &start)?;
-        let forward = forward.coarse().unwrap_or(forward);
         progress.say("derivatives with every effect");
         let before = forward.work();
         let Slopes { missing, footing } = slopes_of_missing(forward, &data, &start, settings, None)?;

@@ -11,7 +11,6 @@ use super::case::{Asked, PreparedCase, Solved};
 use super::error::StudyError;
 use super::footing::{Ground, Stand};
 use super::forward::{Condition, Footing, Forward, Linear, MeshError, Observable, Unknown};
-use super::other_mesh::OtherMesh;
 use super::skipped::{SkippedRow, in_words};
 use super::unknowns::{Target, Targets};
 use super::work::{Tally, Work};
@@ -39,7 +38,7 @@ pub struct Campaign {
     /// How often all cases were solved, for the progress line.
     pub(super) asked: AtomicUsize,
     pub(super) tally: Tally,
-    pub(super) other_mesh: Option<OtherMesh>,
+    pub(super) mesh_error: Option<MeshError>,
 }
 
 impl Campaign {
@@ -117,22 +116,14 @@ impl Campaign {
             progress: progress.clone(),
             asked: AtomicUsize::new(0),
             tally,
-            other_mesh: None,
+            mesh_error: None,
         })
-    }
-
-    /// The same campaign with what is known of another mesh.
-    pub(super) fn beside(self, other_mesh: OtherMesh) -> Campaign {
-        Campaign {
-            other_mesh: Some(other_mesh),
-            ..self
-        }
     }
 
     /// What the mesh lacks of a prediction, before the ruler.
     fn correction(&self, row: usize) -> f64 {
-        let other = self.other_mesh.as_ref();
-        other.map_or(0.0, |other| other.error.correction[row])
+        let error = self.mesh_error.as_ref();
+        error.map_or(0.0, |error| error.correction[row])
     }
 
     /// Values with which the unknowns start.
@@ -302,12 +293,7 @@ impl Campaign {
 
 impl Forward for Campaign {
     fn mesh_error(&self) -> Option<&MeshError> {
-        self.other_mesh.as_ref().map(|other| &other.error)
-    }
-
-    fn coarse(&self) -> Option<&dyn Forward> {
-        let other = self.other_mesh.as_ref()?;
-        other.coarse.as_deref().map(|coarse| coarse as &dyn Forward)
+        self.mesh_error.as_ref()
     }
 
     fn work(&self) -> Work {

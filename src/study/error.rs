@@ -29,6 +29,9 @@ pub enum StudyError {
         /// Most that are accepted.
         most: usize,
     },
+    /// A finer mesh shows other readings than the one that is solved on.
+    #[error("some rows can be read on one of two meshes alone")]
+    OtherRows,
     /// A range that is no range.
     #[error(
         "{key}: the range [{low}, {high}] of the assumed value {value} is not a range around it: mend it in the design"

@@ -292,11 +292,6 @@ pub trait Forward: Sync {
         None
     }
 
-    /// The same model on a coarser mesh, if there is one: for how it changes, not for what it predicts.
-    fn coarse(&self) -> Option<&dyn Forward> {
-        None
-    }
-
     /// What was done so far, if that is counted.
     fn work(&self) -> Work {
         Work::default()

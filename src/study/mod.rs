@@ -30,8 +30,6 @@ pub mod left_out;
 
 pub mod noise;
 
-mod other_mesh;
-
 pub mod output;
 
 pub mod proposed;
@@ -47,6 +45,8 @@ pub mod shares;
 pub mod skipped;
 
 pub mod surrogate;
+
+mod two_meshes;
 
 pub mod uncertainty;
 
@@ -67,5 +67,6 @@ pub use output::{Output, ProfileOutputs};
 pub use proposed::{Cost, Proposal, Proposals};
 pub use shares::Share;
 pub use skipped::SkippedRow;
+pub use two_meshes::TwoMeshes;
 pub use uncertainty::{Uncertainty, UncertaintySettings, propagate};
 pub use work::Work;

@@ -56,7 +56,7 @@ impl Campaign {
             progress: self.progress.unseen(),
             asked: AtomicUsize::new(0),
             tally: Tally::default(),
-            other_mesh: self.other_mesh.clone(),
+            mesh_error: self.mesh_error.clone(),
         }
     }
 
