@@ -152,7 +152,7 @@ impl Diagnose {
 fn to_add(study: &Path, on: &[String], diagnosis: &Diagnosis) -> String {
     let is_known = |hypothesis: &&Hypothesis| !hypothesis.families.is_empty() && hypothesis.in_set;
     let known = match diagnosis.verdict {
-        Verdict::Effect | Verdict::Pair | Verdict::Set => diagnosis.hypotheses.iter().find(is_known),
+        Verdict::Effect | Verdict::Set => diagnosis.hypotheses.iter().find(is_known),
         Verdict::Nothing | Verdict::Novel | Verdict::Undecidable => None,
     };
     let Some(known) = known else {

@@ -125,7 +125,7 @@ pub fn found(campaign: &Campaign, diagnosis: &Diagnosis, console: &Console) -> R
 
 /// The wings with what a diagnosis holds most probable, if it names an effect.
 pub fn explained(campaign: &Campaign, found: &Diagnosis, console: &Console) -> Result<Wings, Failure> {
-    if !matches!(found.verdict, Verdict::Effect | Verdict::Set | Verdict::Pair) {
+    if !matches!(found.verdict, Verdict::Effect | Verdict::Set) {
         return Ok(Wings::default());
     }
     let Some(first) = found

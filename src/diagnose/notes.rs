@@ -54,6 +54,18 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
             unsolved.join(", ")
         ));
     }
+    let added: Vec<String> = baseline
+        .weighing
+        .unsolved
+        .iter()
+        .map(|pair| both(baseline, pair))
+        .collect();
+    if !added.is_empty() {
+        notes.push(format!(
+            "{}: no equilibrium with both was found; weighed by the sum of what each makes.",
+            added.join(", ")
+        ));
+    }
     let unnamed: Vec<&str> = judgement.humps.unsettled.iter().map(|kind| kind.name()).collect();
     if !unnamed.is_empty() {
         notes.push(format!(
@@ -77,16 +89,16 @@ fn held_out_worse(baseline: &Baseline, judgement: &Judgement) -> Option<[f64; 2]
 
 /// Names of the explanations whose fit settled nowhere.
 fn unsettled(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
-    let names = |&index: &usize| {
-        let members = judgement.trials[index].members.iter();
-        members
-            .map(|&k| name(baseline, k))
-            .collect::<Vec<_>>()
-            .join(" with ")
-    };
+    let names = |&index: &usize| both(baseline, &judgement.trials[index].members);
     let mut names: Vec<String> = judgement.unsettled.iter().map(names).collect();
     names.dedup();
     names
+}
+
+/// Effects that act together, by position among the missing, in words.
+fn both(baseline: &Baseline, members: &[usize]) -> String {
+    let names: Vec<String> = members.iter().map(|&k| name(baseline, k)).collect();
+    names.join(" with ")
 }
 
 /// Effects at a step of which the model has no solution.

@@ -122,7 +122,8 @@ pub fn pairs(
 
 /// Weighs the best pairs anew with what the model reads with both at once: what two effects make together is not the sum of what each makes
 /// alone, least of all where one of them is stiff. `with`: change of the fitted
-/// readings by two effects at given strengths; `most`: ln of prior times evidence of the best other explanation.
+/// readings by two effects at given strengths; `most`: ln of prior times evidence of the best other explanation. Gives the pairs that have no
+/// solution together, which stay as they were.
 ///
 /// # Errors
 /// If a covariance is not positive definite, or the user asked to stop.
@@ -132,8 +133,9 @@ pub fn together(
     pairs: &mut [Trial],
     most: f64,
     with: &Both,
-) -> Result<(), DiagnoseError> {
+) -> Result<Vec<Vec<usize>>, DiagnoseError> {
     let mut solved: Vec<Vec<usize>> = Vec::new();
+    let mut unsolved: Vec<Vec<usize>> = Vec::new();
     for _ in 0..RETURNS {
         pairs.sort_by(|a, b| b.ln_weight.total_cmp(&a.ln_weight));
         let first = pairs.first().map_or(most, |first| first.ln_weight.max(most));
@@ -141,28 +143,31 @@ pub fn together(
             |trial: &&mut Trial| trial.ln_weight > first + IN_THE_RUNNING && !solved.contains(&trial.members);
         let open: Vec<&mut Trial> = pairs.iter_mut().take(TOGETHER).filter(is_open).collect();
         solved.extend(open.iter().map(|trial| trial.members.clone()));
-        let anew: Vec<Trial> = open
+        let anew: Vec<Option<Trial>> = open
             .par_iter()
             .map(|trial| solved_together(weights, members, trial, with))
             .collect::<Result<_, _>>()?;
         for (trial, anew) in open.into_iter().zip(anew) {
-            *trial = anew;
+            match anew {
+                Some(anew) => *trial = anew,
+                None => unsolved.push(trial.members.clone()),
+            }
         }
     }
-    Ok(())
+    Ok(unsolved)
 }
 
-/// A pair weighed with what the model reads with both at their best strengths; as it was if there is no solution.
+/// A pair weighed with what the model reads with both at their best strengths; none if there is no solution.
 fn solved_together(
     weights: &Weights,
     members: &[Member],
     trial: &Trial,
     with: &Both,
-) -> Result<Trial, DiagnoseError> {
+) -> Result<Option<Trial>, DiagnoseError> {
     let pair = [trial.members[0], trial.members[1]];
     let at = [trial.best[0], trial.best[1]];
     let Some(both) = with([(pair[0], at[0]), (pair[1], at[1])])? else {
-        return Ok(trial.clone());
+        return Ok(None);
     };
     let nodes = [0, 1].map(|own| {
         let mut nodes = members[pair[own]].nodes.iter();
@@ -174,7 +179,7 @@ fn solved_together(
         change: both - alone(0) - alone(1),
         at,
     };
-    weighed(weights, members, (pair, nodes), Some(&mixed), trial.ln_prior)
+    weighed(weights, members, (pair, nodes), Some(&mixed), trial.ln_prior).map(Some)
 }
 
 /// What two effects at these strengths make besides the sum of what each makes alone; in proportion to both.

