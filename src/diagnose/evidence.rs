@@ -102,6 +102,11 @@ pub fn ln_sum(terms: impl Iterator<Item = f64> + Clone) -> f64 {
     largest + terms.map(|term| (term - largest).exp()).sum::<f64>().ln()
 }
 
+/// Where the largest of some values stands; none of none.
+pub fn place_of_largest(values: &[f64]) -> Option<usize> {
+    (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

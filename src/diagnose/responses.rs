@@ -13,6 +13,7 @@ use crate::study::{Footing, Forward, Unknown, UnknownKind};
 
 use super::data::Data;
 use super::error::DiagnoseError;
+use super::evidence::place_of_largest;
 use super::interpolate::{Measure, interpolate};
 use super::steps::Steps;
 use super::table::columns::of_strengths;
@@ -222,10 +223,6 @@ impl Response {
     pub fn at(&self, strength: f64) -> DVector<f64> {
         interpolate(&self.knots, strength, self.measure)
     }
-}
-
-fn place_of_largest(values: &[f64]) -> Option<usize> {
-    (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))
 }
 
 /// Place of an effect, numbers with which it acts there and wing; none for what has no place.

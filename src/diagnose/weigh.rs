@@ -10,7 +10,7 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 
 use super::baseline::Seen;
 use super::error::DiagnoseError;
-use super::evidence::ln_sum;
+use super::evidence::{ln_sum, place_of_largest};
 use super::library::{Family, Trial};
 use super::model_error::{ModelError, OWN_SIZES, OwnSize, Size};
 use super::pairs::{pairs, together};
@@ -358,12 +358,12 @@ fn all_singles(
 ) -> Result<Vec<Option<DMatrix<f64>>>, DiagnoseError> {
     let seen: Vec<&Member> = members.iter().filter(|member| member.family.is_some()).collect();
     let best = place_of_largest(of_sizes).unwrap_or(0);
-    // what an effect leaves may be more than what a cause without a name leaves
-    let share = |level: usize| weights.levels[level].size.share;
-    let scale = weights.levels[best].size.scale;
-    let wider = (0..weights.levels.len())
-        .filter(|&level| weights.levels[level].size.scale == scale && share(level) > share(best));
-    let wider = wider.min_by(|&a, &b| share(a).total_cmp(&share(b)));
+    // what an effect leaves may be more than what a cause without a name leaves: the next larger share, too
+    let size = |level: usize| weights.levels[level].size;
+    let is_wider =
+        |&level: &usize| size(level).scale == size(best).scale && size(level).share > size(best).share;
+    let wider = (0..weights.levels.len()).filter(is_wider);
+    let wider = wider.min_by(|&a, &b| size(a).share.total_cmp(&size(b).share));
     let glanced_at: Vec<usize> = [best].into_iter().chain(wider).collect();
     let [.., widest] = OWN_SIZES;
     let glance = |member: &&Member| single(weights, member, &glanced_at, &[widest]);
@@ -388,10 +388,6 @@ fn all_singles(
     let mut whole = whole.into_iter();
     let of_member = |member: &Member| member.family.and_then(|_| whole.next());
     Ok(members.iter().map(of_member).collect())
-}
-
-fn place_of_largest(values: &[f64]) -> Option<usize> {
-    (0..values.len()).max_by(|&a, &b| values[a].total_cmp(&values[b]))
 }
 
 /// ln of the density of the readings at each strength (column) of one effect for every size (row) in `looked_at`, the prior of the strength
