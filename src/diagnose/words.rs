@@ -4,6 +4,8 @@ use super::verdict::{Diagnosis, Hypothesis, PlaceFound, Strength, Verdict};
 
 /// Names listed before "and others".
 const LISTED: usize = 6;
+/// Distance between explanations, in standard deviations, from which on a reading that does not decide is told.
+const WORTH_SAYING: f64 = 1.0;
 
 /// The answer to a diagnosis whose other parts are complete: what it is, then what the fit had to pull for it.
 pub fn sentence(diagnosis: &Diagnosis) -> String {
@@ -67,13 +69,16 @@ fn undecided(diagnosis: &Diagnosis) -> String {
         }
         None => format!("nothing is missing with probability {nothing:.2}"),
     };
-    let next = match diagnosis
-        .next_experiment
-        .as_ref()
-        .and_then(|next| next.best.as_ref())
-    {
-        Some(next) => format!("to know it, measure {next}"),
-        None => "to know it, repeat the readings that miss most".to_string(),
+    let experiments = diagnosis.next_experiment.as_ref();
+    let best = experiments.and_then(|next| next.best.as_ref());
+    let nearest = experiments.and_then(|next| next.candidates.first());
+    let next = match (best, nearest) {
+        (Some(best), _) => format!("to know it, measure {best}"),
+        (None, Some(nearest)) if nearest.separation_sigma >= WORTH_SAYING => format!(
+            "to know it, repeat the readings that miss most; of what could be added, {} tells most ({:.1} standard deviations)",
+            nearest.name, nearest.separation_sigma
+        ),
+        _ => "to know it, repeat the readings that miss most".to_string(),
     };
     format!("Not decided: {most}; {next}.")
 }
