@@ -24,7 +24,7 @@ const NODES: usize = 16;
 const CLOSER: usize = 6;
 /// How far between two places an effect is looked at.
 const AWAY: f64 = 1.0 / 3.0;
-/// Prior probability of a strength beyond what is plausible.
+/// Prior probability of a strength beyond what is plausible; assumed, well below that of a cause without a name.
 const IMPLAUSIBLE: f64 = 0.002;
 
 /// The steps of every missing effect.

@@ -33,7 +33,7 @@ pub struct Settings {
     pub tempering: f64,
 }
 
-/// Probabilities before the data; they need not sum to 1.
+/// Probabilities before the data, assumed; they need not sum to 1.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct PriorOdds {

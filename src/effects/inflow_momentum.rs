@@ -36,14 +36,15 @@ const CARD: Card = Card {
     has_switch: false,
 };
 
-/// Half-angle of the sector of air that carries the lift where it does not follow the stroke: the middle of what flapping wings sweep.
+/// Half-angle of the sector of air that carries the lift where it does not follow the stroke. Assumed: the middle of the amplitudes that flapping
+/// wings have; a strength stands for any other width.
 const FIXED_RAD: f64 = std::f64::consts::FRAC_PI_4;
 /// How the area of the air that carries the lift follows the stroke.
 pub(super) const AREA_EXPONENT: Parameter = Parameter {
     name: "area_exponent",
     unit: "1",
     meaning: "n, how the area of the air that carries the lift follows the stroke: 1 is the sector that the wing sweeps (Ellington 1984, part V); \
-              0 is a sector of 45 deg to either side whatever the stroke, as the wake of a rotor, so that the downwash is the same share of the \
+              0 is a sector of 45 deg to either side whatever the stroke, as the disc of a rotor (Leishman 2006, §2.2: its inflow ratio is √(C_T/2)), so that the downwash is the same share of the \
               tip speed at every amplitude",
     default: 1.0,
     range: [0.0, 1.0],

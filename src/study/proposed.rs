@@ -9,6 +9,7 @@ use super::campaign::Campaign;
 use super::error::StudyError;
 use super::forward::Observable;
 use super::quantile::quantile;
+use super::two_meshes::COARSE;
 use crate::input::measurement::{Bound, Channel, Row};
 use crate::input::quantity::Quantity;
 use crate::input::study::{LoadedCase, LoadedStudy};
@@ -18,8 +19,6 @@ use crate::progress::Progress;
 const MODERATE: [f64; 2] = [2.0, 15.0];
 /// The same where no twist was measured, deg.
 const UNKNOWN_TWIST: f64 = 5.0;
-/// Refinement above which meshes are made half as fine: the rivals are compared with each other only.
-const FINE: f64 = 0.75;
 /// Stations nearer than this to another tell nothing new, over the length.
 const NEAR: f64 = 0.05;
 
@@ -161,7 +160,7 @@ fn of_wing(study: &LoadedStudy, clearest: &LoadedCase) -> Vec<Proposal> {
     let twist_deg = moderate_twist(clearest);
     let mut case = clearest.clone();
     let mesh = &mut case.loaded.design.mesh;
-    if mesh.refine > FINE && case.loaded.mesh_file.is_none() {
+    if mesh.refine > COARSE && case.loaded.mesh_file.is_none() {
         mesh.refine *= 0.5;
     }
     case.rows = rows;

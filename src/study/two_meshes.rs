@@ -10,7 +10,7 @@ use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 
 /// Refinement up to which a study states the coarser of the two meshes.
-const COARSE: f64 = 0.75;
+pub(super) const COARSE: f64 = 0.75;
 /// Refinement of the finer mesh over that of the coarser one.
 const FINER: f64 = 2.0;
 /// Error of the coarser mesh over that of the finer one: elements of second order.
