@@ -155,7 +155,7 @@ fn one(refine: f64, by_two: bool) -> Grown {
     let planform = Planform::from_design(&design).expect("an outline");
     let mesh = generate(&design, &planform).expect("a mesh");
     let start = Instant::now();
-    let solution = solve(&design, &planform, &mesh, None, &Progress::quiet()).expect("an equilibrium");
+    let solution = solve(&design, &mesh, None, &Progress::quiet()).expect("an equilibrium");
     let solve = start.elapsed().as_secs_f64();
     let peak_bytes = peak_bytes();
 

@@ -7,14 +7,13 @@ use std::path::Path;
 use divan::counter::ItemsCount;
 use divan::{AllocProfiler, Bencher};
 
-use washout::coupling::{solution::Solution, solve, wing::Wing};
-use washout::geometry::Planform;
-use washout::input::{Design, Loaded};
-use washout::mesh::{Mesh, generate};
+use washout::coupling::{solution::Solution, wing::Wing};
+use washout::mesh::generate;
 use washout::progress::Progress;
 use washout::structure::Equilibrium;
 use washout::structure::factor::Factor;
 use washout::verify::{ALL, Extent, run};
+use washout::wing::WingModel;
 
 #[global_allocator]
 static MEMORY: AllocProfiler = AllocProfiler::system();
@@ -25,53 +24,29 @@ fn main() {
     divan::main();
 }
 
-struct Case {
-    design: Design,
-    planform: Planform,
-    mesh: Mesh,
+fn model(wing: &str) -> WingModel {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("designs/{wing}.toml"));
+    WingModel::open(file, &[]).expect("a shipped design")
 }
 
-impl Case {
-    fn of(wing: &str) -> Case {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("designs/{wing}.toml"));
-        let Loaded { design, .. } = Design::load(&file, &[]).expect("a shipped design");
-        let planform = Planform::from_design(&design).expect("an outline");
-        let mesh = generate(&design, &planform).expect("a mesh");
-        Case {
-            design,
-            planform,
-            mesh,
-        }
-    }
-
-    fn solve(&self) -> Solution {
-        let Case {
-            design,
-            planform,
-            mesh,
-        } = self;
-        solve(design, planform, mesh, None, &Progress::quiet()).expect("an equilibrium")
-    }
+fn shape(model: &WingModel) -> Solution {
+    model.shape(None, &Progress::quiet()).expect("an equilibrium")
 }
 
 /// The coupled solve as `washout solve` makes it, from the mesh to the converged shape.
 #[divan::bench(args = WINGS, sample_count = 5, sample_size = 1)]
 fn coupled_solve(bencher: Bencher, wing: &str) {
-    let case = Case::of(wing);
-    bencher.bench_local(|| case.solve());
+    let model = model(wing);
+    bencher.bench_local(|| shape(&model));
 }
 
 /// The mesh of a design.
 #[divan::bench(args = WINGS, sample_count = 20)]
 fn mesh(bencher: Bencher, wing: &str) {
-    let Case {
-        design,
-        planform,
-        mesh,
-    } = Case::of(wing);
+    let model = model(wing);
     bencher
-        .counter(ItemsCount::new(mesh.triangles.len()))
-        .bench_local(|| generate(&design, &planform));
+        .counter(ItemsCount::new(model.mesh.triangles.len()))
+        .bench_local(|| generate(model.design(), &model.planform));
 }
 
 /// The parts of one Newton step on the loaded shape.
@@ -119,9 +94,9 @@ mod newton_step {
     }
 
     fn with_loaded(name: &str, measure: impl FnOnce(&Wing, &Solution, &mut Equilibrium)) {
-        let case = Case::of(name);
-        let solution = case.solve();
-        let wing = Wing::new(&case.design, &case.mesh, None).expect("a wing");
+        let model = model(name);
+        let solution = shape(&model);
+        let wing = Wing::new(model.design(), &model.mesh, None).expect("a wing");
         let mut equilibrium = Equilibrium::new(&wing.model).expect("a pattern");
         let loads = wing.loads_on(&solution.state).expect("loads");
         let pivots = equilibrium.factorize(&solution.state, &loads).expect("a factor");

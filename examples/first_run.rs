@@ -1,23 +1,14 @@
 //! The shortest way from a design file to a twist: `cargo run --release --example first_run`.
 
 use std::error::Error;
-use std::path::Path;
 
-use washout::coupling::solve;
-use washout::geometry::Planform;
-use washout::input::Design;
-use washout::mesh::generate;
-use washout::observation::read_profile;
 use washout::progress::Progress;
+use washout::wing::WingModel;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("designs/twist-v2.toml");
-    let design = Design::load(&file, &["flapping.half_amplitude_deg=30".to_string()])?.design;
-    let planform = Planform::from_design(&design)?;
-    let mesh = generate(&design, &planform)?;
-    let solution = solve(&design, &planform, &mesh, None, &Progress::shown())?;
-
-    let profile = read_profile(&design, &planform, &solution)?;
+    let design = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/twist-v2.toml");
+    let wing = WingModel::open(design, &["flapping.half_amplitude_deg=30"])?;
+    let profile = wing.solve(&Progress::shown())?.profile()?;
     for reading in &profile.readings {
         let (r_mm, twist_deg) = (reading.r_m * 1e3, reading.twist_rad.to_degrees());
         println!("{r_mm:6.1} mm {twist_deg:6.2} deg");

@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let design = Design::from_toml(&design(), "my-wing.toml")?;
     let (planform, mesh) = for_design(&design, Some(file))?;
-    let solution = solve(&design, &planform, &mesh, None, &Progress::shown())?;
+    let solution = solve(&design, &mesh, None, &Progress::shown())?;
     let solved_deg = twist_at(&design, &planform, &solution, SPAN_M)
         .ok_or("no tip")?
         .to_degrees();

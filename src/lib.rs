@@ -1,18 +1,44 @@
 //! washout: the twist of a flexible wing under air load, and which physics a model of it lacks.
 //!
+//! ```
+//! use washout::{progress::Progress, wing::WingModel};
+//!
+//! let wing = WingModel::open("designs/twist-v2.toml", &["flapping.half_amplitude_deg=30"])?;
+//! let solved = wing.solve(&Progress::quiet())?;
+//! let tip_m = 0.97 * wing.planform.length_m();
+//! println!("{:.2} deg", solved.twist_at(tip_m).unwrap_or(f64::NAN).to_degrees());
+//! # assert!((solved.twist_at(tip_m).unwrap().to_degrees() - 18.2).abs() < 0.2);
+//! # Ok::<(), washout::wing::WingError>(())
+//! ```
+//!
+//! What you meet first:
+//!
+//! | type | what it is |
+//! |---|---|
+//! | [`wing::WingModel`] | a wing read and meshed |
+//! | [`wing::SolvedWing`] | its loaded shape, with twist, lift, drag and power |
+//! | [`observation::TwistProfile`] | twist along the span, as the design's instrument reads it |
+//! | [`lift::LiftReport`] | lift, drag and power |
+//! | [`input::Design`] | a design, checked |
+//! | [`input::measurement::Measurement`] | measured readings |
+//! | [`study::Campaign`] | a study, ready to be calibrated and diagnosed |
+//! | [`compare::StudyComparison`] | measured minus modelled |
+//! | [`diagnose::Diagnosis`] | what the model lacks, and how sure that is |
+//! | [`effects::Effect`] | physics that can be added |
+//!
 //! ```text
-//! input ─→ geometry ─→ mesh ─┬→ structure ─┬→ effects ─→ coupling ─→ observation ─→ lift ─→ study ─→ compare
-//! designs   outline    nodes  │  beams, film │  added      air and      twist as an    means    bands    measured
-//! measure-  rod and    and    └→ aero ───────┘  physics    structure    instrument     over the          minus
-//! ments     spars      sets      flow, strips              together     sees it        stroke            modelled
+//! input ─→ geometry ─→ mesh ─┬→ structure ─┬→ effects ─→ coupling ─→ observation ─→ lift ─→ wing ─→ study ─→ compare
+//! designs   outline    nodes  │  beams, film │  added      air and      twist as an    means   read,   bands    measured
+//! measure-  rod and    and    └→ aero ───────┘  physics    structure    instrument     over    meshed,          minus
+//! ments     spars      sets      flow, strips              together     sees it        stroke  solved           modelled
 //!
-//!                            verify: published cases ←─ structure, coupling
+//!                            verify: published cases ←─ structure, coupling, wing
 //!
-//! explore: fronts over twist profiles, rods for a wanted twist ←─ lift, study
+//! explore: fronts over twist profiles, rods for a wanted twist ←─ wing, study
 //!
 //! diagnose: which effect a model lacks, or none that is known ←─ study
 //!
-//! export: any result into bytes ←─ plot: pictures from numbers
+//! export: any result into bytes ←─ page: what a person reads ←─ plot: pictures from numbers
 //! cli: one file per verb   progress: for every room   origin: what results are made of   task: parts of long work
 //! ```
 //!
@@ -42,6 +68,8 @@ pub mod observation;
 
 pub mod lift;
 
+pub mod wing;
+
 pub mod verify;
 
 pub mod study;
@@ -57,6 +85,8 @@ pub mod sweep;
 pub mod diagnose;
 
 pub mod blind;
+
+pub mod page;
 
 pub mod plot;
 

@@ -14,12 +14,9 @@ mod tapered_rod;
 use std::error::Error;
 use std::process::ExitCode;
 
-use washout::coupling::solve;
-use washout::geometry::Planform;
 use washout::input::Design;
-use washout::mesh::generate;
-use washout::observation::read_profile;
 use washout::progress::Progress;
+use washout::wing::WingModel;
 
 use tapered_rod::TaperedRod;
 
@@ -69,10 +66,9 @@ fn closed_form() -> Result<(), Box<dyn Error>> {
 fn tip_twist_rad(strength: f64) -> Result<[f64; 2], Box<dyn Error>> {
     let mut design = Design::from_toml(ROD, "rod.toml")?;
     design.set("effects.tapered-rod.strength", strength)?;
-    let planform = Planform::from_design(&design)?;
-    let mesh = generate(&design, &planform)?;
-    let solution = solve(&design, &planform, &mesh, None, &Progress::quiet())?;
-    let profile = read_profile(&design, &planform, &solution)?;
+    let profile = WingModel::of_design(design)?
+        .solve(&Progress::quiet())?
+        .profile()?;
     let tip = profile.tip().ok_or("the tip was not read")?;
     Ok([tip.r_m, tip.twist_rad])
 }

@@ -6,6 +6,7 @@ use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError};
 use pyo3::prelude::*;
 use washout::cli::Failure;
 use washout::input::InputError;
+use washout::wing::WingError;
 
 /// Exit code of work that was cancelled.
 pub const INTERRUPTED: u8 = 130;
@@ -20,7 +21,7 @@ pub fn raised(py: Python<'_>, failure: &Failure) -> PyErr {
         _ => "WashoutError",
     };
     let made = match failure {
-        Failure::Input(error) => of_input(py, &message, error),
+        Failure::Input(error) | Failure::Wing(WingError::Input(error)) => of_input(py, &message, error),
         _ => {
             let file = file_of(failure).map(|path| path.display().to_string());
             made(py, class, (message, file))
@@ -69,14 +70,15 @@ fn made<'py>(py: Python<'py>, class: &str, details: impl pyo3::call::PyCallArgs<
 /// The design or study that a failure is about.
 fn file_of(failure: &Failure) -> Option<&Path> {
     match failure {
-        Failure::Design { design, .. }
-        | Failure::Coupling { design, .. }
-        | Failure::Phase { design, .. }
-        | Failure::StopPulls { design, .. }
+        Failure::Wing(
+            WingError::Design { design, .. }
+            | WingError::Solve { design, .. }
+            | WingError::Phase { design, .. }
+            | WingError::NoMeasurement { design },
+        )
         | Failure::Unstable { design, .. }
         | Failure::Undecided { design, .. }
-        | Failure::Explore { design, .. }
-        | Failure::NoMeasurement { design } => Some(design),
+        | Failure::Explore { design, .. } => Some(design),
         Failure::OfStudy { study, .. }
         | Failure::Diagnosis { study, .. }
         | Failure::Synthesis { study, .. }

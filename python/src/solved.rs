@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use washout::cli::case::Case;
 use washout::cli::solve::Run;
 use washout::cli::{Failure, Verb};
 use washout::export::csv::{STRIPS_HEAD, strip_row};
@@ -12,6 +11,7 @@ use washout::export::run::RunFolder;
 use washout::input::Design;
 use washout::observation::field::twist_at_nodes;
 use washout::structure::state::State;
+use washout::wing::WingModel;
 
 use crate::arrays::{elements, nodes, numbers, rows};
 use crate::failure::{other, raised, refused};
@@ -37,7 +37,7 @@ pub fn solve(
             Some(text) => Design::load_text(text, &asked.design.design, &asked.design.set)?,
             None => asked.design.load(&[])?,
         };
-        Run::new(Case::new(loaded)?, &asked.asked, progress)
+        Run::new(&WingModel::new(loaded)?, &asked.asked, progress)
     })?;
     Ok(Solved { run })
 }
@@ -63,7 +63,7 @@ impl Solved {
 
     /// The columns of `strips.csv`.
     fn strips<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let strips: Vec<[f64; 10]> = self.run.solution.strips.iter().map(strip_row).collect();
+        let strips: Vec<[f64; 10]> = self.run.wing.solution.strips.iter().map(strip_row).collect();
         let columns = PyDict::new(py);
         for (index, name) in STRIPS_HEAD.iter().enumerate() {
             columns.set_item(name, numbers(py, strips.iter().map(|strip| strip[index])))?;
@@ -73,14 +73,14 @@ impl Solved {
 
     /// The mesh at rest and deformed, and what acts on it; the fields of `washout.Shape`.
     fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let solution = &self.run.solution;
+        let solution = &self.run.wing.solution;
         let mesh = &solution.mesh;
         let points_mm = |state: &State| {
             let moved = mesh.nodes.iter().zip(&state.displacement);
             let points = moved.map(|(node, u)| [node[0] + u[0], node[1] + u[1], node[2] + u[2]]);
             rows(py, points.map(|point| point.map(|x_m| x_m * 1e3)))
         };
-        let twist = twist_at_nodes(&self.run.case.planform, solution);
+        let twist = twist_at_nodes(&self.run.wing.model.planform, solution);
         let shape = PyDict::new(py);
         shape.set_item("rest_mm", points_mm(&solution.rest))?;
         shape.set_item("deformed_mm", points_mm(&solution.state))?;

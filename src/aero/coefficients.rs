@@ -7,11 +7,9 @@
 
 use std::f64::consts::PI;
 
+use super::join::{SMOOTHING_RAD, even_join, odd_join};
 use super::number::Number;
 use super::table::CoefficientTable;
-
-/// Width of the smoothing on each side of 0, 90 and 180°, rad (1°).
-pub const SMOOTHING_RAD: f64 = PI / 180.0;
 
 /// A law of lift and drag coefficients.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,19 +108,6 @@ fn symmetric<D: Number>(angle: D, symmetry: Symmetry, fit: fn(D) -> (D, D)) -> D
         Symmetry::Odd => odd_join(distance, SMOOTHING_RAD, value.re(), slope.re() * sign),
         Symmetry::Even => even_join(distance, SMOOTHING_RAD, value.re(), slope.re() * sign),
     }
-}
-
-/// The odd cubic that has `value` and `slope` at `width`, taken at `x`.
-pub(super) fn odd_join<D: Number>(x: D, width: f64, value: f64, slope: f64) -> D {
-    let linear = (3.0 * value - slope * width) / (2.0 * width);
-    let cubic = (slope * width - value) / (2.0 * width.powi(3));
-    x * (x * x * cubic + linear)
-}
-
-/// The even parabola that has `value` and `slope` at `width`, taken at `x`.
-pub(super) fn even_join<D: Number>(x: D, width: f64, value: f64, slope: f64) -> D {
-    let square = slope / (2.0 * width);
-    x * x * square + (value - square * width * width)
 }
 
 #[cfg(test)]

@@ -13,6 +13,8 @@ pub mod table;
 
 pub mod coefficients;
 
+mod join;
+
 pub mod centre_of_pressure;
 
 pub mod law;

@@ -5,8 +5,8 @@
 //! cambered airfoil can be given. Beyond its ends a table holds its last values, so that an iteration may pass
 //! through; [`CoefficientTable::check`] refuses such an angle, and every converged result is checked with it.
 
-use super::coefficients::{SMOOTHING_RAD, even_join, odd_join};
 use super::error::AeroError;
+use super::join::{SMOOTHING_RAD, even_join, odd_join};
 use super::number::Number;
 
 /// Coefficients against the angle of attack.

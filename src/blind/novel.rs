@@ -5,7 +5,7 @@ use crate::input::measurement::Formulas;
 use crate::progress::Progress;
 use crate::study::draws::Draws;
 use crate::study::{Campaign, Forward};
-use crate::synthesize::{Hidden, hidden::hide};
+use crate::synthesize::{Hidden, hide::hide};
 
 /// Misfit of a cause of its first size, sigma, below which no size of it can be meant.
 const INVISIBLE: f64 = 1e-6;

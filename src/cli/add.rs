@@ -9,19 +9,20 @@ use serde::{Deserialize, Serialize};
 use toml_edit::{ArrayOfTables, DocumentMut, Item, value};
 
 use crate::compare::ladder::{StudyRung, ladder};
-use crate::compare::study::{StudyComparison, compare_study};
+use crate::compare::study::compare_study;
+use crate::compare::study_comparison::StudyComparison;
 use crate::effects::{Card, named};
 use crate::export::html::{self, Document};
 use crate::export::ladder as ladder_text;
 use crate::export::pictures::ladder::Fall;
 use crate::export::pictures::write::add_falls;
 use crate::export::run::RunFolder;
-use crate::export::text::{significant, wrapped};
 use crate::input::study::LoadedStudy;
 use crate::origin::{InputFile, MadeOf};
+use crate::page::text::{significant, wrapped};
 use crate::study::Campaign;
 
-use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths};
+use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths, written};
 use super::study::{listed, target as target_of};
 use super::study_file::StudyFile;
 use super::{Console, Failure, joining};
@@ -327,11 +328,6 @@ pub(super) fn own_effects(file: &Path) -> Result<(BTreeMap<String, toml::Table>,
         true => Err(fault(cure.to_string())),
         false => Ok((found, InputFile::new(file.display().to_string(), text.as_bytes()))),
     }
-}
-
-/// A number as it is written into a study, with six digits.
-pub(super) fn written(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 /// Whether an effect of a study was added to its model: its strength is fitted, or it is all or none.

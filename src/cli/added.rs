@@ -5,13 +5,12 @@ use serde::{Deserialize, Serialize};
 use toml_edit::{DocumentMut, Item, value};
 
 use crate::compare::ladder::StudyRung;
-use crate::compare::study::StudyComparison;
-use crate::export::text::significant;
+use crate::compare::study_comparison::StudyComparison;
 use crate::input::study::LoadedStudy;
+use crate::page::text::significant;
 use crate::study::UnknownKind;
 
 use super::Failure;
-use super::add::written;
 
 /// Share by which an error must fall to count as falling.
 const TOLD: f64 = 0.005;
@@ -131,4 +130,9 @@ pub fn no_fall(ladder: &[StudyRung]) -> Option<String> {
             significant(after, 3)
         )
     })
+}
+
+/// A number as it is written into a study, with six digits.
+pub(super) fn written(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
 }

@@ -11,11 +11,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::blind::{Blind, BlindError, Failed, Kind, Outcome, Ranges, Scoreboard, Turned, scoreboard};
 use crate::diagnose::DiagnoseError;
-use crate::export::ExportError;
 use crate::export::blind::page;
 use crate::export::lock::Lock;
 use crate::export::run::RunFolder;
 use crate::export::tasks::{read_json, write_json};
+use crate::export::{ExportError, json};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::StudyError;
@@ -24,7 +24,8 @@ use crate::synthesize::SynthesizeError;
 use crate::task::{key, stretches};
 
 use super::candidates::{candidates, known};
-use super::tasks::{Job, TaskArguments, Work, beside, gone};
+use super::job::Job;
+use super::tasks::{TaskArguments, Work, beside, gone};
 use super::{Console, Failure};
 
 const VERB: &str = "blind";
@@ -150,7 +151,7 @@ impl TryBlind {
         let run = read_json::<Run>(&self.run_file())?.unwrap_or(ready.run);
         let board: Scoreboard = scoreboard(&outcomes, &failed, run.turned.as_deref().unwrap_or_default());
         let page = page(&study.study.name, &board, &outcomes);
-        let text = serde_json::to_string_pretty(&board).map_err(|error| Failure::Output(error.into()))?;
+        let text = json::text(&board)?;
         let mut written = RunFolder::create(&self.output, VERB)?;
         written.add("scoreboard.md", page.as_bytes())?;
         written.add("scoreboard.json", text.as_bytes())?;

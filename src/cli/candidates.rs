@@ -2,9 +2,9 @@
 
 use crate::diagnose::DiagnoseError;
 use crate::effects::{Effect, all, instead_of, named};
-use crate::export::text::first_up;
 use crate::input::refused_in;
 use crate::input::study::LoadedStudy;
+use crate::page::text::first_up;
 use crate::study::case::PreparedCase;
 
 use super::{Console, Failure};

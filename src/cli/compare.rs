@@ -7,9 +7,7 @@ use clap::Args;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::compare::Comparison;
-use crate::coupling::engineering::engineering;
-use crate::coupling::solution::Solution;
+use crate::compare::{Comparison, Reading};
 use crate::export::collect::{Solved, summarize};
 use crate::export::comparison;
 use crate::export::html::document::Shown;
@@ -19,18 +17,17 @@ use crate::export::pictures::profile::StripRow;
 use crate::export::pictures::wing::figure as wing_figure;
 use crate::export::pictures::write::add_wing;
 use crate::export::run::RunFolder;
-use crate::export::text::{Table, number};
 use crate::input::Loaded;
 use crate::input::measurement::Channel;
 use crate::input::study::LoadedStudy;
 use crate::lift::{Ratios, StrokeMeans};
 use crate::origin::MadeOf;
+use crate::page::text::{Table, number};
 
-use super::case::{Case, DesignArguments, beside, is_there};
-use super::reading::{Reading, means_on_ramp};
-use super::solve::solve;
+use super::design_arguments::{DesignArguments, beside, is_there};
 use super::study::{COMPARISON, listed, target};
 use super::{Console, Failure};
+use crate::wing::{SolvedWing, WingError, WingModel};
 
 /// Arguments of `washout compare`.
 #[derive(Debug, Args)]
@@ -116,36 +113,33 @@ impl Compare {
         }
         let loaded = self.load()?;
         if loaded.measurement.is_none() {
-            return Err(Failure::NoMeasurement { design: loaded.path });
+            return Err(WingError::NoMeasurement { design: loaded.path }.into());
         }
         let target = target(self.output.as_ref(), &loaded.design.name, "compare");
         let mut folder = RunFolder::listed_by(&target, "compare", COMPARISON)?;
         progress.say(format_args!("solving {}", loaded.design.name));
-        let case = Case::new(loaded)?;
-        let solution = solve(&case, progress)?;
+        let wing = WingModel::new(loaded)?.solve(progress)?;
         let mut whole_wing = BTreeMap::new();
         let mut modelled = None;
         let mut of_reference = Vec::new();
         if let Some(path) = &self.reference {
-            let means = means_on_ramp(&case, &solution)?;
+            let means = wing.means_on_ramp()?;
             let reference = self.reference(path, console)?;
             of_reference.clone_from(&reference.loaded.files);
             let (name, reference) = reference_means(&reference, console)?;
-            let found = ratios(&case, means, reference)?;
+            let found = ratios(&wing.model, means, reference)?;
             whole_wing.insert(Channel::LiftRatio, found.lift);
             whole_wing.insert(Channel::DragRatio, found.drag);
             whole_wing.insert(Channel::EfficiencyRatio, found.local_lift_to_drag);
-            modelled = Some(named(name, &found, &case)?);
+            modelled = Some(named(name, &found, &wing.model)?);
         }
-        let reading = Reading::of(&case, &solution, &whole_wing)?;
+        let reading = Reading::of(&wing, &whole_wing)?;
         let run = self
             .report
-            .then(|| run_page(&case, &solution, &reading, console))
+            .then(|| run_page(&wing, &reading, console))
             .transpose()?;
         let Some(comparison) = reading.measured else {
-            return Err(Failure::NoMeasurement {
-                design: case.loaded.path,
-            });
+            return Err(wing.model.no_measurement().into());
         };
         let mut page = comparison::page(&comparison);
         page.extend(modelled.as_ref().map(|ratios| format!("\n{}", table(ratios))));
@@ -153,7 +147,7 @@ impl Compare {
         let report = CompareReport {
             comparison,
             ratios: modelled,
-            made_of: MadeOf::files(case.loaded.files.iter().chain(&of_reference)),
+            made_of: MadeOf::files(wing.model.loaded.files.iter().chain(&of_reference)),
             files: folder.listed_with(self.report),
         };
         if let Some(mut run) = run {
@@ -210,28 +204,31 @@ impl Compare {
         self.design.load(&sets)
     }
 
-    fn reference(&self, path: &std::path::Path, console: &Console) -> Result<Case, Failure> {
+    fn reference(&self, path: &std::path::Path, console: &Console) -> Result<WingModel, Failure> {
         let arguments = DesignArguments {
             design: path.to_path_buf(),
             set: Vec::new(),
             refine: self.design.refine,
             mesh: None,
         };
-        arguments.case(console)
+        arguments.wing(console)
     }
 }
 
-fn reference_means(case: &Case, console: &Console) -> Result<(String, Option<StrokeMeans>), Failure> {
+fn reference_means(case: &WingModel, console: &Console) -> Result<(String, Option<StrokeMeans>), Failure> {
     let name = case.loaded.design.name.clone();
     console.progress().say(format_args!("solving {name}"));
-    let solution = solve(case, console.progress())?;
-    Ok((name, means_on_ramp(case, &solution)?))
+    Ok((name, case.solve(console.progress())?.means_on_ramp()?))
 }
 
-fn ratios(case: &Case, wing: Option<StrokeMeans>, reference: Option<StrokeMeans>) -> Result<Ratios, Failure> {
+fn ratios(
+    case: &WingModel,
+    wing: Option<StrokeMeans>,
+    reference: Option<StrokeMeans>,
+) -> Result<Ratios, Failure> {
     match (wing, reference) {
         (Some(wing), Some(reference)) => {
-            Ratios::between(&wing, &reference).map_err(|error| case.fault(error))
+            Ratios::between(&wing, &reference).map_err(|error| case.fault(error).into())
         }
         _ => Err(Failure::Option {
             option: "--reference",
@@ -240,7 +237,7 @@ fn ratios(case: &Case, wing: Option<StrokeMeans>, reference: Option<StrokeMeans>
     }
 }
 
-fn named(reference: String, found: &Ratios, case: &Case) -> Result<ModelledRatios, Failure> {
+fn named(reference: String, found: &Ratios, case: &WingModel) -> Result<ModelledRatios, Failure> {
     let equal = found.at_rate_ratio(1.0).map_err(|error| case.fault(error))?;
     let row = |name: &str, value: fn(&Ratios) -> f64| NamedRatio {
         name: name.to_string(),
@@ -284,26 +281,16 @@ fn table(modelled: &ModelledRatios) -> String {
 }
 
 /// The report of the run behind a comparison.
-fn run_page(case: &Case, solution: &Solution, reading: &Reading, console: &Console) -> Result<Page, Failure> {
-    let design = &case.loaded.design;
-    let numbers = engineering(design, &case.planform, solution, console.progress());
-    let numbers = numbers.map_err(|source| Failure::Coupling {
-        design: case.loaded.path.clone(),
-        source,
-    })?;
+fn run_page(wing: &SolvedWing, reading: &Reading, console: &Console) -> Result<Page, Failure> {
+    let SolvedWing { model, solution } = wing;
     let summary = summarize(&Solved {
-        loaded: &case.loaded,
-        planform: &case.planform,
-        solution,
-        profile: &reading.profile,
-        stages: reading.stages.as_ref(),
-        measured: reading.measured.as_ref(),
-        lift: reading.lift.as_ref(),
+        wing,
+        reading,
         uncertainty: None,
-        engineering: &numbers,
+        engineering: &wing.engineering(console.progress())?,
     });
     let strips: Vec<StripRow> = solution.strips.iter().map(StripRow::of).collect();
-    let wing = Wing::of_solution(&design.name, design, &case.planform, solution);
+    let wing = Wing::of_solution(&model.design().name, model.design(), &model.planform, solution);
     Ok(html::run::page(&summary, wing, &strips)?)
 }
 

@@ -1,9 +1,9 @@
 //! `washout completions`: what a shell needs to complete verbs and options, made from the command line's own definition.
 
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 
-use super::{Arguments, Console, Failure};
+use super::{Console, Failure};
 
 /// Arguments of `washout completions`.
 #[derive(Debug, Args)]
@@ -17,10 +17,10 @@ pub struct Completions {
 }
 
 impl Completions {
-    /// Prints the script.
-    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+    /// Prints the script for the whole command line.
+    pub fn run(&self, mut whole: Command, console: &Console) -> Result<(), Failure> {
         let mut script = Vec::new();
-        generate(self.shell, &mut Arguments::command(), "washout", &mut script);
+        generate(self.shell, &mut whole, "washout", &mut script);
         console.text(&script)
     }
 }

@@ -4,13 +4,29 @@ use std::cell::RefCell;
 use std::fmt;
 use std::io::{self, IsTerminal, Write};
 
+use clap::Args;
 use serde::Serialize;
 
+use crate::export::json;
 use crate::plot::Figure;
 use crate::plot::terminal::sketch;
 use crate::progress::Progress;
 
-use super::{Common, Failure};
+use super::Failure;
+
+/// Options of every verb.
+#[derive(Debug, Clone, Args)]
+pub struct Common {
+    /// Print one JSON document on standard output, and everything else on standard error
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// Print nothing but errors (and the JSON document, if asked for)
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+    /// Threads to use; results do not depend on it [default: one per core]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+}
 
 /// Where a verb prints.
 #[derive(Debug)]
@@ -74,7 +90,7 @@ impl Console {
     /// Prints a document for programs, whatever the options say.
     pub fn document(&self, document: &impl Serialize) -> Result<(), Failure> {
         self.progress.finish();
-        let text = serde_json::to_string_pretty(document).map_err(|error| Failure::Output(error.into()))?;
+        let text = json::text(document)?;
         self.print((text + "\n").as_bytes())
     }
 

@@ -16,13 +16,14 @@ use crate::input::stock::load_stock;
 use crate::lift::TwistAlongSpan;
 use crate::origin::{InputFile, MadeOf};
 
-use super::case::{Case, DesignArguments};
-use super::flights::{can_fly, design_arguments};
+use super::design_arguments::DesignArguments;
+use super::finished::finished;
+use super::job::Job;
 use super::layouts::Looks;
-use super::report::finished;
-use super::solve::solve;
-use super::tasks::{Job, TaskArguments, beside, unfinished};
+use super::tasks::{TaskArguments, beside, unfinished};
 use super::{Console, Failure};
+use crate::wing::flown::can_fly;
+use crate::wing::{WingError, WingModel};
 
 /// Share of lift per power within which two layouts count as equally good.
 const ALIKE: f64 = 0.01;
@@ -100,7 +101,7 @@ impl DesignRod {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         self.check()?;
         let (stock, on_shelf) = load_stock(&self.stock)?;
-        let case = self.design.case(console)?;
+        let case = self.design.wing(console)?;
         can_fly(&case)?;
         if case.loaded.design.mesh.file.is_some() {
             return Err(Failure::Option {
@@ -115,8 +116,7 @@ impl DesignRod {
         RunFolder::refuse(&target, "design")?;
         let choices = self.choices(&case, stock);
         let workshop = Workshop {
-            design: &case.loaded.design,
-            air_table: case.loaded.air_table.as_deref(),
+            wing: &case,
             aim: &aim,
             tip_m: case.loaded.design.observation.tip_station * case.planform.length_m(),
         };
@@ -256,7 +256,11 @@ impl DesignRod {
     }
 
     /// The aim, the same in words, what it is made of, and the files that it is read from.
-    fn aim(&self, case: &Case, console: &Console) -> Result<(Aim, String, String, Vec<InputFile>), Failure> {
+    fn aim(
+        &self,
+        case: &WingModel,
+        console: &Console,
+    ) -> Result<(Aim, String, String, Vec<InputFile>), Failure> {
         if let Some(path) = &self.profile {
             let table = TwistTable::load(path)?;
             let [(_, points)] = table.profiles.as_slice() else {
@@ -272,7 +276,7 @@ impl DesignRod {
             };
             let points = points.iter().map(|[r_mm, deg]| [r_mm * 1e-3, deg.to_radians()]);
             let twist = TwistAlongSpan::from_points(points.collect());
-            let twist = twist.map_err(|error| Failure::design(path, error))?;
+            let twist = twist.map_err(|error| WingError::design(path, error))?;
             let content = format!("{twist:?}");
             return Ok((
                 Aim::Twist(twist),
@@ -282,10 +286,9 @@ impl DesignRod {
             ));
         }
         if let Some(path) = &self.like {
-            let known = design_arguments(path, &self.design.set, self.design.refine).case(console)?;
-            let solution = solve(&known, console.progress())?;
-            let twist = read_twist(&known.loaded.design, &known.planform, &solution);
-            let twist = twist.map_err(|error| Failure::design(path, error))?;
+            let known = DesignArguments::of_file(path, &self.design.set, self.design.refine).wing(console)?;
+            let twist = read_twist(&known.solve(console.progress())?);
+            let twist = twist.map_err(|error| WingError::design(path, error))?;
             let known = &known.loaded;
             return Ok((
                 Aim::Twist(twist),
@@ -315,7 +318,7 @@ impl DesignRod {
         ))
     }
 
-    fn choices(&self, case: &Case, stock: Vec<crate::input::stock::StockRod>) -> Choices {
+    fn choices(&self, case: &WingModel, stock: Vec<crate::input::stock::StockRod>) -> Choices {
         let length_mm = case.planform.length_m() * 1e3;
         let even = |count: &u8| -> Option<Vec<f64>> {
             let last = f64::from(count - 1);
@@ -380,7 +383,7 @@ fn points(twist: &TwistAlongSpan, length_m: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-fn warnings(case: &Case, best: &Candidate, built_deg: f64) -> Vec<String> {
+fn warnings(case: &WingModel, best: &Candidate, built_deg: f64) -> Vec<String> {
     let mut warnings = Vec::new();
     if let Some(distance) = best.distance_deg
         && distance > 2.0 * built_deg

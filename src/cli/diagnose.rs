@@ -11,10 +11,10 @@ use crate::export::html::{self, REPORT};
 use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
-use crate::export::text::significant;
 use crate::input::measurement::InCommon;
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
+use crate::page::text::significant;
 use crate::study::{Campaign, Forward, Proposals};
 
 use super::candidates::{Candidates, candidates, known};
@@ -121,7 +121,7 @@ impl Diagnose {
         let screening = report.diagnosis.screening;
         let text = format!(
             "{}\nScreening of every effect: {} derivatives with {} factorizations; in all {}\n",
-            page(study, &report.diagnosis),
+            page(study, &report.diagnosis).text(),
             screening.derivatives,
             screening.factorizations,
             report.work

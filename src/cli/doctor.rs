@@ -4,7 +4,7 @@ use clap::Args;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::export::text::{Table, number};
+use crate::page::text::{Table, number};
 use crate::verify::{Case, Extent, Outcome, Verdict, named, run};
 
 use super::{Console, Failure};

@@ -9,14 +9,14 @@ use serde::{Deserialize, Serialize};
 use crate::coupling::vibration::Standing;
 use crate::export::file::input_file;
 use crate::export::run::{RunFolder, SUMMARY, read_summary};
-use crate::export::text::wrapped;
 use crate::export::wing::displacement_mm;
 use crate::export::{ExportError, calculix, csv, kratos};
 use crate::input::design::Kinematics;
 use crate::origin::MadeOf;
+use crate::page::text::wrapped;
 
-use super::case::Case;
 use super::{Console, Failure};
+use crate::wing::WingModel;
 
 /// Tip displacements nearer than this are the same run, mm.
 const SAME_MM: f64 = 1e-5;
@@ -79,8 +79,8 @@ impl Export {
         let target = self.output.clone().unwrap_or_else(|| self.run.join(place));
         let mut folder = RunFolder::create(&target, "export")?;
         let name = summary.name.clone();
-        let case = Case::new(summary.design.resolved(summary.design_file.as_ref())?)?;
-        let design = &case.loaded.design;
+        let wing = WingModel::new(summary.design.resolved(summary.design_file.as_ref())?)?;
+        let design = &wing.loaded.design;
         if design.structure.kinematics == Kinematics::Linear {
             return Err(Failure::Option {
                 option: "--to",
@@ -91,7 +91,7 @@ impl Export {
             });
         }
         console.progress().say(format_args!("solving {name} again"));
-        let solution = super::solve::solve(&case, console.progress())?;
+        let solution = wing.solve(console.progress())?.solution;
         let moved = displacement_mm(&solution.rest, &solution.state);
         let tip = moved.get(summary.tip.node).copied().unwrap_or([f64::INFINITY; 3]);
         let off = (0..3).any(|k| (tip[k] - summary.tip.displacement_mm[k]).abs() > SAME_MM);
@@ -101,10 +101,7 @@ impl Export {
                 reason: "its inputs give another tip displacement now".to_string(),
             }));
         }
-        let standing = Standing::loaded(design, &solution).map_err(|source| Failure::Coupling {
-            design: case.loaded.path.clone(),
-            source,
-        })?;
+        let standing = Standing::loaded(design, &solution).map_err(|source| wing.unsolved(source))?;
         let mesh = &solution.mesh;
         let mut edges = mesh.leading_edge.clone();
         edges.extend(
@@ -134,7 +131,7 @@ impl Export {
                 .sheets
                 .iter()
                 .any(|sheet| sheet.pretension_n_per_m != 0.0),
-            made_of: MadeOf::files([&run].into_iter().chain(&case.loaded.files)),
+            made_of: MadeOf::files([&run].into_iter().chain(&wing.loaded.files)),
             files: folder.listed(),
         };
         folder.add_summary(&report)?;

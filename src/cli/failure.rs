@@ -1,8 +1,7 @@
 //! How a verb can fail, and the exit code of each way.
 
-use std::error::Error;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use crate::blind::BlindError;
 use crate::coupling::CouplingError;
@@ -14,6 +13,7 @@ use crate::progress::Cancelled;
 use crate::study::StudyError;
 use crate::sweep::SweepError;
 use crate::synthesize::SynthesizeError;
+use crate::wing::WingError;
 
 /// Why a verb did not do what it should.
 #[derive(Debug, thiserror::Error)]
@@ -21,45 +21,6 @@ pub enum Failure {
     /// A design or measurement is refused.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The design is sound by itself, but no such wing can be laid out, meshed, put into the air or read.
-    #[error("{}: {reason}", design.display())]
-    Design {
-        /// The design file.
-        design: PathBuf,
-        /// What is wrong.
-        reason: Box<dyn Error + Send + Sync>,
-    },
-    /// The wing has no solution that could be found.
-    #[error("{}: {source}", design.display())]
-    Coupling {
-        /// The design file.
-        design: PathBuf,
-        /// Why.
-        source: CouplingError,
-    },
-    /// No solution at a phase of the stroke.
-    #[error("{}: at phase {phase_deg:.1} deg of the stroke: {source}", design.display())]
-    Phase {
-        /// The design file.
-        design: PathBuf,
-        /// Phase; 0 is mid-stroke.
-        phase_deg: f64,
-        /// Why.
-        source: CouplingError,
-    },
-    /// The pitch stop, which only pushes, would have to pull.
-    #[error(
-        "{}: the pitch stop would have to pull with {moment_mn_mm:.3} mN mm, but it only pushes: the wing would leave it, \
-         and this is no equilibrium. Turn the load or the bench forces the other way, or give the pitch stiffness of a \
-         flexure in [root]",
-        design.display()
-    )]
-    StopPulls {
-        /// The design file.
-        design: PathBuf,
-        /// Moment with which it would pull.
-        moment_mn_mm: f64,
-    },
     /// The shape has no natural frequencies.
     #[error(
         "{}: the {shape} shape is not stable ({directions} directions in which it would run away), so it has no natural \
@@ -86,6 +47,9 @@ pub enum Failure {
         /// Steps that did not settle.
         steps: usize,
     },
+    /// A wing gives no answer.
+    #[error(transparent)]
+    Wing(#[from] WingError),
     /// The ranges of the assumed inputs give no band.
     #[error("--uncertainty: {0}")]
     Study(StudyError),
@@ -188,12 +152,6 @@ pub enum Failure {
         /// Why not, and the cure.
         reason: String,
     },
-    /// Nothing to compare with.
-    #[error("{} names no measurement; give one --with CSV, or add [measured] to the design", design.display())]
-    NoMeasurement {
-        /// The design file.
-        design: PathBuf,
-    },
     /// Nothing that a report or a picture could be made of.
     #[error(
         "{}: {reason}",
@@ -243,26 +201,11 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// A design that makes no wing, because of `reason`.
-    pub fn design(design: &Path, reason: impl Error + Send + Sync + 'static) -> Self {
-        Failure::Design {
-            design: design.to_path_buf(),
-            reason: Box::new(reason),
-        }
-    }
-
     /// The exit code of the process: 1 other, 2 input, 3 not converged, 130 interrupted.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Failure::Coupling { source, .. } | Failure::Phase { source, .. } if source.is_not_converged() => {
-                3
-            }
-            Failure::Coupling { source, .. } | Failure::Phase { source, .. }
-                if matches!(source, CouplingError::Interrupted(_)) =>
-            {
-                130
-            }
-            Failure::Coupling { .. } | Failure::Phase { .. } | Failure::Option { .. } => 2,
+            Failure::Wing(error) => error.exit_code(),
+            Failure::Option { .. } => 2,
             Failure::Unstable { .. } | Failure::Undecided { .. } => 3,
             Failure::Diagnosis { source, .. } => match source {
                 DiagnoseError::Study(source) => source.exit_code(),
@@ -295,9 +238,9 @@ impl Failure {
             Failure::EmptySweep { .. } => 3,
             Failure::Scheduler { .. } => 1,
             Failure::Study(source) | Failure::OfStudy { source, .. } => source.exit_code(),
-            Failure::Input(_) | Failure::Design { .. } | Failure::StopPulls { .. } => 2,
+            Failure::Input(_) => 2,
             Failure::Name { .. } => 2,
-            Failure::NoMeasurement { .. } | Failure::NothingToShow { .. } => 2,
+            Failure::NothingToShow { .. } => 2,
             Failure::Export(source) if source.is_of_input() => 2,
             Failure::UnknownCase { .. } => 2,
             Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) | Failure::Cases { .. } => 1,

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use crate::effects::custom::Custom;
 use crate::effects::{Card, EffectError, Parameter, instead_of, named};
-use crate::export::text::first_up;
 use crate::input::study::{LoadedCase, LoadedStudy};
 use crate::input::{Design, nearest, refused_in};
+use crate::page::text::first_up;
 
 use super::Failure;
 

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::diagnose::table::Table;
 use crate::diagnose::{DiagnoseError, Settings};
+use crate::export::json;
 use crate::input::study::LoadedStudy;
 use crate::origin::{program_sha256, sha256};
 use crate::progress::Progress;
@@ -158,7 +159,7 @@ fn folder() -> Option<PathBuf> {
 }
 
 fn read(file: &PathBuf, campaign: &Campaign) -> Option<Kept> {
-    let kept: Kept = serde_json::from_slice(&fs::read(file).ok()?).ok()?;
+    let kept: Kept = json::read(&fs::read(file).ok()?).ok()?;
     let rows = campaign.observables().len();
     let is_whole = kept
         .mesh
@@ -176,7 +177,7 @@ fn write(file: &std::path::Path, kept: &Kept) -> std::io::Result<()> {
     let folder = file.parent().unwrap_or(file);
     fs::create_dir_all(folder)?;
     let mut whole = tempfile::NamedTempFile::new_in(folder)?;
-    whole.write_all(&serde_json::to_vec(kept)?)?;
+    whole.write_all(&json::bytes(kept).map_err(std::io::Error::other)?)?;
     whole.persist(file).map_err(|error| error.error)?;
     let mut all: Vec<(std::time::SystemTime, PathBuf)> = fs::read_dir(folder)?
         .filter_map(|entry| {

@@ -40,8 +40,8 @@ impl<'a> Looks<'a> {
         Looks {
             content: format!(
                 "{}{:?}{aim} {tip_m:?} {refine:?}",
-                workshop.design.to_toml(),
-                workshop.air_table
+                workshop.wing.design().to_toml(),
+                workshop.wing.air_table()
             ),
             tasks: stretches(search.layouts.len(), size).collect(),
             folder,

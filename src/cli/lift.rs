@@ -2,26 +2,23 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::builder::PossibleValue;
+use clap::{Args, ValueEnum};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use crate::export::lift::{
-    Inertial, LiftSummary, RatioSet, SpanCurve, StrokeCurve, SweepCurve, WingLift, WingRatios,
-};
+use crate::export::lift::{LiftSummary, SpanCurve, StrokeCurve, SweepCurve, WingLift};
 use crate::export::pictures;
 use crate::export::run::RunFolder;
 use crate::input::measurement::{Bound, Channel, Row};
-use crate::lift::{
-    Forces, InertialPower, LiftError, Ratios, StrokeMeans, TwistHistory, departure_from_ellipse,
-    mean_local_lift_to_drag, span_distribution,
-};
+use crate::lift::{InertialPower, LiftError, Ratios, StrokeMeans, TwistHistory};
 use crate::origin::MadeOf;
 
-use super::case::Case;
-use super::flights::{Flown, TwistSource, can_fly, design_arguments, is_profile, of_design, of_profile};
-use super::lift_ratios::{measured, sensitivity, wing_ratios};
-use super::report::finished;
+use super::design_arguments::DesignArguments;
+use super::finished::finished;
 use super::{Console, Failure};
+use crate::wing::flown::{can_fly, is_profile, of_design, of_profile};
+use crate::wing::lift_ratios::{WingRatios, measured, sensitivity, wing_ratios};
+use crate::wing::{Flown, TwistSource, WingError, WingModel};
 
 /// Part of the span at either end that a profile may leave to its end points without a word.
 const SHORT: f64 = 0.1;
@@ -108,7 +105,7 @@ impl Lift {
             files: Vec::new(),
         };
         for (index, (wing, mean)) in flown.iter().zip(&means).enumerate() {
-            let fault = |error: LiftError| Failure::design(&wing.file, error);
+            let fault = |error: LiftError| WingError::design(&wing.file, error);
             let instants = wing.flight.instants(INSTANTS).map_err(fault)?;
             summary.stroke.push(StrokeCurve {
                 wing: wing.name.clone(),
@@ -117,14 +114,14 @@ impl Lift {
                 drag_mn: instants.iter().map(|i| i.drag_n * 1e3).collect(),
                 power_mw: instants.iter().map(|i| i.power_w * 1e3).collect(),
             });
-            summary.span.push(curve(wing, mean, &means[reference]));
+            summary.span.push(SpanCurve::of(wing, mean, &means[reference]));
             let inertia = if self.inertial_power {
                 wing.inertia_kg_m2()?
             } else {
                 None
             };
             let inertial = inertia.map(|inertia| InertialPower::of(&wing.flight, inertia, &instants));
-            summary.wings.push(row(wing, mean, inertial));
+            summary.wings.push(WingLift::of(wing, mean, inertial));
             if index != reference {
                 let ratios = Ratios::between(mean, &means[reference]).map_err(fault)?;
                 let frequency = wing.flight.stroke.frequency_hz / flown[reference].flight.stroke.frequency_hz;
@@ -187,12 +184,12 @@ impl Lift {
                 .iter()
                 .map(|name| format!("effects.{name}.strength=1.0")),
         );
-        let case = |file: &PathBuf| -> Result<Case, Failure> {
-            let case = Case::new(design_arguments(file, &sets, self.refine).load(&[])?)?;
+        let case = |file: &PathBuf| -> Result<WingModel, Failure> {
+            let case = WingModel::new(DesignArguments::of_file(file, &sets, self.refine).load(&[])?)?;
             can_fly(&case)?;
             Ok(case)
         };
-        let designs: Vec<Option<Case>> = files
+        let designs: Vec<Option<WingModel>> = files
             .iter()
             .map(|file| (!is_profile(file)).then(|| case(file)).transpose())
             .collect::<Result<_, Failure>>()?;
@@ -241,8 +238,8 @@ impl Lift {
             }
             Ready::Profile(flown) => Ok(*flown),
         };
-        let flown: Vec<Result<Flown, Failure>> = ready.into_par_iter().map(fly).collect();
-        flown.into_iter().collect()
+        let flown: Vec<Result<Flown, WingError>> = ready.into_par_iter().map(fly).collect();
+        Ok(flown.into_iter().collect::<Result<_, WingError>>()?)
     }
 
     /// Amplitudes of the sweep: parts of each wing's own, or degrees where --amplitudes is given.
@@ -268,7 +265,7 @@ impl Lift {
     }
 
     /// The same as parts of the amplitude of a design.
-    fn own_parts(&self, case: &Case, parts: &[f64]) -> Vec<f64> {
+    fn own_parts(&self, case: &WingModel, parts: &[f64]) -> Vec<f64> {
         let own_deg = case
             .loaded
             .design
@@ -292,11 +289,11 @@ impl Lift {
             drag_mn: Vec::new(),
             power_mw: Vec::new(),
         };
-        for part in self.own_parts(&wing.case, parts) {
+        for part in self.own_parts(&wing.model, parts) {
             let Some(flight) = wing.at_amplitude(part, self.twist) else {
                 return Ok(None);
             };
-            let fault = |error: LiftError| Failure::design(&wing.file, error);
+            let fault = |error: LiftError| WingError::design(&wing.file, error);
             let flight = flight.map_err(fault)?;
             let mean = flight.means().map_err(fault)?;
             curve
@@ -326,7 +323,7 @@ impl Lift {
     /// That no twist but a bound of it was measured.
     fn only_bound(&self, wing: &Flown) -> Option<String> {
         let is_measured = self.twist == TwistSource::Measured && !is_profile(&wing.file);
-        let measurement = wing.case.loaded.measurement.as_ref().filter(|_| is_measured)?;
+        let measurement = wing.model.loaded.measurement.as_ref().filter(|_| is_measured)?;
         let twists = |row: &&Row| matches!(row.channel, Channel::Twist | Channel::TwistRate);
         let all_bounds = measurement
             .rows
@@ -387,63 +384,44 @@ fn held(wing: &Flown) -> Option<String> {
     })
 }
 
+impl ValueEnum for TwistSource {
+    fn value_variants<'a>() -> &'a [TwistSource] {
+        &[
+            TwistSource::Phases,
+            TwistSource::Ramp,
+            TwistSource::Measured,
+            TwistSource::Flat,
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let (name, help) = match self {
+            TwistSource::Phases => (
+                "phases",
+                "Solved at phases of the stroke, each as if it stood still",
+            ),
+            TwistSource::Ramp => (
+                "ramp",
+                "Solved at mid-stroke, and ramped up and down over each half-stroke (20/60/20)",
+            ),
+            TwistSource::Measured => (
+                "measured",
+                "The measured profile that the design names, on the same ramp",
+            ),
+            TwistSource::Flat => ("flat", "None"),
+        };
+        Some(PossibleValue::new(name).help(help))
+    }
+}
+
 /// A wing before its twist is known.
 enum Ready {
-    Design(Box<Case>),
+    Design(Box<WingModel>),
     Profile(Box<Flown>),
 }
 
 fn means(wing: &Flown) -> Result<StrokeMeans, Failure> {
     wing.flight
         .means()
-        .map_err(|error| Failure::design(&wing.file, error))
-}
-
-fn row(wing: &Flown, mean: &StrokeMeans, inertial: Option<InertialPower>) -> WingLift {
-    let (flight, design) = (&wing.flight, &wing.case.loaded.design);
-    let amplitude = design
-        .flapping
-        .as_ref()
-        .map(|flapping| &flapping.half_amplitude_deg);
-    let tip_m = flight.planform.tip_m();
-    let positive = |power_w: f64| (power_w > 0.0).then(|| mean.lift_n / power_w);
-    WingLift {
-        name: wing.name.clone(),
-        file: wing.file.display().to_string(),
-        frequency_hz: flight.stroke.frequency_hz,
-        half_amplitude_deg: flight.stroke.half_amplitude_rad.to_degrees(),
-        half_amplitude_is_assumed: amplitude.is_some_and(|amplitude| amplitude.assumption().is_some()),
-        stop_angle_deg: flight.stroke.stop_angle_rad.to_degrees(),
-        tip_twist_deg: flight.twist.twist_rad(tip_m, 0.0).to_degrees(),
-        effects: design.effects.keys().cloned().collect(),
-        mean: Forces::of_means("mean over the stroke", mean),
-        local_lift_to_drag: mean_local_lift_to_drag(mean),
-        departure_from_ellipse: departure_from_ellipse(mean),
-        inertial: inertial.map(|inertial| Inertial {
-            inertia_g_mm2: inertial.inertia_kg_m2 * 1e9,
-            largest_mw: inertial.largest_w * 1e3,
-            mean_without_recovery_mw: inertial.mean_without_recovery_w * 1e3,
-            lift_per_power_n_per_w: positive(inertial.mean_without_recovery_w),
-        }),
-    }
-}
-
-fn curve(wing: &Flown, mean: &StrokeMeans, reference: &StrokeMeans) -> SpanCurve {
-    let points = span_distribution(mean, reference);
-    SpanCurve {
-        wing: wing.name.clone(),
-        r_mm: points.iter().map(|p| p.r_m * 1e3).collect(),
-        twist_deg: mean.stations.iter().map(|s| s.twist_rad.to_degrees()).collect(),
-        // N/m is mN/mm
-        lift_mn_per_mm: points.iter().map(|p| p.lift_n_per_m).collect(),
-        drag_mn_per_mm: points.iter().map(|p| p.drag_n_per_m).collect(),
-        lift_to_drag: points.iter().map(|p| p.lift_to_drag).collect(),
-    }
-}
-
-impl RatioSet {
-    /// Of ratios at another multiple of the reference's frequency × amplitude.
-    pub fn at(ratios: &Ratios, rate_ratio: f64) -> Result<RatioSet, LiftError> {
-        Ok(RatioSet::from(&ratios.at_rate_ratio(rate_ratio)?))
-    }
+        .map_err(|error| WingError::design(&wing.file, error).into())
 }

@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Command, CommandFactory};
+use clap::{Args, Command};
 use clap_mangen::Man as Page;
 
 use crate::export::ExportError;
 use crate::export::file::write_over;
 
-use super::{Arguments, Console, Failure};
+use super::{Console, Failure};
 
 /// Arguments of `washout man`.
 #[derive(Debug, Args)]
@@ -22,10 +22,9 @@ pub struct Man {
 }
 
 impl Man {
-    /// Writes washout.1 and washout-VERB.1.
-    pub fn run(&self, console: &Console) -> Result<(), Failure> {
+    /// Writes washout.1 and washout-VERB.1 for the whole command line.
+    pub fn run(&self, mut whole: Command, console: &Console) -> Result<(), Failure> {
         std::fs::create_dir_all(&self.output).map_err(ExportError::file("create", &self.output))?;
-        let mut whole = Arguments::command();
         whole.build();
         let verbs: Vec<Command> = whole.get_subcommands().cloned().collect();
         let verbs = verbs.into_iter().filter(|verb| verb.get_name() != "help");

@@ -7,12 +7,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::export::run::RunFolder;
-use crate::export::text::number;
 use crate::export::wing::mesh_grid;
 use crate::mesh::{Quality, gmsh};
 use crate::origin::MadeOf;
+use crate::page::text::number;
 
-use super::case::DesignArguments;
+use super::design_arguments::DesignArguments;
 use super::{Console, Failure};
 
 /// Arguments of `washout mesh`.
@@ -63,29 +63,29 @@ pub struct MeshReport {
 impl WriteMesh {
     /// Meshes the wing and writes the files.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let case = self.design.case(console)?;
-        let design = &case.loaded.design;
+        let wing = self.design.wing(console)?;
+        let design = &wing.loaded.design;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(format!("{}-mesh", design.name)));
         let mut folder = RunFolder::create(&target, "mesh")?;
-        folder.add("mesh.vtu", &mesh_grid(design, &case.mesh).to_vtu()?)?;
-        folder.add("mesh.msh", gmsh::write(&case.mesh).as_bytes())?;
-        if let Some(outline) = gmsh::geometry(&case.mesh) {
+        folder.add("mesh.vtu", &mesh_grid(design, &wing.mesh).to_vtu()?)?;
+        folder.add("mesh.msh", gmsh::write(&wing.mesh).as_bytes())?;
+        if let Some(outline) = gmsh::geometry(&wing.mesh) {
             folder.add("outline.geo", outline.as_bytes())?;
         }
-        let quality = Quality::of(&case.mesh);
+        let quality = Quality::of(&wing.mesh);
         let report = MeshReport {
             name: design.name.clone(),
             nodes: quality.nodes,
             triangles: quality.triangles,
             beams: quality.beams,
             area_mm2: quality.area_m2 * 1e6,
-            outline_area_mm2: case.planform.area_m2() * 1e6,
-            r1_hat: case.planform.r1_hat(),
-            r2_hat: case.planform.r2_hat(),
+            outline_area_mm2: wing.planform.area_m2() * 1e6,
+            r1_hat: wing.planform.r1_hat(),
+            r2_hat: wing.planform.r2_hat(),
             smallest_angle_deg: quality.smallest_angle_deg,
             largest_aspect: quality.largest_aspect,
-            made_of: MadeOf::files(&case.loaded.files),
+            made_of: MadeOf::files(&wing.loaded.files),
             files: folder.listed(),
         };
         folder.add_summary(&report)?;

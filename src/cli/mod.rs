@@ -7,15 +7,11 @@ pub mod failure;
 
 pub mod console;
 
-pub mod case;
-
-pub mod reading;
+pub mod design_arguments;
 
 pub mod solve;
 
 pub mod stroke;
-
-pub mod stroke_quasi_static;
 
 pub mod study;
 
@@ -23,15 +19,15 @@ pub mod study_file;
 
 pub mod compare;
 
-pub mod flights;
-
 pub mod lift;
-
-pub mod lift_ratios;
 
 pub mod pareto;
 
 pub mod fronts;
+
+mod finished;
+
+pub mod job;
 
 pub mod tasks;
 
@@ -54,6 +50,8 @@ pub mod measure;
 pub mod init;
 
 pub mod schema;
+
+pub mod documents;
 
 pub mod reference;
 
@@ -93,9 +91,9 @@ pub mod man;
 
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
-pub use console::Console;
+pub use console::{Common, Console};
 pub use failure::Failure;
 
 /// The twist of a flexible wing under air load, from a design file.
@@ -115,20 +113,6 @@ pub struct Arguments {
     /// What every verb understands.
     #[command(flatten)]
     pub common: Common,
-}
-
-/// Options of every verb.
-#[derive(Debug, Clone, Args)]
-pub struct Common {
-    /// Print one JSON document on standard output, and everything else on standard error
-    #[arg(long, global = true)]
-    pub json: bool,
-    /// Print nothing but errors (and the JSON document, if asked for)
-    #[arg(long, short, global = true)]
-    pub quiet: bool,
-    /// Threads to use; results do not depend on it [default: one per core]
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub threads: Option<u16>,
 }
 
 /// What to do.
@@ -230,7 +214,7 @@ pub fn run_on(console: &Console, arguments: &Arguments) -> Result<(), Failure> {
         Verb::Mesh(verb) => verb.run(console),
         Verb::Measure(verb) => verb.run(console),
         Verb::Init(verb) => verb.run(console),
-        Verb::Schema(verb) => verb.run(console),
+        Verb::Schema(verb) => verb.run(Arguments::command(), console),
         Verb::Diagnose(verb) => verb.run(console),
         Verb::Add(verb) => verb.run(console),
         Verb::Synthesize(verb) => verb.run(console),
@@ -242,8 +226,8 @@ pub fn run_on(console: &Console, arguments: &Arguments) -> Result<(), Failure> {
         Verb::Export(verb) => verb.run(console),
         Verb::Verify(verb) => verb.run(console),
         Verb::Doctor(verb) => verb.run(console),
-        Verb::Completions(verb) => verb.run(console),
-        Verb::Man(verb) => verb.run(console),
+        Verb::Completions(verb) => verb.run(Arguments::command(), console),
+        Verb::Man(verb) => verb.run(Arguments::command(), console),
     };
     console.progress().finish();
     result

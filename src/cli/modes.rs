@@ -6,7 +6,6 @@ use clap::Args;
 use nalgebra::Vector3;
 
 use crate::aero::Flow;
-use crate::coupling::CouplingError;
 use crate::coupling::vibration::Standing;
 use crate::export::modes::{ModeRow, ModesSummary, mode_grid};
 use crate::export::pvd;
@@ -17,9 +16,10 @@ use crate::origin::MadeOf;
 use crate::structure::state::State;
 use crate::structure::{MassProperties, Mode, Vibration};
 
-use super::case::{Case, DesignArguments};
-use super::report::finished;
+use super::design_arguments::DesignArguments;
+use super::finished::finished;
 use super::{Console, Failure};
+use crate::wing::WingModel;
 
 /// Arguments of `washout modes`.
 #[derive(Debug, Args)]
@@ -55,30 +55,30 @@ pub struct Modes {
 impl Modes {
     /// Finds and writes the modes.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let case = self.design.case(console)?;
-        let design = &case.loaded.design;
+        let wing = self.design.wing(console)?;
+        let design = &wing.loaded.design;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(format!("{}-modes", design.name)));
         let mut folder = RunFolder::create(&target, "modes")?;
-        let standing = self.standing(&case, console)?;
-        let modes = self.modes(&case, &standing, console)?;
+        let standing = self.standing(&wing, console)?;
+        let modes = self.modes(&wing, &standing, console)?;
         let flow = Flow::from_design(design);
         let mut axes = vec![(Vector3::zeros(), Vector3::x())];
         let mut flapping_hz = None;
         if let Some(flow @ Flow::Flapping { frequency_hz, .. }) = &flow {
             axes.push((
-                Vector3::x() * -case.planform.root_offset_m(),
+                Vector3::x() * -wing.planform.root_offset_m(),
                 flow.lift_direction(),
             ));
             flapping_hz = Some(*frequency_hz);
         }
-        let reader = ModeReader::new(&case.mesh, &standing, &axes);
+        let reader = ModeReader::new(&wing.mesh, &standing, &axes);
         let row = |(index, mode): (usize, &Mode)| ModeRow::new(index, mode, &reader.read(mode), flapping_hz);
         let rows: Vec<ModeRow> = modes.iter().enumerate().map(row).collect();
         for (row, mode) in rows.iter().zip(&modes) {
             folder.add(
                 &row.file,
-                &mode_grid(design, &case.mesh, &standing, mode).to_vtu()?,
+                &mode_grid(design, &wing.mesh, &standing, mode).to_vtu()?,
             )?;
         }
         let series: Vec<(f64, String)> = rows
@@ -91,12 +91,12 @@ impl Modes {
             design: design.clone(),
             loaded: self.loaded,
             with_air: self.with_air,
-            mass_mg: MassProperties::of(&standing.model, &State::at_rest(case.mesh.nodes.len())).mass_kg
+            mass_mg: MassProperties::of(&standing.model, &State::at_rest(wing.mesh.nodes.len())).mass_kg
                 * 1e6,
             flapping_frequency_hz: flapping_hz,
             modes: rows,
-            warnings: self.warnings(&case),
-            made_of: MadeOf::files(&case.loaded.files),
+            warnings: self.warnings(&wing),
+            made_of: MadeOf::files(&wing.loaded.files),
             files: folder.listed_with(self.report),
         };
         let page = summary.page(&target.display().to_string());
@@ -105,37 +105,37 @@ impl Modes {
         console.result(&page, &summary)
     }
 
-    fn standing(&self, case: &Case, console: &Console) -> Result<Standing, Failure> {
-        let (design, progress) = (&case.loaded.design, console.progress());
+    fn standing(&self, wing: &WingModel, console: &Console) -> Result<Standing, Failure> {
+        let (design, progress) = (&wing.loaded.design, console.progress());
         let standing = if self.loaded {
             progress.say(format_args!("solving {}", design.name));
-            Standing::loaded(design, &super::solve::solve(case, progress)?)
+            Standing::loaded(design, &wing.solve(progress)?.solution)
         } else {
-            Standing::unloaded(design, &case.mesh, case.loaded.air_table.as_deref(), progress)
+            Standing::unloaded(design, &wing.mesh, wing.air_table(), progress)
         };
-        let standing = standing.map_err(|source| failed(case, source))?;
+        let standing = standing.map_err(|source| wing.unsolved(source))?;
         Ok(if self.with_air {
-            standing.with_air(design, &case.planform)
+            standing.with_air(design, &wing.planform)
         } else {
             standing
         })
     }
 
-    fn modes(&self, case: &Case, standing: &Standing, console: &Console) -> Result<Vec<Mode>, Failure> {
+    fn modes(&self, wing: &WingModel, standing: &Standing, console: &Console) -> Result<Vec<Mode>, Failure> {
         console.progress().say("finding modes");
         match standing.modes(self.count.into(), console.progress()) {
             Ok(Vibration::Stable(modes)) => Ok(modes),
             Ok(Vibration::Unstable { negative }) => Err(Failure::Unstable {
-                design: case.loaded.path.clone(),
+                design: wing.loaded.path.clone(),
                 shape: if self.loaded { "loaded" } else { "unloaded" },
                 directions: negative,
             }),
-            Err(source) => Err(failed(case, source)),
+            Err(source) => Err(wing.unsolved(source).into()),
         }
     }
 
-    fn warnings(&self, case: &Case) -> Vec<String> {
-        let design = &case.loaded.design;
+    fn warnings(&self, wing: &WingModel) -> Vec<String> {
+        let design = &wing.loaded.design;
         let mut warnings = Vec::new();
         let slack = design
             .film
@@ -156,12 +156,5 @@ impl Modes {
             );
         }
         warnings
-    }
-}
-
-fn failed(case: &Case, source: CouplingError) -> Failure {
-    Failure::Coupling {
-        design: case.loaded.path.clone(),
-        source,
     }
 }

@@ -18,13 +18,15 @@ use crate::lift::{Stroke, TwistAlongSpan, TwistHistory};
 use crate::origin::{InputFile, MadeOf};
 use crate::progress::Progress;
 
-use super::case::Case;
-use super::flights::{TwistSource, can_fly, design_arguments, is_profile, of_design, of_profile};
+use super::design_arguments::DesignArguments;
+use super::finished::finished;
 use super::fronts::Searches;
-use super::lift_ratios::measured;
-use super::report::finished;
-use super::tasks::{Job, TaskArguments, beside};
+use super::job::Job;
+use super::tasks::{TaskArguments, beside};
 use super::{Console, Failure};
+use crate::wing::flown::{can_fly, is_profile, of_design, of_profile};
+use crate::wing::lift_ratios::measured;
+use crate::wing::{TwistSource, WingModel};
 
 /// Arguments of `washout pareto`.
 #[derive(Debug, Args)]
@@ -130,10 +132,10 @@ impl Pareto {
                 reason: "give the least and the largest rate in deg/mm, e.g. 0.001,1.4".to_string(),
             });
         }
-        let case = Case::new(design_arguments(&self.design, &self.set, None).load(&[])?)?;
+        let case = WingModel::new(DesignArguments::of_file(&self.design, &self.set, None).load(&[])?)?;
         can_fly(&case)?;
         let marks = self.named(&case, console.progress())?;
-        let stroke = stroke(&case)?;
+        let stroke = case.stroke()?;
         let family = self.family(&case, &stroke)?;
         let factor = self.factor(&case, stroke, &marks)?;
         let name = &case.loaded.design.name;
@@ -153,20 +155,20 @@ impl Pareto {
         console.result(&page, &summary)
     }
 
-    fn family(&self, case: &Case, stroke: &Stroke) -> Result<StagedTwist, Failure> {
+    fn family(&self, case: &WingModel, stroke: &Stroke) -> Result<StagedTwist, Failure> {
         let rates = [self.rates[0], self.rates[1]];
         let (length_mm, stop_deg) = (case.planform.length_m() * 1e3, stroke.stop_angle_rad.to_degrees());
         StagedTwist::new(self.stages, length_mm, rates, stop_deg).map_err(|source| refused(case, source))
     }
 
     /// The marked wings with their twist at mid-stroke.
-    fn named(&self, base: &Case, progress: &Progress) -> Result<Vec<Named>, Failure> {
+    fn named(&self, base: &WingModel, progress: &Progress) -> Result<Vec<Named>, Failure> {
         let mut marks = Vec::new();
         for file in &self.marks {
             let flown = if is_profile(file) {
                 of_profile(file, base)?
             } else {
-                let case = Case::new(design_arguments(file, &self.set, None).load(&[])?)?;
+                let case = WingModel::new(DesignArguments::of_file(file, &self.set, None).load(&[])?)?;
                 of_design(case, TwistSource::Measured, 2, &[], progress)?
             };
             let twist = match &flown.flight.twist {
@@ -191,7 +193,12 @@ impl Pareto {
         Ok(marks)
     }
 
-    fn factor(&self, case: &Case, stroke: Stroke, marks: &[Named]) -> Result<Option<ShapeFactor>, Failure> {
+    fn factor(
+        &self,
+        case: &WingModel,
+        stroke: Stroke,
+        marks: &[Named],
+    ) -> Result<Option<ShapeFactor>, Failure> {
         if self.no_gain {
             return Ok(None);
         }
@@ -220,7 +227,7 @@ impl Pareto {
     #[allow(clippy::too_many_arguments)]
     fn searched(
         &self,
-        case: &Case,
+        case: &WingModel,
         stroke: Stroke,
         family: &StagedTwist,
         factor: Option<ShapeFactor>,
@@ -339,7 +346,7 @@ impl Pareto {
 
     /// What a front hangs on besides the search; the shape factor is told by what it is fitted to, for another machine may fit it
     /// to other last digits.
-    fn content(&self, case: &Case, family: &StagedTwist, marks: &[Named]) -> String {
+    fn content(&self, case: &WingModel, family: &StagedTwist, marks: &[Named]) -> String {
         let gain = (!self.no_gain).then_some((&self.gain, self.gain_strength));
         let numbers = |gained: &Gained| format!("{:.9e} {:.9e}", gained.effective, gained.sigma);
         let marks = marks
@@ -362,7 +369,7 @@ impl Pareto {
         }
     }
 
-    fn fitted(&self, case: &Case, factor: ShapeFactor) -> Result<FittedFactor, Failure> {
+    fn fitted(&self, case: &WingModel, factor: ShapeFactor) -> Result<FittedFactor, Failure> {
         let design = with_strength(&case.loaded.design, &factor.effect, factor.strength);
         let effect = acting(&factor.effect, &design.effects[&factor.effect], &design);
         let effect = effect.map_err(|error| case.fault(error))?;
@@ -401,13 +408,7 @@ fn without(design: &Design, effect: &str) -> Design {
     }
 }
 
-fn stroke(case: &Case) -> Result<Stroke, Failure> {
-    let flow = crate::aero::Flow::from_design(&case.loaded.design);
-    let flow = flow.ok_or_else(|| case.fault(crate::lift::LiftError::NotFlapping))?;
-    Stroke::from_flow(&flow).map_err(|error| case.fault(error))
-}
-
-fn refused(case: &Case, source: ExploreError) -> Failure {
+fn refused(case: &WingModel, source: ExploreError) -> Failure {
     Failure::Explore {
         design: case.loaded.path.clone(),
         source,

@@ -2,10 +2,9 @@
 
 use std::fmt::Write;
 
-use clap::{Arg, Command, CommandFactory, ValueEnum};
+use clap::{Arg, Command, ValueEnum};
 
-use super::Arguments;
-use super::schema::Output;
+use super::documents::Output;
 use crate::export::reference::design::{design_page, video_page};
 use crate::export::reference::measurement::measurement_page;
 use crate::export::reference::outputs::{Document, outputs_page};
@@ -18,7 +17,7 @@ compares. `washout help VERB` prints the same, `washout man DIR` writes it as ma
 ";
 
 /// The pages by the names of their files, in docs/reference.
-pub fn reference_pages() -> [(&'static str, String); 5] {
+pub fn reference_pages(whole: Command) -> [(&'static str, String); 5] {
     let documents: Vec<Document> = Output::value_variants()
         .iter()
         .map(|output| Document {
@@ -31,7 +30,7 @@ pub fn reference_pages() -> [(&'static str, String); 5] {
         ("measurement.md", measurement_page()),
         ("video.md", video_page()),
         ("outputs.md", outputs_page(&documents)),
-        ("commands.md", commands_page()),
+        ("commands.md", commands_page(whole)),
     ]
 }
 
@@ -42,8 +41,7 @@ fn meaning(output: Output) -> String {
     help.map(ToString::to_string).unwrap_or_default()
 }
 
-fn commands_page() -> String {
-    let mut whole = Arguments::command();
+fn commands_page(mut whole: Command) -> String {
     whole.build();
     let mut text = HEAD.to_string();
     text.push_str("\n## Every verb\n");
@@ -118,10 +116,12 @@ fn row(argument: &Arg) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::Arguments;
+    use clap::CommandFactory;
 
     #[test]
     fn every_verb_and_option_stands_with_its_words() {
-        let page = commands_page();
+        let page = commands_page(Arguments::command());
         let mut whole = Arguments::command();
         whole.build();
         for verb in whole.get_subcommands().filter(|verb| verb.get_name() != "help") {
@@ -143,7 +143,7 @@ mod tests {
 
     #[test]
     fn every_document_has_its_section() {
-        let [.., (_, outputs), _] = reference_pages();
+        let [.., (_, outputs), _] = reference_pages(Arguments::command());
         for output in Output::value_variants() {
             assert!(outputs.contains(&format!("## {}\n", meaning(*output))));
         }

@@ -1,6 +1,5 @@
 //! `washout report`: one HTML file of a run or a study, for a browser or a printer.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -10,21 +9,21 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::export::ExportError;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::file::refuse_other;
-use crate::export::html::folder::{Contents, add as add_report, page, title_of};
+use crate::export::html::folder::{Contents, page, title_of};
 use crate::export::html::study::StudyParts;
-use crate::export::html::wing::Wings;
+use crate::export::html::wings::Wings;
 use crate::export::html::{Document, Page, REPORT, diagnosis, is_report, run, study};
 use crate::export::layouts::LayoutSummary;
 use crate::export::lift::LiftSummary;
 use crate::export::modes::ModesSummary;
 use crate::export::pareto::ParetoSummary;
-use crate::export::run::{RunFolder, SUMMARY, read_summary, write_member};
+use crate::export::run::{SUMMARY, read_summary, write_member};
 use crate::export::study::StudyReport;
 use crate::export::sweep::SweepSummary;
 use crate::export::verification::VerifyReport;
+use crate::export::{ExportError, json};
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
 
@@ -164,27 +163,6 @@ impl Report {
     }
 }
 
-/// Ends the folder of a verb: its report where the verb's words are given for one, its document, and then it stands in its place.
-///
-/// # Errors
-/// If it cannot be written, or the user asked to stop.
-pub fn finished<T>(
-    mut folder: RunFolder,
-    words: Option<&str>,
-    (id, document): (&'static str, &T),
-    console: &Console,
-) -> Result<PathBuf, Failure>
-where
-    T: Serialize + DeserializeOwned + PartialEq,
-{
-    if let Some(words) = words {
-        add_report(&mut folder, words, Document::new(id, document)?)?;
-    }
-    folder.add_summary(document)?;
-    console.progress().check()?;
-    Ok(folder.commit()?)
-}
-
 /// The report of the folder of a run.
 fn of_folder(folder: &Path) -> Result<Page, Failure> {
     let comparison = folder.join(COMPARISON);
@@ -214,7 +192,7 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
         }
         let document = read_document(&folder.join(name))?;
         let words = words(&document, folder);
-        if words.is_empty() && SweepSummary::deserialize(&document).is_err() {
+        if words.is_empty() && json::of::<SweepSummary>(&document).is_err() {
             return Ok(run::of_files(&read_summary(folder)?, folder, &read)?);
         }
         let contents = Contents {
@@ -236,7 +214,7 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
 /// What the verb printed that wrote a document; empty for that of a run or a sweep.
 fn words(document: &Value, folder: &Path) -> String {
     fn of<T: DeserializeOwned>(document: &Value, page: impl Fn(&T) -> String) -> Option<String> {
-        T::deserialize(document).ok().map(|known| page(&known))
+        json::of(document).ok().map(|known| page(&known))
     }
     let folder = folder.display().to_string();
     of(document, |lift: &LiftSummary| lift.page(&folder))
@@ -261,22 +239,10 @@ fn shown(folder: &Path) -> Result<Vec<String>, Failure> {
 
 fn read_document<T: DeserializeOwned>(path: &Path) -> Result<T, Failure> {
     let text = fs::read_to_string(path).map_err(ExportError::file("read", path))?;
-    serde_json::from_str(&text).map_err(|error| {
+    json::read(text.as_bytes()).map_err(|error| {
         Failure::Export(ExportError::ForeignSummary {
             path: path.to_path_buf(),
             reason: error.to_string(),
         })
     })
-}
-
-/// Designs of a study with what each assumes, each once.
-pub fn assumed(loaded: &LoadedStudy) -> Vec<(String, Vec<crate::input::Assumption>)> {
-    let mut designs = BTreeMap::new();
-    for case in &loaded.cases {
-        let design = &case.loaded.design;
-        designs
-            .entry(design.name.clone())
-            .or_insert_with(|| design.assumptions());
-    }
-    designs.into_iter().collect()
 }

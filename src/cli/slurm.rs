@@ -14,7 +14,7 @@ use clap::Args;
 use crate::export::ExportError;
 use crate::export::file::write_over;
 
-use super::tasks::Job;
+use super::job::Job;
 use super::{Console, Failure};
 
 /// Rounds of tasks that have no result: the first, and what it left.
@@ -118,32 +118,6 @@ pub fn run(
             });
         }
     }
-}
-
-/// The words of a command line without those that say how it is run: what a task of it is started by.
-pub fn without_options(words: impl IntoIterator<Item = String>) -> Vec<String> {
-    const ALONE: [&str; 6] = ["--slurm", "--no-wait", "--quiet", "-q", "--json", "--"];
-    const WITH_VALUE: [&str; 6] = [
-        "--partition",
-        "--minutes",
-        "--cores",
-        "--merge-round",
-        "--task",
-        "--threads",
-    ];
-    let mut kept = Vec::new();
-    let mut words = words.into_iter();
-    while let Some(word) = words.next() {
-        let name = word.split('=').next().unwrap_or_default();
-        if WITH_VALUE.contains(&name) {
-            if name == word {
-                words.next();
-            }
-        } else if !ALONE.contains(&word.as_str()) {
-            kept.push(word);
-        }
-    }
-    kept
 }
 
 /// Name by which the jobs of a folder are known.
@@ -286,13 +260,5 @@ mod tests {
     #[test]
     fn a_path_with_spaces_and_quotes_is_one_word_of_the_shell() {
         assert_eq!(quoted(Path::new("/a b/it's")), "'/a b/it'\\''s'");
-    }
-
-    #[test]
-    fn a_task_is_started_by_the_words_that_were_said_without_those_on_how_to_run_it() {
-        let said =
-            "blind 12 --slurm --partition=night --minutes 30 --set a=1 --threads 4 -q --output x --no-wait";
-        let kept = without_options(said.split(' ').map(str::to_string));
-        assert_eq!(kept.join(" "), "blind 12 --set a=1 --output x");
     }
 }

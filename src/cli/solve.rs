@@ -5,9 +5,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::compare::Reading;
 use crate::coupling::Engineering;
-use crate::coupling::engineering::engineering;
-use crate::coupling::solution::Solution;
 use crate::export::ExportError;
 use crate::export::collect::{Solved, summarize, write_files};
 use crate::export::pictures::profile::twist;
@@ -16,15 +15,14 @@ use crate::export::run::{RunFolder, read_summary};
 use crate::export::summary::RunSummary;
 use crate::export::warnings::of_stroke;
 use crate::input::Design;
-use crate::observation::{TwistProfile, read_profile};
+use crate::observation::TwistProfile;
 use crate::progress::Progress;
 use crate::study::uncertainty::FEWEST_SAMPLES;
 use crate::study::{ProfileOutputs, StudyError, Uncertainty, UncertaintySettings, propagate};
+use crate::wing::{SolvedWing, WingError, WingModel};
 
-use super::case::{Case, DesignArguments};
-use super::reading::Reading;
+use super::design_arguments::DesignArguments;
 use super::stroke::{self, StrokeRun};
-use super::stroke_quasi_static;
 use super::{Console, Failure};
 
 /// Arguments of `washout solve`.
@@ -76,11 +74,11 @@ impl Solve {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
         self.asked.check_samples()?;
-        let case = self.design.case(console)?;
+        let wing = self.design.wing(console)?;
         let output = self.output.clone();
-        let target = output.unwrap_or_else(|| PathBuf::from("output").join(&case.loaded.design.name));
+        let target = output.unwrap_or_else(|| PathBuf::from("output").join(&wing.design().name));
         let mut folder = RunFolder::create(&target, "solve")?;
-        let run = Run::new(case, &self.asked, progress)?;
+        let run = Run::new(&wing, &self.asked, progress)?;
         let summary = run.add_files(&mut folder, self.report)?;
         progress.check()?;
         let earlier = read_summary(&target).ok();
@@ -110,10 +108,8 @@ impl Asked {
 /// A wing solved, with all that was asked for besides; nothing of it is written yet.
 #[derive(Debug)]
 pub struct Run {
-    /// The design, its outline and mesh.
-    pub case: Case,
-    /// The loaded shape.
-    pub solution: Solution,
+    /// The wing.
+    pub wing: SolvedWing,
     /// Profile, lift, and how far it is from the measurement.
     pub reading: Reading,
     uncertainty: Option<Uncertainty>,
@@ -123,30 +119,25 @@ pub struct Run {
 
 impl Run {
     /// Solves.
-    pub fn new(case: Case, asked: &Asked, progress: &Progress) -> Result<Run, Failure> {
+    pub fn new(wing: &WingModel, asked: &Asked, progress: &Progress) -> Result<Run, Failure> {
         asked.check_samples()?;
-        progress.say(format_args!("solving {}", case.loaded.design.name));
-        let solution = solve(&case, progress)?;
-        let reading = Reading::of(&case, &solution, &BTreeMap::new())?;
+        progress.say(format_args!("solving {}", wing.design().name));
+        let wing = wing.solve(progress)?;
+        let reading = Reading::of(&wing, &BTreeMap::new())?;
         let uncertainty = asked
             .uncertainty
-            .map(|samples| band(&case, &solution, &reading, samples, progress));
+            .map(|samples| band(&wing, &reading, samples, progress));
         let uncertainty = uncertainty.transpose()?;
         let moving = asked
             .stroke
-            .map(|phases| stroke::solve(&case, &solution, phases, progress));
+            .map(|phases| stroke::periodic(&wing, phases, progress));
         let standing = asked
             .stroke_quasi_static
-            .map(|phases| stroke_quasi_static::solve(&case, &solution, phases, progress));
+            .map(|phases| stroke::quasi_static(&wing, phases, progress));
         let stroke = moving.or(standing).transpose()?;
-        let numbers = engineering(&case.loaded.design, &case.planform, &solution, progress);
-        let engineering = numbers.map_err(|source| Failure::Coupling {
-            design: case.loaded.path.clone(),
-            source,
-        })?;
+        let engineering = wing.engineering(progress)?;
         Ok(Run {
-            case,
-            solution,
+            wing,
             reading,
             uncertainty,
             stroke,
@@ -176,37 +167,16 @@ impl Run {
 
     fn solved(&self) -> Solved<'_> {
         Solved {
-            loaded: &self.case.loaded,
-            planform: &self.case.planform,
-            solution: &self.solution,
-            profile: &self.reading.profile,
-            stages: self.reading.stages.as_ref(),
-            measured: self.reading.measured.as_ref(),
-            lift: self.reading.lift.as_ref(),
+            wing: &self.wing,
+            reading: &self.reading,
             uncertainty: self.uncertainty.as_ref(),
             engineering: &self.engineering,
         }
     }
 }
 
-/// The loaded shape, or a failure that names the design.
-pub fn solve(case: &Case, progress: &Progress) -> Result<Solution, Failure> {
-    let solution = case.solve(progress).map_err(|source| Failure::Coupling {
-        design: case.loaded.path.clone(),
-        source,
-    })?;
-    match solution.pull_of_stop(&case.loaded.design) {
-        None => Ok(solution),
-        Some(moment_n_m) => Err(Failure::StopPulls {
-            design: case.loaded.path.clone(),
-            moment_mn_mm: moment_n_m * 1e6,
-        }),
-    }
-}
-
 fn band(
-    case: &Case,
-    solution: &Solution,
+    wing: &SolvedWing,
     reading: &Reading,
     samples: usize,
     progress: &Progress,
@@ -214,14 +184,14 @@ fn band(
     let outputs = ProfileOutputs::new(&reading.profile, &stretches_mm(reading));
     let unseen = progress.unseen();
     let evaluate = |design: &Design| -> Result<Vec<f64>, String> {
-        outputs.read(&profile_of(case, solution, design, &unseen)?)
+        outputs.read(&profile_of(wing, design, &unseen).map_err(|error| error.to_string())?)
     };
     let settings = UncertaintySettings {
         samples,
         ..UncertaintySettings::default()
     };
     propagate(
-        &case.loaded.design,
+        wing.model.design(),
         &outputs.outputs,
         settings,
         progress,
@@ -243,16 +213,8 @@ fn stretches_mm(reading: &Reading) -> Vec<[f64; 2]> {
     fitted.map(|stage| [stage.from_mm, stage.to_mm]).collect()
 }
 
-/// The profile of another design, solved from the solution of the case.
-fn profile_of(
-    case: &Case,
-    solution: &Solution,
-    design: &Design,
-    progress: &Progress,
-) -> Result<TwistProfile, String> {
-    let case = case.with(design.clone()).map_err(|error| error.to_string())?;
-    let solution = case
-        .solve_from(Some(solution), progress)
-        .map_err(|error| error.to_string())?;
-    read_profile(&case.loaded.design, &case.planform, &solution).map_err(|error| error.to_string())
+/// The profile of another design, solved from a wing nearby.
+fn profile_of(near: &SolvedWing, design: &Design, progress: &Progress) -> Result<TwistProfile, WingError> {
+    let wing = near.model.with_design(design.clone())?;
+    wing.solve_from(&near.solution, progress)?.profile()
 }

@@ -1,28 +1,16 @@
-//! `washout solve --stroke N`: twist, lift and what the stop carries over the whole stroke, from the periodic motion.
+//! `--stroke` and `--stroke-quasi-static` of `washout solve`: the wing over its stroke as files.
 
-use crate::coupling::instant::Instant;
-use crate::coupling::motion::left_out;
-use crate::coupling::periodic::periodic_near;
-use crate::coupling::solution::Solution;
-use crate::coupling::{CouplingError, Periodic, PeriodicSettings};
 use crate::export::run::RunFolder;
-use crate::export::stroke::{MovingRow, PeriodicSummary, PhaseRow, StrokeKind, StrokeSummary, StrokeTwist};
-use crate::export::wing::moving_grid;
+use crate::export::wing::{Shape, moving_grid, solution_grid};
 use crate::export::{ExportError, csv, pvd};
-use crate::lift::Forces;
 use crate::observation::field::twist_at_nodes;
-use crate::observation::read_profile;
 use crate::progress::Progress;
-use crate::structure::largest;
+use crate::wing::SolvedWing;
+use crate::wing::stroke::{PhaseShape, StrokeSummary};
+use crate::wing::stroke_periodic::periodic_stroke;
+use crate::wing::stroke_quasi_static::quasi_static_stroke;
 
 use super::Failure;
-use super::case::Case;
-
-/// The option that asks for it.
-const OPTION: &str = "--stroke";
-
-/// How many phases of a half-stroke are looked at besides.
-const LOOKS: usize = 180;
 
 /// A wing at phases of its stroke.
 #[derive(Debug)]
@@ -30,144 +18,33 @@ pub struct StrokeRun {
     /// Its rows and its mean.
     pub summary: StrokeSummary,
     /// Shapes, one a phase, as `.vtu`.
-    pub shapes: Vec<Vec<u8>>,
+    shapes: Vec<Vec<u8>>,
 }
 
-/// The periodic motion at `count` phases, evenly over the whole stroke from mid-stroke on.
-pub fn solve(case: &Case, nearby: &Solution, count: u16, progress: &Progress) -> Result<StrokeRun, Failure> {
-    let design = &case.loaded.design;
-    let Some(flapping) = &design.flapping else {
-        return Err(Failure::Option {
-            option: OPTION,
-            reason: "the design does not flap, so it has no stroke; give it a [flapping] table".to_string(),
-        });
+/// The periodic motion at `count` phases.
+pub fn periodic(wing: &SolvedWing, count: u16, progress: &Progress) -> Result<StrokeRun, Failure> {
+    let mut shapes = Vec::new();
+    let summary = periodic_stroke(wing, count, progress, |shape| draw(&mut shapes, &shape))?;
+    Ok(StrokeRun { summary, shapes })
+}
+
+/// `count` phases, each solved as if it stood still.
+pub fn quasi_static(wing: &SolvedWing, count: u16, progress: &Progress) -> Result<StrokeRun, Failure> {
+    let mut shapes = Vec::new();
+    let summary = quasi_static_stroke(wing, count, progress, |shape| draw(&mut shapes, &shape))?;
+    Ok(StrokeRun { summary, shapes })
+}
+
+fn draw(shapes: &mut Vec<Vec<u8>>, shape: &PhaseShape) -> Result<(), Failure> {
+    let design = shape.model.design();
+    let twist_rad = twist_at_nodes(&shape.model.planform, shape.solution);
+    let twist_deg = twist_rad.into_iter().map(f64::to_degrees).collect();
+    let grid = match shape.instant {
+        Some(now) => moving_grid(design, shape.solution, twist_deg, |point| now.in_space(point)),
+        None => solution_grid(design, shape.solution, twist_deg, Shape::Deformed),
     };
-    progress.say("moving over the stroke");
-    let table = case.loaded.air_table.as_deref();
-    let moving = PeriodicSettings::of_design(design)
-        .and_then(|settings| periodic_near(design, &case.mesh, table, &settings, Some(nearby), progress));
-    let fault = |source| Failure::Coupling {
-        design: case.loaded.path.clone(),
-        source,
-    };
-    let moving = moving.map_err(fault)?;
-    let frequency_hz = flapping.frequency_hz.value();
-    let (mut phases, mut shapes, mut profile) = (Vec::new(), Vec::new(), Vec::new());
-    for index in 0..count {
-        progress.check().map_err(CouplingError::from).map_err(fault)?;
-        let phase_deg = 360.0 * f64::from(index) / f64::from(count);
-        let now = moving.instant(phase_deg.to_radians()).map_err(fault)?;
-        let solution = now.solution(&moving.still);
-        let read = read_profile(design, &case.planform, &solution).map_err(|error| case.fault(error))?;
-        profile.extend(
-            read.readings
-                .iter()
-                .map(|reading| twist_row(&moving, &now, phase_deg, reading.r_m, reading.twist_rad)),
-        );
-        let twist_deg = twist_at_nodes(&case.planform, &solution)
-            .into_iter()
-            .map(f64::to_degrees);
-        let grid = moving_grid(design, &solution, twist_deg.collect(), |point| {
-            now.in_space(point)
-        });
-        shapes.push(grid.to_vtu()?);
-        let forces = now.forces;
-        let tip = read.tip();
-        phases.push(PhaseRow {
-            phase_deg,
-            tip_twist_deg: tip.map(|tip| tip.twist_rad.to_degrees()),
-            stop_moment_mn_mm: Some(now.stop_moment_n_m * 1e6),
-            moving: Some(MovingRow {
-                time_ms: phase_deg / 360.0 / frequency_hz * 1e3,
-                sweep_deg: now.sweep_rad.to_degrees(),
-                pitch_deg: now.pitch_rad.to_degrees(),
-                is_flipping: now.is_flipping,
-                standing_tip_twist_deg: tip.and_then(|tip| standing_deg(&moving, tip.r_m, phase_deg)),
-            }),
-            forces: Some(Forces::new(
-                format!("at stroke phase {phase_deg:.1} deg"),
-                forces.lift_n,
-                forces.drag_n,
-                forces.power_w,
-            )),
-            file: format!("wing-phase-{index:03}.vtu"),
-        });
-    }
-    let mean = moving.mean_forces().map_err(fault)?;
-    Ok(StrokeRun {
-        summary: StrokeSummary {
-            kind: StrokeKind::Periodic,
-            phases,
-            profile,
-            mean: Some(Forces::new(
-                "mean over the stroke (periodic motion)",
-                mean.lift_n,
-                mean.drag_n,
-                mean.power_w,
-            )),
-            periodic: Some(PeriodicSummary {
-                mode_hz: moving.modes.iter().map(|mode| mode.frequency_hz).collect(),
-                damping_ratio: moving.settings.damping_ratio,
-                flip_share: moving.settings.flip_share,
-                left_out: left_out(design).map_err(|error| case.fault(error))?,
-                largest_swing_deg: largest_swing_deg(&moving),
-                released_deg: released_deg(&moving).map_err(fault)?,
-            }),
-        },
-        shapes,
-    })
-}
-
-fn standing_deg(moving: &Periodic, r_m: f64, phase_deg: f64) -> Option<f64> {
-    let halves = (phase_deg / 180.0).round();
-    let own = (phase_deg - 180.0 * halves).to_radians();
-    moving.standing_twist(r_m, own).map(f64::to_degrees)
-}
-
-fn twist_row(moving: &Periodic, now: &Instant, phase_deg: f64, r_m: f64, twist_rad: f64) -> StrokeTwist {
-    let half = std::f64::consts::PI;
-    let own = now.phase_rad - (now.phase_rad / half).round() * half;
-    StrokeTwist {
-        phase_deg,
-        r_mm: r_m * 1e3,
-        twist_deg: twist_rad.to_degrees(),
-        standing_deg: standing_deg(moving, r_m, phase_deg),
-        rate_deg_s: moving.twist(r_m, own).map(|[_, rate, _]| rate.to_degrees()),
-    }
-}
-
-/// Phases of a half-stroke at which motion and stop are looked at, deg.
-fn looks() -> impl Iterator<Item = f64> {
-    (0..LOOKS).map(|index| 180.0 * ((index as f64 + 0.5) / LOOKS as f64 - 0.5))
-}
-
-fn largest_swing_deg(moving: &Periodic) -> f64 {
-    let stations = moving.stations_m();
-    let swing = |phase_deg: f64, r_m: f64| {
-        let phase = phase_deg.to_radians();
-        let ([twist, ..], still) = (moving.twist(r_m, phase)?, moving.standing_twist(r_m, phase)?);
-        Some((twist - still).abs().to_degrees())
-    };
-    let all = looks().flat_map(|phase_deg| stations.iter().filter_map(move |&r_m| swing(phase_deg, r_m)));
-    largest(all)
-}
-
-/// Stretches of the half-stroke, deg, in which the rod is meant to rest on its stop, but the stop would have to pull.
-fn released_deg(moving: &Periodic) -> Result<Vec<[f64; 2]>, CouplingError> {
-    let step = 180.0 / LOOKS as f64;
-    let mut found: Vec<[f64; 2]> = Vec::new();
-    for phase_deg in looks() {
-        let now = moving.instant(phase_deg.to_radians())?;
-        if now.is_flipping || now.stop_moment_n_m >= 0.0 {
-            continue;
-        }
-        let (from, to) = (phase_deg - 0.5 * step, phase_deg + 0.5 * step);
-        match found.last_mut() {
-            Some(last) if (last[1] - from).abs() < 1e-9 => last[1] = to,
-            _ => found.push([from, to]),
-        }
-    }
-    Ok(found)
+    shapes.push(grid.to_vtu()?);
+    Ok(())
 }
 
 impl StrokeRun {

@@ -1,5 +1,6 @@
 //! Studies on the command line: loaded, solved, compared.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::compare::StudyComparison;
@@ -7,7 +8,8 @@ use crate::compare::study::compare_study;
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::export::html::REPORT;
 use crate::export::html::study::{StudyParts, page as study_page};
-use crate::export::html::wing::{Wing, Wings};
+use crate::export::html::wing::Wing;
+use crate::export::html::wings::Wings;
 use crate::export::pictures::compared::figure as compared_figure;
 use crate::export::pictures::panels;
 use crate::export::pictures::write::add_study;
@@ -17,7 +19,6 @@ use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
 use crate::study::{Campaign, Forward, StudyError, Unknown, UnknownKind};
 
-use super::report::assumed;
 use super::{Console, Failure};
 
 /// The document that lists the files of a comparison.
@@ -192,4 +193,16 @@ fn wings(campaign: &Campaign, state: &str, at: &[f64], console: &Console) -> Res
         }
     }
     Ok(wings)
+}
+
+/// Designs of a study with what each assumes, each once.
+pub fn assumed(loaded: &LoadedStudy) -> Vec<(String, Vec<crate::input::Assumption>)> {
+    let mut designs = BTreeMap::new();
+    for case in &loaded.cases {
+        let design = &case.loaded.design;
+        designs
+            .entry(design.name.clone())
+            .or_insert_with(|| design.assumptions());
+    }
+    designs.into_iter().collect()
 }

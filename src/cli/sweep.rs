@@ -20,9 +20,12 @@ use crate::sweep::{
     Axis, Base, Content, Method, Row, SweepError, SweepPlan, Task, sensitivities, task_key, tasks,
 };
 
-use super::report::finished;
+use super::finished::finished;
+use super::job::Job;
 use super::study::listed;
-use super::tasks::{Job, MOST_TASKS, TaskArguments, Work, beside, gone};
+use super::tasks::{MOST_TASKS, TaskArguments, Work, beside, gone};
+use crate::wing::WingError;
+
 use super::{Console, Failure};
 
 const VERB: &str = "sweep";
@@ -249,7 +252,7 @@ fn refused_effect(plan: &SweepPlan, point: &[String]) -> Option<Failure> {
     match Base::load(&plan.base, &plan.sets(point)) {
         Ok(Base::Design(loaded, _)) => {
             let error = bind(&loaded.design).err()?;
-            Some(Failure::design(&plan.base, error))
+            Some(WingError::design(&plan.base, error).into())
         }
         _ => None,
     }

@@ -10,7 +10,7 @@ use toml_edit::{DocumentMut, Item, value};
 
 use crate::export::measurement::measurement_csv;
 use crate::export::run::RunFolder;
-use crate::export::{ExportError, place};
+use crate::export::{ExportError, json, place};
 use crate::input::measurement::{Formulas, Made, Row};
 use crate::input::study::LoadedStudy;
 use crate::origin::InputFile;
@@ -202,8 +202,7 @@ fn refuse_own(study: &LoadedStudy, target: &Path) -> Result<(), Failure> {
 /// Writes study, measurements and answer.
 fn write(study: &Path, mut folder: RunFolder, made: &Synthetic) -> Result<SynthesizeReport, Failure> {
     let target = folder.target().to_path_buf();
-    let answer_text =
-        serde_json::to_string_pretty(&made.answer).map_err(|error| Failure::Output(error.into()))?;
+    let answer_text = json::text(&made.answer)?;
     let comments = [
         made.answer.recipe.made.to_string(),
         "These numbers come from no experiment: they are readings of a model with errors of its own."

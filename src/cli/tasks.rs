@@ -6,6 +6,7 @@ use clap::Args;
 
 use crate::progress::Progress;
 
+use super::job::Job;
 use super::slurm::{self, Slurm};
 use super::{Console, Failure};
 
@@ -39,37 +40,6 @@ pub trait Work {
     /// # Errors
     /// If a task has no result, it cannot be written, or the user asked to stop.
     fn run(&mut self, tasks: &[usize], progress: &Progress) -> Result<(), Failure>;
-}
-
-/// How the tasks of a work are started by themselves.
-#[derive(Debug, Clone)]
-pub struct Job {
-    /// Folder of the results; scripts and logs go to `slurm` in it.
-    pub folder: PathBuf,
-    /// Words after the program, to which `--task N` is added.
-    pub words: Vec<String>,
-    /// Where they are said; none: anywhere.
-    pub from: Option<PathBuf>,
-    /// How the user goes on after an interruption.
-    pub again: String,
-}
-
-impl Job {
-    /// Tasks that are started by the command line of this process, from where it was said.
-    ///
-    /// # Errors
-    /// If that place is gone.
-    pub fn as_said(folder: &Path) -> Result<Job, Failure> {
-        let from = std::env::current_dir();
-        let from = from.map_err(crate::export::ExportError::file("find", Path::new(".")))?;
-        let said = std::env::args_os().skip(1);
-        Ok(Job {
-            folder: folder.to_path_buf(),
-            words: slurm::without_options(said.map(|word| word.to_string_lossy().into_owned())),
-            from: Some(from),
-            again: "the same command".to_string(),
-        })
-    }
 }
 
 impl TaskArguments {

@@ -6,13 +6,13 @@ use clap::Args;
 
 use crate::export::file::{refuse_page, write_page};
 use crate::export::run::RunFolder;
-use crate::export::text::Table;
 use crate::export::trust::{TRUST_HEAD, markdown, trust_page};
 use crate::export::verification::VerifyReport;
 use crate::input::nearest_word;
+use crate::page::text::Table;
 use crate::verify::{ALL, Case, Extent, Kind, named, run};
 
-use super::report::finished;
+use super::finished::finished;
 use super::study::compared;
 use super::{Console, Failure};
 

@@ -2,44 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::input::design::{CameraAxis, Instrument};
+use crate::input::design::Instrument;
 use crate::input::measurement::{Channel, Measurement, Row};
 use crate::observation::{ObservationError, Observer, TwistProfile};
 
-use super::row::{ComparedRow, NotCompared, compare_row};
+use super::row::{ComparedRow, compare_row};
 use super::span::SpanComparison;
 use super::stages::ModelledStages;
 use super::verdict;
-
-/// A measurement against a solved wing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Comparison {
-    /// Name of the wing.
-    pub wing: String,
-    /// Case of the measurement.
-    pub case: String,
-    /// Measurement file as the user named it.
-    pub file: String,
-    /// Instrument by which the model was read.
-    pub instrument: Instrument,
-    /// Axis of the camera, if it was one.
-    pub camera_axis: Option<CameraAxis>,
-    /// Every row that could be compared.
-    pub rows: Vec<ComparedRow>,
-    /// Every other row, and why not.
-    pub not_compared: Vec<NotCompared>,
-    /// Twist in degrees along the span, for each run that gives it.
-    pub span: Vec<SpanComparison>,
-    /// Stages of the modelled profile by its own fit; absent where it does not carry one.
-    pub modelled_stages: Option<ModelledStages>,
-    /// What a reader must know besides: other instruments, clipped intervals, assumed errors.
-    pub notes: Vec<String>,
-    /// Where the model fails, in words made from the numbers.
-    pub verdict: String,
-}
+use super::wing_comparison::Comparison;
 
 /// Compares a measurement (the rows of one case) with a solved wing.
 ///
@@ -332,7 +303,7 @@ mod tests {
     #[test]
     fn the_model_is_read_by_the_instrument_of_the_measurement_where_the_design_says_how() {
         let mut design = design("");
-        design.observation.camera_axis = Some(CameraAxis::FlappingAxis);
+        design.observation.camera_axis = Some(crate::input::design::CameraAxis::FlappingAxis);
         // Feathered at 45 deg: the camera along the flapping axis saturates there, the rotation does not.
         let feathered = |r_mm: f64| 45.0 * r_mm / 67.9;
         let row = "a,twist,camera,deg,washout,,67.9,,45.0,1,assumed,none\n";

@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::Channel;
 
-use super::study::{GroupMisfit, StudyComparison, StudyRow, root_mean_square};
+use super::study::root_mean_square;
+use super::study_comparison::{GroupMisfit, StudyComparison, StudyRow};
 
 /// A model on the ladder, and its errors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -8,6 +8,8 @@ pub mod integrated;
 
 pub mod ladder;
 
+pub mod reading;
+
 pub mod row;
 
 pub mod span;
@@ -16,13 +18,19 @@ pub mod stages;
 
 pub mod study;
 
+pub mod study_comparison;
+
 mod study_words;
 
 pub mod verdict;
 
-pub use comparison::{Comparison, compare};
+pub mod wing_comparison;
+
+pub use comparison::compare;
 pub use ladder::{RungGroup, StudyRung};
+pub use reading::Reading;
 pub use row::{ComparedRow, NotCompared};
 pub use span::{ComparedStation, ProfileOrigin, SpanComparison};
 pub use stages::{FittedStage, ModelledStages};
-pub use study::{StudyCase, StudyComparison, StudyRow};
+pub use study_comparison::{StudyCase, StudyComparison, StudyRow};
+pub use wing_comparison::Comparison;

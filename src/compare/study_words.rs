@@ -1,6 +1,6 @@
 //! A study as compared, in words: how far the model is from what was measured, and what calibration had to move.
 
-use super::study::{CalibratedUnknown, StudyComparison};
+use super::study_comparison::{CalibratedUnknown, StudyComparison};
 
 /// A sentence for each wing and channel, for each input that was moved far, and for what the data say little of.
 pub(super) fn words(comparison: &StudyComparison) -> Vec<String> {

@@ -6,14 +6,17 @@ use std::sync::Arc;
 use crate::effects::{Motion, Need, Seam, bind, named};
 use crate::geometry::Planform;
 use crate::input::design::Design;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, MeshError};
+use crate::progress::Progress;
 
 use super::error::{CouplingError, SensitivityError};
 use super::motion::motion_by;
 use super::periodic::PeriodicSettings;
-use super::sensitivity::Remesh;
 use super::solution::Solution;
 use super::wing::Wing;
+
+/// Outline and mesh of a design, as the solved wing got its own.
+pub type Remesh<'a> = &'a dyn Fn(&Design) -> Result<(Planform, Mesh), MeshError>;
 
 /// Tables of a design whose numbers do not move the mesh.
 const OFF_THE_MESH: [&str; 7] = [
@@ -136,7 +139,14 @@ impl<'a> Home<'a> {
             return Ok(known.clone());
         }
         let mesh = &self.solution.mesh;
-        let found = motion_by(&settings, self.design, mesh, self.air_table, Some(self.solution))?;
+        let found = motion_by(
+            &settings,
+            self.design,
+            mesh,
+            self.air_table,
+            Some(self.solution),
+            &Progress::quiet(),
+        )?;
         let found = Arc::new(found);
         // of other settings, those that come first stay
         let _ = self.motion.set((settings, found.clone()));

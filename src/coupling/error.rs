@@ -10,6 +10,12 @@ use crate::structure::{NotFinite, StructureError};
 /// Why a coupled solve gives no solution.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CouplingError {
+    /// An effect is made from the motion over the stroke, which was not given.
+    #[error("{effect} is made from the motion over the stroke, which is not known here")]
+    NeedsMotion {
+        /// The effect.
+        effect: String,
+    },
     /// The air cannot be set up.
     #[error(transparent)]
     Air(#[from] AeroError),
@@ -31,6 +37,16 @@ pub enum CouplingError {
         critical_ratio: f64,
         /// Whether a film stands in linear kinematics, where little pre-tension looks like divergence.
         linear_film: bool,
+    },
+    /// The pitch stop, which only pushes, would have to pull.
+    #[error(
+        "the pitch stop would have to pull with {:.3} mN mm, but it only pushes: the wing would leave it, and this is no \
+         equilibrium. Turn the load or the bench forces the other way, or give the pitch stiffness of a flexure in [root]",
+        moment_n_m * 1e6
+    )]
+    StopPulls {
+        /// Moment with which it would pull.
+        moment_n_m: f64,
     },
     /// The wing has an equilibrium, but not one that it would stay in.
     #[error(
@@ -160,7 +176,11 @@ impl CouplingError {
                     StructureError::NoEquilibrium { .. } | StructureError::Singular { .. }
                 )
             }
-            CouplingError::Air(_) | CouplingError::Effect(_) | CouplingError::Interrupted(_) => false,
+            CouplingError::Air(_)
+            | CouplingError::Effect(_)
+            | CouplingError::NeedsMotion { .. }
+            | CouplingError::StopPulls { .. }
+            | CouplingError::Interrupted(_) => false,
         }
     }
 }

@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::error::CouplingError;
 use super::recycled::Recycled;
-use super::strips::StripAir;
+use super::strip_air::StripAir;
 use super::wing::Wing;
 use crate::structure::finite::each;
 use crate::structure::{Equilibrium, refuse_not_finite};

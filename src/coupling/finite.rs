@@ -5,7 +5,8 @@ use nalgebra::Vector3;
 use super::air::Air;
 use super::error::CouplingError;
 use super::solution::Solution;
-use super::strips::{Strip, StripAir, StripShape};
+use super::strip_air::StripAir;
+use super::strips::{Strip, StripShape};
 use crate::structure::finite::each;
 use crate::structure::{NotFinite, refuse_not_finite};
 

@@ -1,34 +1,48 @@
 //! What the periodic motion does at the phase of a design, frozen, for the effects that need rates.
 
+use std::sync::Arc;
+
 use super::error::CouplingError;
 use super::periodic::{Periodic, PeriodicSettings, periodic_near};
 use super::solution::Solution;
-use crate::effects::{Motion, Need, StripMotion, bind};
+use super::wing::needs_motion;
+use crate::effects::{Motion, StripMotion, bind};
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::state::State;
 
-/// The motion of a design at its phase. Effects that are made from it do not act back on it.
+/// The motion that effects of a design are made from, at its phase, sought from a solution nearby if there is one; none where no
+/// effect needs it.
 ///
 /// # Errors
-/// As [`super::periodic()`].
-pub fn motion(design: &Design, mesh: &Mesh, air_table: Option<&[[f64; 3]]>) -> Result<Motion, CouplingError> {
-    motion_near(design, mesh, air_table, None)
-}
-
-/// The same from a solution of a design nearby.
-///
-/// # Errors
-/// As [`super::periodic()`].
-pub fn motion_near(
+/// If its effects are not what their cards ask for, or as [`motion`].
+pub fn motion_needed(
     design: &Design,
     mesh: &Mesh,
     air_table: Option<&[[f64; 3]]>,
     nearby: Option<&Solution>,
+    progress: &Progress,
+) -> Result<Option<Arc<Motion>>, CouplingError> {
+    match bind(design)?.iter().any(needs_motion) {
+        true => Ok(Some(Arc::new(motion(design, mesh, air_table, nearby, progress)?))),
+        false => Ok(None),
+    }
+}
+
+/// The motion of a design at its phase. Effects that are made from it do not act back on it.
+///
+/// # Errors
+/// As [`super::periodic()`].
+pub fn motion(
+    design: &Design,
+    mesh: &Mesh,
+    air_table: Option<&[[f64; 3]]>,
+    nearby: Option<&Solution>,
+    progress: &Progress,
 ) -> Result<Motion, CouplingError> {
     let settings = PeriodicSettings::of_design(design)?;
-    motion_by(&settings, design, mesh, air_table, nearby)
+    motion_by(&settings, design, mesh, air_table, nearby, progress)
 }
 
 /// The same with settings that another design states.
@@ -41,39 +55,14 @@ pub fn motion_by(
     mesh: &Mesh,
     air_table: Option<&[[f64; 3]]>,
     nearby: Option<&Solution>,
+    progress: &Progress,
 ) -> Result<Motion, CouplingError> {
-    let periodic = periodic_near(design, mesh, air_table, settings, nearby, &Progress::quiet())?;
+    let periodic = periodic_near(design, mesh, air_table, settings, nearby, progress)?;
     let phase_deg = design
         .flapping
         .as_ref()
         .map_or(0.0, |flapping| flapping.phase_deg.value());
     periodic.at(phase_deg.to_radians())
-}
-
-/// Names of a design's effects that are made from its motion, or act nowhere but off mid-stroke: the motion is found
-/// without them.
-///
-/// # Errors
-/// If its effects are not what their cards ask for.
-pub fn left_out(design: &Design) -> Result<Vec<String>, CouplingError> {
-    let names = bind(design)?.into_iter().filter_map(|bound| {
-        let card = bound.effect.card();
-        let moves = |need: &Need| matches!(need, Need::Motion | Need::OffMidStroke);
-        card.needs.iter().any(moves).then(|| card.name.to_string())
-    });
-    Ok(names.collect())
-}
-
-/// The design at mid-stroke, without [`left_out`].
-pub(super) fn at_mid_stroke(design: &Design) -> Result<Design, CouplingError> {
-    let mut still = design.clone();
-    for name in left_out(design)? {
-        still.effects.remove(&name);
-    }
-    if let Some(flapping) = &mut still.flapping {
-        flapping.phase_deg = 0.0.into();
-    }
-    Ok(still)
 }
 
 impl Periodic {

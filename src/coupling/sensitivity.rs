@@ -13,23 +13,20 @@ use nalgebra::Vector3;
 use crate::effects::Seam;
 use crate::geometry::Planform;
 use crate::input::design::Design;
-use crate::mesh::{Mesh, MeshError};
+use crate::mesh::Mesh;
 use crate::structure::state::State;
 use crate::structure::{Equilibrium, Loads, Tangent};
 
-use super::beside::{Beside, Home};
+use super::beside::{Beside, Home, Remesh};
 use super::error::SensitivityError;
 use super::feedback::{EXACT, Feedback};
 use super::recycled::Recycled;
 use super::solution::Solution;
-use super::strips::StripAir;
+use super::strip_air::StripAir;
 use super::wing::Wing;
 
 /// Step of a parameter over its value, or over its assumed range where that is larger.
 const STEP: f64 = 1e-5;
-
-/// Outline and mesh of a design, as the solved wing got its own.
-pub type Remesh<'a> = &'a dyn Fn(&Design) -> Result<(Planform, Mesh), MeshError>;
 
 /// A solved wing whose coupled tangent is factorized.
 pub struct Sensitivity<'a> {

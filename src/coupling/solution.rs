@@ -1,5 +1,6 @@
 //! What a coupled solve gives: shape, strips, forces and how well the equations are met.
 
+use super::error::CouplingError;
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::structure::state::State;
@@ -28,14 +29,21 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// Moment (N·m) with which the pitch stop of a flapping wing would have to pull, which only pushes against washout; none where it
-    /// pushes, or the design has none.
-    pub fn pull_of_stop(&self, design: &Design) -> Option<f64> {
+    /// Refuses a shape in which the pitch stop of a flapping wing, which only pushes against washout, would have to pull.
+    ///
+    /// # Errors
+    /// If it would.
+    pub fn refuse_pull_of_stop(&self, design: &Design) -> Result<(), CouplingError> {
         let has_stop = design.flapping.is_some() && design.root.pitch_stiffness_n_m_per_rad.is_none();
         let moment = self.report.reaction_moment_n_m;
         // next to no load, rounding decides the sign
         let size = moment.iter().map(|part| part * part).sum::<f64>().sqrt();
-        (has_stop && moment[0] > 1e-6 * size).then_some(moment[0])
+        match has_stop && moment[0] > 1e-6 * size {
+            true => Err(CouplingError::StopPulls {
+                moment_n_m: moment[0],
+            }),
+            false => Ok(()),
+        }
     }
 }
 

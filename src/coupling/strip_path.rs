@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::periodic::Fields;
+use super::fields::Fields;
 use super::solution::Solution;
 use super::strips::Strip;
 use super::wing::Wing;

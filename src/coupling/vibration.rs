@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use super::CouplingError;
 use super::build::{built, large_share};
 use super::cure::cured;
+use super::motion::motion_needed;
 use super::solution::Solution;
 use super::wing::Wing;
 use crate::effects::bind;
@@ -39,7 +40,8 @@ impl Standing {
         air_table: Option<&[[f64; 3]]>,
         progress: &Progress,
     ) -> Result<Self, CouplingError> {
-        let wing = Wing::new(design, mesh, air_table)?;
+        let motion = motion_needed(design, mesh, air_table, None, progress)?;
+        let wing = Wing::with_motion(design, mesh, air_table, motion)?;
         let (state, _) = cured(&wing.model, &mut Equilibrium::new(&wing.model)?, progress)?;
         let loads = Loads::none(mesh.nodes.len());
         Ok(Standing {

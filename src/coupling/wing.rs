@@ -8,10 +8,9 @@ use super::air::Air;
 use super::build::{built, large_share};
 use super::error::CouplingError;
 use super::finite::refuse_air;
-use super::fixed_point::Coupled;
-use super::motion::motion_near;
-use super::solution::{Solution, StripLoad};
-use super::strips::{StripAir, StripShape, Strips};
+use super::solution::StripLoad;
+use super::strip_air::StripAir;
+use super::strips::{StripShape, Strips};
 use crate::aero::pressure_density;
 use crate::effects::{Bound, Motion, Need, Seam, bind};
 use crate::input::design::Design;
@@ -36,59 +35,48 @@ pub struct Wing {
     pub motion: Option<Arc<Motion>>,
 }
 
+/// Whether an effect is made from the motion over the stroke.
+pub(super) fn needs_motion(bound: &Bound) -> bool {
+    bound.effect.card().needs.contains(&Need::Motion)
+}
+
 impl Wing {
-    /// The wing of a design on a mesh.
+    /// The wing of a design on a mesh, none of whose effects is made from its motion over the stroke.
     ///
     /// # Errors
-    /// If design and mesh do not belong together, the air's laws cannot be set up, or a number of the structure, of a load or
-    /// of a formula is not finite.
+    /// If design and mesh do not belong together, the air's laws cannot be set up, a number of the structure, of a load or of a
+    /// formula is not finite, or an effect needs the motion.
     pub fn new(design: &Design, mesh: &Mesh, air_table: Option<&[[f64; 3]]>) -> Result<Self, CouplingError> {
         Wing::with_motion(design, mesh, air_table, None)
     }
 
-    /// The same with a motion over the stroke that is known; it is computed where it is not and an effect needs it.
+    /// The same with the motion over the stroke, for the effects that are made from it.
     ///
     /// # Errors
-    /// As [`Wing::new`], or if the motion is not found.
+    /// As [`Wing::new`].
     pub fn with_motion(
         design: &Design,
         mesh: &Mesh,
         air_table: Option<&[[f64; 3]]>,
-        known: Option<Arc<Motion>>,
+        motion: Option<Arc<Motion>>,
     ) -> Result<Self, CouplingError> {
-        Wing::made(design, mesh, air_table, known, None, None)
-    }
-
-    /// As [`Wing::new`]; `alike`: the wing of another design on the same mesh, from which what both share is taken over;
-    /// a motion that an effect needs is sought from the solution `nearby`.
-    ///
-    /// # Errors
-    /// As [`Wing::with_motion`].
-    pub fn near(
-        design: &Design,
-        mesh: &Mesh,
-        air_table: Option<&[[f64; 3]]>,
-        alike: Option<&Wing>,
-        nearby: Option<&Solution>,
-    ) -> Result<Self, CouplingError> {
-        let beside = alike.map(|wing| (wing, None));
-        Wing::made(design, mesh, air_table, None, beside, nearby)
+        Wing::made(design, mesh, air_table, motion, None)
     }
 
     /// The wing of another design on the same mesh: what both share is taken over. `seam`: where they differ, if that is by
-    /// the numbers of one effect; `known`: the motion over the stroke.
+    /// the numbers of one effect; `motion`: that over the stroke.
     ///
     /// # Errors
-    /// As [`Wing::with_motion`].
+    /// As [`Wing::new`].
     pub fn beside(
         &self,
         design: &Design,
         mesh: &Mesh,
         air_table: Option<&[[f64; 3]]>,
         seam: Option<Seam>,
-        known: Option<Arc<Motion>>,
+        motion: Option<Arc<Motion>>,
     ) -> Result<Self, CouplingError> {
-        Wing::made(design, mesh, air_table, known, Some((self, seam)), None)
+        Wing::made(design, mesh, air_table, motion, Some((self, seam)))
     }
 
     fn made(
@@ -97,14 +85,13 @@ impl Wing {
         air_table: Option<&[[f64; 3]]>,
         known: Option<Arc<Motion>>,
         beside: Option<(&Wing, Option<Seam>)>,
-        nearby: Option<&Solution>,
     ) -> Result<Self, CouplingError> {
         let effects = bind(design)?;
-        let needs = |bound: &Bound| bound.effect.card().needs.contains(&Need::Motion);
-        let motion = match known {
-            _ if !effects.iter().any(needs) => None,
-            Some(known) => Some(known),
-            None => Some(Arc::new(motion_near(design, mesh, air_table, nearby)?)),
+        let motion = match effects.iter().find(|bound| needs_motion(bound)) {
+            None => None,
+            Some(bound) => Some(known.ok_or_else(|| CouplingError::NeedsMotion {
+                effect: bound.effect.card().name.to_string(),
+            })?),
         };
         let (model, bench) = match beside {
             Some((wing, Some(Seam::Air | Seam::Picture))) => (wing.model.clone(), wing.bench.clone()),
@@ -305,13 +292,17 @@ impl Wing {
     }
 
     /// Force (N) and moment about the wing base (N·m) by which the supports hold the wing: they balance the loads.
-    pub fn reaction(&self, equilibrium: &Equilibrium, coupled: &Coupled) -> (Vector3<f64>, Vector3<f64>) {
-        let loads = &coupled.loads;
+    pub fn reaction(
+        &self,
+        equilibrium: &Equilibrium,
+        state: &State,
+        loads: &Loads,
+    ) -> (Vector3<f64>, Vector3<f64>) {
         let place = |node: usize| {
             let moved = if self.linear {
                 Vector3::zeros()
             } else {
-                coupled.state.displacement[node]
+                state.displacement[node]
             };
             self.model.nodes[node] + moved
         };
@@ -328,7 +319,7 @@ impl Wing {
             }
             return (force, moment);
         }
-        let residual = self.model.residual(&equilibrium.pattern, &coupled.state, loads);
+        let residual = self.model.residual(&equilibrium.pattern, state, loads);
         for (node, held) in self.model.held.iter().enumerate() {
             let at = equilibrium.pattern.freedom(node, 0);
             let held_part = |k: usize| if held[k] { residual[at + k] } else { 0.0 };

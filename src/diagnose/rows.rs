@@ -195,15 +195,10 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) ->
         let refit = refit.map(|(_, explanation)| explanation);
         // per unit of strength
         let (score, length) = (directions.scores[k], directions.lengths[k] / own.sigma);
-        let by_slope = if length > 0.0 {
-            [score / length, 1.0 / length]
-        } else {
-            [0.0, f64::MAX]
-        };
-        let [one_step, one_step_error] = by_slope;
+        let by_slope = (length > 0.0).then(|| [score / length, 1.0 / length]);
         let found = refit.map(|e| [e.strength[0], e.standard_error[0]]);
         let weighed = trial.map(|trial| [trial.strength[0], trial.error[0]]);
-        let [value, error] = found.or(weighed).unwrap_or(by_slope);
+        let [value, error] = found.or(weighed).or(by_slope).unwrap_or([0.0, f64::INFINITY]);
         let ln_evidence = trial.map_or(0.0, |trial| trial.ln_weight - trial.ln_prior - nothing);
         let distance = baseline.distances[k];
         let detectability = distance.unwrap_or(scale * length);
@@ -214,8 +209,8 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) ->
             unit: own.unit.clone(),
             scale,
             score,
-            one_step,
-            one_step_error,
+            one_step: by_slope.map(|one| one[0]),
+            one_step_error: by_slope.map(|one| one[1]),
             refitted: found.map(|found| found[0]),
             refitted_error: found.map(|found| found[1]),
             plausible: is_plausible(own, value, error),

@@ -202,10 +202,10 @@ pub struct EffectRow {
     pub scale: f64,
     /// Score: distance from none in standard deviations, what the model can absorb left out.
     pub score: f64,
-    /// Strength by one linear step.
-    pub one_step: f64,
+    /// Strength by one linear step; none where the readings do not feel it.
+    pub one_step: Option<f64>,
     /// Its standard error.
-    pub one_step_error: f64,
+    pub one_step_error: Option<f64>,
     /// Strength by a nonlinear fit.
     pub refitted: Option<f64>,
     /// Its standard error.

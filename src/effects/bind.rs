@@ -2,29 +2,14 @@
 
 use std::sync::Arc;
 
-use super::card::{Card, Need};
+use super::card::{Card, Need, number};
 use super::custom::Custom;
 use super::error::EffectError;
+use super::seam::Values;
 use super::{Effect, all, named};
 use crate::input::design::{Design, FilmCompression, Kinematics, Section};
 use crate::input::nearest;
 use crate::structure::StructureError;
-
-/// The numbers of an effect, in the order of its card.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Values(pub Vec<f64>);
-
-impl Values {
-    /// The strength.
-    pub fn strength(&self) -> f64 {
-        self.0[0]
-    }
-
-    /// The number at a place of the card.
-    pub fn at(&self, place: usize) -> f64 {
-        self.0[place]
-    }
-}
 
 /// An effect that is on.
 #[derive(Debug, Clone)]
@@ -214,12 +199,6 @@ fn read(card: &Card, table: &toml::Table) -> Result<Values, EffectError> {
         values.push(value);
     }
     Ok(Values(values))
-}
-
-/// A number as a design states it, or assumes it.
-pub(super) fn number(value: &toml::Value) -> Option<f64> {
-    let plain = |value: &toml::Value| value.as_float().or(value.as_integer().map(|whole| whole as f64));
-    plain(value).or_else(|| plain(value.get("assumed")?))
 }
 
 /// What a design lacks for an effect to act in it; none if it can.

@@ -149,3 +149,9 @@ pub enum Need {
     /// A camera whose axis is stated.
     Camera,
 }
+
+/// A number as a design states it, or assumes it.
+pub(super) fn number(value: &toml::Value) -> Option<f64> {
+    let plain = |value: &toml::Value| value.as_float().or(value.as_integer().map(|whole| whole as f64));
+    plain(value).or_else(|| plain(value.get("assumed")?))
+}

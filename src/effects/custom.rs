@@ -12,17 +12,18 @@
 
 mod target;
 
+mod section;
+
 mod trial;
 
 pub use target::VARIABLES;
 
 use num_dual::DualNum;
 
+use section::Section;
 use target::{ALONG, ALPHA, CHORD, PRESSURE, SPEED, TARGETS, TWIST, TWIST_RATE, Target};
-use trial::Section;
 
-use super::bind::number;
-use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam, WING_CHANNELS};
+use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam, WING_CHANNELS, number};
 use super::{Dual, Effect, EffectError, StripPlace, Structure, Values};
 use crate::aero::{SectionAir, SectionCoefficients};
 use crate::geometry::Planform;

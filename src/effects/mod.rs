@@ -125,11 +125,11 @@ pub mod camera_tilt;
 
 pub mod frame_timing;
 
-pub use bind::{Acting, Bound, Values, acting, bind, instead_of, is_applicable, lacks, with_common_numbers};
+pub use bind::{Acting, Bound, acting, bind, instead_of, is_applicable, lacks, with_common_numbers};
 pub use card::{Card, Need, Parameter, Places, Seam};
 pub use error::EffectError;
 pub use library::{ALL, all, named, register};
-pub use seam::{Dual, Motion, MotionNumbers, NodeLoad, StripMotion, StripPlace, Structure, View};
+pub use seam::{Dual, Motion, MotionNumbers, NodeLoad, StripMotion, StripPlace, Structure, Values, View};
 
 /// How well the change that most effects make is known, as a share of it: between two models of one wing that share no code slopes were 0.98
 /// (root flexure), 0.95 (tip loss), 1.04 (torsion lost outboard) and 1.07 (rod ends early).

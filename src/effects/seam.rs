@@ -11,6 +11,22 @@ use crate::structure::Model;
 /// Numbers of the air's seam: with derivatives by the six numbers of a strip's shape.
 pub type Dual = DualSVec64<6>;
 
+/// The numbers of an effect, in the order of its card.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Values(pub Vec<f64>);
+
+impl Values {
+    /// The strength.
+    pub fn strength(&self) -> f64 {
+        self.0[0]
+    }
+
+    /// The number at a place of the card.
+    pub fn at(&self, place: usize) -> f64 {
+        self.0[place]
+    }
+}
+
 /// The structure of a wing, to be changed.
 #[derive(Debug)]
 pub struct Structure<'a> {

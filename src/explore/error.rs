@@ -1,15 +1,15 @@
 //! Why a search gives nothing.
 
-use thiserror::Error;
+use std::error::Error;
 
 use crate::coupling::CouplingError;
-use crate::geometry::GeometryError;
 use crate::input::InputError;
 use crate::lift::LiftError;
 use crate::progress::Cancelled;
+use crate::wing::WingError;
 
 /// A search that cannot be made.
-#[derive(Debug, Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum ExploreError {
     /// A setting out of its range.
     #[error("{name} = {value}: {cure}")]
@@ -30,15 +30,9 @@ pub enum ExploreError {
     /// A changed design is refused.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// A changed design has no outline.
-    #[error(transparent)]
-    Geometry(#[from] GeometryError),
-    /// A changed design makes no mesh.
-    #[error(transparent)]
-    Mesh(#[from] crate::mesh::MeshError),
-    /// The twist cannot be read.
-    #[error(transparent)]
-    Observation(#[from] crate::observation::ObservationError),
+    /// A changed design makes no wing, or one whose twist cannot be read.
+    #[error("{0}")]
+    Design(Box<dyn Error + Send + Sync>),
     /// The wing without twist lifts nothing, or nothing that is a number.
     #[error(
         "the wing without twist has a mean lift of {lift_n} N and an efficiency of {efficiency}: nothing to compare with; give it \
@@ -85,4 +79,16 @@ pub enum ExploreError {
     /// The user asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+}
+
+impl From<WingError> for ExploreError {
+    fn from(error: WingError) -> ExploreError {
+        match error {
+            WingError::Input(error) => error.into(),
+            WingError::Solve { source, .. } | WingError::Phase { source, .. } => source.into(),
+            WingError::Interrupted(cancelled) => cancelled.into(),
+            WingError::Design { reason, .. } => ExploreError::Design(reason),
+            error => ExploreError::Design(Box::new(error)),
+        }
+    }
 }

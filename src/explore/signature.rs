@@ -7,13 +7,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::aero::Flow;
-use crate::coupling::{self, solution::Solution};
 use crate::effects::Card;
-use crate::geometry::Planform;
 use crate::input::Design;
-use crate::mesh::generate;
-use crate::observation::Observer;
 use crate::progress::Progress;
+use crate::wing::WingModel;
 
 use super::ExploreError;
 
@@ -125,17 +122,15 @@ fn read(set: &[String], progress: &Progress) -> Result<Read, ExploreError> {
     };
     let sets = [set, &[COARSE.to_string()]].concat();
     let design: Design = Design::load_text(&text, Path::new("the wing of washout init"), &sets)?.design;
-    let planform = Planform::from_design(&design)?;
-    let mesh = generate(&design, &planform)?;
-    let solution: Solution = coupling::solve(&design, &planform, &mesh, None, &progress.unseen())?;
-    let observer = Observer::new(&design, &planform, &solution)?;
+    let wing = WingModel::of_design(design)?.solve(&progress.unseen())?;
+    let observer = wing.observer()?;
     let readings = observer.profile().readings;
     let twist = readings
         .iter()
         .map(|reading| [1e3 * reading.r_m, reading.twist_rad.to_degrees()]);
     let tip = readings.last().and_then(|tip| observer.leading_edge(tip.r_m));
-    let force: Vector3<f64> = solution.air_force_n.iter().map(|f| Vector3::from(*f)).sum();
-    let across = Flow::from_design(&design).map_or(Vector3::z(), |flow| flow.lift_direction());
+    let force: Vector3<f64> = wing.solution.air_force_n.iter().map(|f| Vector3::from(*f)).sum();
+    let across = Flow::from_design(wing.model.design()).map_or(Vector3::z(), |flow| flow.lift_direction());
     Ok(Read {
         twist: twist.collect(),
         tip_deflection_mm: tip.map_or(0.0, |tip| 1e3 * tip.deflection_m),

@@ -1,9 +1,10 @@
 //! The page of a run: what its builder wants to know besides the twist.
 
-use super::report::line;
-use super::text::{number, significant};
+use std::fmt::Write;
+
 use super::warnings::SLOW_RATIO;
 use crate::coupling::{Engineering, Extreme};
+use crate::page::text::{number, significant};
 
 /// A margin beyond this says that the part carries nothing but rounding.
 const NO_STRESS: f64 = 1e6;
@@ -134,6 +135,12 @@ fn stress(extreme: &Extreme) -> String {
         significant(extreme.stress_mpa, 3),
         number(extreme.r_mm, 1)
     )
+}
+
+/// Adds a line to a page: a name and what it is.
+pub(super) fn line(text: &mut String, name: &str, value: &str) {
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "  {name:<12}{value}");
 }
 
 #[cfg(test)]

@@ -1,17 +1,18 @@
 //! From a solved wing to its summary and its files.
 
 use crate::aero::Flow;
-use crate::compare::{Comparison, ModelledStages};
+use crate::compare::Reading;
 use crate::coupling::Engineering;
 use crate::coupling::solution::Solution;
 use crate::geometry::Planform;
 use crate::input::Loaded;
-use crate::lift::LiftReport;
 use crate::mesh::Mesh;
 use crate::observation::field::twist_at_nodes;
 use crate::observation::{Place, TwistProfile, TwistReading};
 use crate::origin::MadeOf;
 use crate::study::Uncertainty;
+
+use crate::wing::{SolvedWing, WingModel};
 
 use super::html::{self, REPORT};
 use super::run::RunFolder;
@@ -26,20 +27,10 @@ use super::{ExportError, csv, pvd};
 /// A solved wing and what was read from it.
 #[derive(Debug, Clone, Copy)]
 pub struct Solved<'a> {
-    /// The design with all that its file refers to.
-    pub loaded: &'a Loaded,
-    /// Its outline.
-    pub planform: &'a Planform,
-    /// The solution.
-    pub solution: &'a Solution,
-    /// Twist along the span.
-    pub profile: &'a TwistProfile,
-    /// Stages of the profile.
-    pub stages: Option<&'a ModelledStages>,
-    /// Measured minus modelled.
-    pub measured: Option<&'a Comparison>,
-    /// Lift, drag, power.
-    pub lift: Option<&'a LiftReport>,
+    /// The wing and its loaded shape.
+    pub wing: &'a SolvedWing,
+    /// Profile, lift, and how far it is from the measurement.
+    pub reading: &'a Reading,
     /// Band from the assumed ranges.
     pub uncertainty: Option<&'a Uncertainty>,
     /// What a builder wants to know besides.
@@ -48,14 +39,10 @@ pub struct Solved<'a> {
 
 /// The summary of a solved wing, without files.
 pub fn summarize(solved: &Solved) -> RunSummary {
-    let Solved {
-        loaded,
-        planform,
-        solution,
-        profile,
-        ..
-    } = *solved;
-    let design = &loaded.design;
+    let SolvedWing { model, solution } = solved.wing;
+    let WingModel { loaded, planform, .. } = model;
+    let (design, reading) = (&loaded.design, solved.reading);
+    let profile = &reading.profile;
     let legend = Legend::of(design);
     let mut summary = RunSummary {
         format: FORMAT,
@@ -70,10 +57,10 @@ pub fn summarize(solved: &Solved) -> RunSummary {
         solve: solve(solution),
         profile: profile.readings.iter().map(row).collect(),
         skipped: skipped(profile),
-        stages: solved.stages.cloned(),
-        measured: solved.measured.cloned(),
+        stages: reading.stages.clone(),
+        measured: reading.measured.clone(),
         tip: tip(solved),
-        lift: solved.lift.cloned(),
+        lift: reading.lift.clone(),
         stroke: None,
         engineering: solved.engineering.clone(),
         uncertainty: solved.uncertainty.cloned(),
@@ -97,8 +84,9 @@ pub fn write_files(
     summary: &mut RunSummary,
     with_report: bool,
 ) -> Result<(), ExportError> {
-    let (solution, design) = (solved.solution, &solved.loaded.design);
-    let twist_deg = twist_at_nodes(solved.planform, solution);
+    let SolvedWing { model, solution } = solved.wing;
+    let design = model.design();
+    let twist_deg = twist_at_nodes(&model.planform, solution);
     let twist_deg: Vec<f64> = twist_deg.into_iter().map(f64::to_degrees).collect();
     let series = [("wing-rest.vtu", Shape::Unloaded), ("wing.vtu", Shape::Deformed)];
     for (name, shape) in series {
@@ -247,13 +235,14 @@ fn skipped(profile: &TwistProfile) -> Vec<String> {
 }
 
 fn tip(solved: &Solved) -> TipSummary {
-    let (solution, observation) = (solved.solution, &solved.loaded.design.observation);
-    let reading = solved.profile.tip();
+    let SolvedWing { model, solution } = solved.wing;
+    let observation = &model.design().observation;
+    let reading = solved.reading.profile.tip();
     // The last node of the leading edge; a mesh without one has no tip to speak of.
     let node = solution.mesh.leading_edge.last().copied().unwrap_or_default();
     let moved = displacement_mm(&solution.rest, &solution.state);
     TipSummary {
-        r_mm: observation.tip_station * solved.planform.length_m() * 1e3,
+        r_mm: observation.tip_station * model.planform.length_m() * 1e3,
         twist_deg: reading.map(|reading| reading.twist_rad.to_degrees()),
         alpha_deg: reading.and_then(|reading| reading.alpha_rad).map(f64::to_degrees),
         node,
@@ -264,6 +253,7 @@ fn tip(solved: &Solved) -> TipSummary {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::ModelledStages;
     use crate::export::run::read_summary;
     use crate::observation::imposed;
     use crate::observation::read_profile;
@@ -278,24 +268,20 @@ mod tests {
         solution.membrane_force_n_per_m = vec![[2.0, 1.0, 0.0]; triangles];
         solution.beam_force = vec![[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]; beams];
         let profile = read_profile(&design, &planform, &solution).expect("a profile");
-        let fit = ModelledStages::of(&profile);
-        let loaded = Loaded {
-            design,
-            path: "imposed.toml".into(),
-            materials_path: None,
-            mesh_file: None,
-            files: Vec::new(),
-            air_table: None,
-            measurement: None,
+        let reading = Reading {
+            stages: ModelledStages::of(&profile),
+            profile,
+            lift: None,
+            measured: None,
+        };
+        let model = WingModel {
+            loaded: Loaded::alone(design),
+            planform,
+            mesh: solution.mesh.clone(),
         };
         let solved = Solved {
-            loaded: &loaded,
-            planform: &planform,
-            solution: &solution,
-            profile: &profile,
-            stages: fit.as_ref(),
-            measured: None,
-            lift: None,
+            wing: &SolvedWing::new(model, solution),
+            reading: &reading,
             uncertainty: None,
             engineering: &Engineering::default(),
         };

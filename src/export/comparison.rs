@@ -5,7 +5,7 @@ use crate::compare::{ComparedRow, Comparison, ModelledStages, ProfileOrigin, Spa
 use crate::input::design::CameraAxis;
 use crate::input::measurement::{Bound, Channel, SigmaKind};
 
-use super::text::{Table, number, significant, wrapped};
+use crate::page::text::{Table, number, significant, wrapped};
 
 /// The page of `washout compare`.
 pub fn page(comparison: &Comparison) -> String {
@@ -28,7 +28,7 @@ pub fn page(comparison: &Comparison) -> String {
     }
     if !comparison.notes.is_empty() {
         let notes = comparison.notes.iter().map(|note| wrapped(note, 2));
-        sections.push(format!("Mind\n{}", notes.collect::<String>()));
+        sections.push(format!("Notes\n{}", notes.collect::<String>()));
     }
     sections.push(format!("In words\n{}", wrapped(&comparison.verdict, 2)));
     sections.join("\n")

@@ -7,8 +7,8 @@ use crate::coupling::solution::StripLoad;
 use crate::mesh::Mesh;
 
 use super::ExportError;
-use super::stroke::{PhaseRow, StrokeTwist};
 use super::summary::ProfileRow;
+use crate::wing::stroke::{PhaseRow, StrokeTwist};
 
 /// Columns of `profile.csv`.
 const PROFILE_HEAD: [&str; 9] = [

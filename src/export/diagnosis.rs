@@ -1,17 +1,20 @@
-//! A diagnosis, as text: the sentence first, then what it rests on.
+//! A diagnosis for people: the sentence first, then what it rests on.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::diagnose::ladder::Rung;
-use crate::diagnose::novel::Reconstruction;
+use crate::diagnose::misfit::Misfit;
 use crate::diagnose::screening::Sight;
-use crate::diagnose::verdict::{EffectRow, Hypothesis, Prediction, Strength};
+use crate::diagnose::verdict::{Draft, EffectRow, Hypothesis, LookAlike, NoiseFound, Prediction, Strength};
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::origin::MadeOf;
+use crate::page::text::{number, significant};
+use crate::page::{Digits, Fact, Page, Part, Rows, Table};
 use crate::study::Work;
 
-use super::text::{Table, number, significant, wrapped};
+use super::pictures::ladder::{self, Fall};
+use super::pictures::{diagnosis as pictures, in_sigma};
 
 /// What `washout diagnose` gives; `diagnosis.json` of its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -27,394 +30,373 @@ pub struct DiagnosisReport {
     pub files: Vec<String>,
 }
 
-/// What the columns of the effects mean.
-const STRENGTHS: &str = "score: distance from none in sigma, what the model can absorb left out; one_step: strength by one linear step; within: \
-                         whether its error reaches the plausible range; detectable: sigma that the largest plausible size would have, by the \
-                         derivative at none, or by the model where that says more than 100; \
-                         alone: whether it could be what is missing, by its score alone (absent: a third of the plausible size would have been seen).";
-const LIKELY: &str = "ln_evidence: against nothing missing; probability: of its family, alone or with a second that the data merely allow; gain_left_out: of the logarithm of the \
-                      density that all other cases give to each; held_out_gain: held-out error without over with it; look-alikes with \
-                      the cosine between both signatures, and how many sigma apart they are at the strength found.";
-/// Look-alikes of which the table tells.
-const TOLD: usize = 2;
-/// Effects whose rows are shown when there are more.
+use Digits::{After, Significant};
+
+/// Effects that text shows when there are more.
 const SHOWN: usize = 24;
+/// Cases of the misfit that text shows.
+const CASES: usize = 12;
 
-/// The page of `washout diagnose`.
-pub fn page(study: &str, diagnosis: &Diagnosis) -> String {
-    let mut sections = vec![format!("{study}\n\n{}", wrapped(&diagnosis.sentence, 0))];
-    sections.push(format!(
-        "Hypotheses{}\n{}",
-        about_ends(&diagnosis.hypotheses),
-        hypotheses(&diagnosis.hypotheses)
-    ));
-    sections.push(format!(
-        "Effects, each alone\n{}{}",
-        wrapped(STRENGTHS, 2),
-        strengths(&diagnosis.effects)
-    ));
-    sections.push(format!(
-        "How likely each is, and what looks like it\n{}{}",
-        wrapped(LIKELY, 2),
-        likely(&diagnosis.effects)
-    ));
-    if !diagnosis.unseen.is_empty() {
-        let names = diagnosis.unseen.join(", ");
-        sections.push(format!(
-            "Not visible in this campaign at their plausible size\n{}",
-            wrapped(&names, 2)
-        ));
-    }
-    sections.push(format!("Where the calibrated model fails\n{}", misfit(diagnosis)));
-    sections.push(format!(
-        "Error from the model as stated down to the noise\n{}",
-        ladder(&diagnosis.ladder)
-    ));
-    if let (Verdict::Novel, Some(found)) = (diagnosis.verdict, &diagnosis.novel.reconstruction) {
-        sections.push(format!(
-            "What is missing, along the span\n{}",
-            reconstruction(found)
-        ));
-        if let Some(draft) = &diagnosis.novel.draft {
-            sections.push(match &draft.effect {
-                Some(effect) => format!(
-                    "An effect of your own to start from (washout add missing --own FILE --to STUDY)\n{}",
-                    indented(effect)
-                ),
-                None => format!(
-                    "Along the span (x = r/R)\n  {}\n  {}\n",
-                    draft.expression, draft.what
-                ),
-            });
-        }
-    }
-    if !diagnosis.predictions.is_empty() {
-        sections.push(format!(
-            "Held-out cases (explained: by the best of the known effects, or by the fitted cause without a name where the verdict is novel)\n{}",
-            predictions(diagnosis)
-        ));
-    }
-    if let Some(next) = &diagnosis.next_experiment {
-        let mut table = Table::new(["experiment", "separation_in_sigma"]);
-        for candidate in &next.candidates {
-            table.row([candidate.name.clone(), number(candidate.separation_sigma, 1)]);
-        }
-        sections.push(format!(
-            "What to measure next\n{}{}",
-            wrapped(&next.sentence, 2),
-            table.render()
-        ));
-    }
-    let noise = &diagnosis.noise;
-    let mut notes: String = diagnosis.notes.iter().map(|note| wrapped(note, 2)).collect();
-    notes.push_str(&wrapped(
-        &format!(
-            "{} numbers fitted; noise {} times as stated{}; error of the model's formulation {} % of what it predicts. {} effects were \
-             tried.",
-            noise.numbers,
-            significant(noise.scale, 3),
-            if noise.on_trust { ", taken on trust" } else { "" },
-            significant(100.0 * noise.formulation, 2),
-            diagnosis.tried
-        ),
-        2,
-    ));
-    for outlier in &noise.outliers {
-        let line = format!(
-            "{}, line {}: far from what all others tell; its sigma was widened {} times.",
-            outlier.condition,
-            outlier.line,
-            significant(outlier.widening, 2)
-        );
-        notes.push_str(&wrapped(&line, 2));
-    }
-    sections.push(format!("Mind\n{notes}"));
-    sections.join("\n")
+/// What `washout diagnose` says of a study.
+pub fn page(study: &str, found: &Diagnosis) -> Page {
+    let mut page = Page {
+        title: study.to_string(),
+        kind: "diagnosis",
+        lead: vec![Part::Sentence(found.sentence.clone())],
+        sections: Vec::new(),
+    };
+    page.section("hypotheses", "Hypotheses", hypotheses(found));
+    page.section("effects", "Effects, each alone", effects(study, found));
+    page.section(
+        "likely",
+        "How likely each is, and what looks like it",
+        vec![Part::Table(likely(&found.effects))],
+    );
+    page.section("misfit", "Where the calibrated model fails", misfit(study, found));
+    page.section(
+        "ladder",
+        "Error from the model as stated down to the noise",
+        errors(study, found),
+    );
+    page.section(
+        "missing",
+        "What is missing, along the span",
+        missing(study, found),
+    );
+    page.section("predictions", "Held-out cases", predictions(&found.predictions));
+    page.section("next", "What to measure next", next(found));
+    page.section("notes", "Noise and notes", notes(found));
+    page
 }
 
-/// What the mark at a strength means, if there is one.
-fn about_ends(hypotheses: &[Hypothesis]) -> &'static str {
-    let mut strengths = hypotheses.iter().flat_map(|hypothesis| &hypothesis.strengths);
-    match strengths.any(|strength| strength.at_end) {
-        true => " (end: the most that is accepted; the data ask for no less)",
-        false => "",
-    }
-}
-
-fn hypotheses(hypotheses: &[Hypothesis]) -> String {
-    let mut table = Table::new([
-        "what is missing",
-        "probability",
-        "strength",
-        "error",
-        "plausible",
-        "in_95_set",
-        "gain_left_out",
-    ]);
-    for hypothesis in hypotheses {
-        let what = match hypothesis.effects.as_slice() {
+fn hypotheses(found: &Diagnosis) -> Vec<Part> {
+    let fact = |place: &str, label, value| Fact {
+        place: place.to_string(),
+        label,
+        value: Some(value),
+        unit: "",
+        digits: Significant(2),
+    };
+    let strengths = |of: fn(&Strength) -> f64| move |row: &Hypothesis| row.strengths.iter().map(of).collect();
+    let table = Rows::of("/hypotheses", &found.hypotheses)
+        .words("what is missing", |row| match row.effects.as_slice() {
             [] => "nothing".to_string(),
             [only] if only == "novel" => "an unknown cause".to_string(),
             effects => effects.join(" + "),
-        };
-        let strengths = |of: &dyn Fn(&Strength) -> String| {
-            let parts = hypothesis.strengths.iter().map(of);
-            parts.collect::<Vec<_>>().join(" / ")
-        };
-        table.row([
-            what,
-            number(hypothesis.probability, 3),
-            strengths(&|s| {
-                format!(
-                    "{}{}",
-                    significant(s.value, 3),
-                    if s.at_end { " (end)" } else { "" }
-                )
-            }),
-            strengths(&|s| significant(s.standard_error, 3)),
-            yes(hypothesis.plausible),
-            yes(hypothesis.in_set),
-            hypothesis
-                .gain_left_out_conditions
-                .map_or(String::new(), |gain| number(gain, 1)),
-        ]);
-    }
-    table.render()
-}
-
-fn yes(is: bool) -> String {
-    if is { "yes" } else { "no" }.to_string()
-}
-
-/// Effects in the order of the tables, and what to say of those that are left out.
-fn shown(effects: &[EffectRow]) -> (Vec<&EffectRow>, String) {
-    let mut order: Vec<&EffectRow> = effects.iter().collect();
-    order.sort_by(|a, b| b.score.abs().total_cmp(&a.score.abs()));
-    order.truncate(SHOWN);
-    let rest = match effects.len().saturating_sub(SHOWN) {
-        0 => String::new(),
-        more => format!("  … and {more} more with smaller scores (--json)\n"),
-    };
-    (order, rest)
-}
-
-fn strengths(effects: &[EffectRow]) -> String {
-    let mut table = Table::new([
-        "effect",
-        "score",
-        "one_step",
-        "error",
-        "refitted",
-        "error",
-        "plausible_from",
-        "to",
-        "within",
-        "unit",
-        "detectable",
-        "alone",
-    ]);
-    let (order, rest) = shown(effects);
-    for row in order {
-        let error = |error: f64| {
-            if error < 1e300 {
-                significant(error, 2)
-            } else {
-                String::new()
+        })
+        .number(["probability", "probability", ""], After(3), |row| {
+            row.probability
+        })
+        .numbers(
+            ["strengths/*/value", "strength", ""],
+            Significant(3),
+            strengths(|own| own.value),
+        )
+        .numbers(
+            ["strengths/*/standard_error", "error", ""],
+            Significant(2),
+            strengths(|own| own.standard_error),
+        )
+        // the most that is accepted: the data ask for no less
+        .words("at its end", |row| {
+            match row.strengths.iter().any(|strength| strength.at_end) {
+                true => "yes",
+                false => "",
             }
-        };
-        let [from, to] = row.plausible_range;
-        table.row([
-            row.effect.clone() + &place(row),
-            number(row.score, 1),
-            significant(row.one_step, 3),
-            error(row.one_step_error),
-            row.refitted.map_or(String::new(), |value| significant(value, 3)),
-            row.refitted_error.map_or(String::new(), error),
-            significant(from, 3),
-            significant(to, 3),
-            yes(row.plausible),
-            row.unit.clone(),
-            number(row.detectability, 1),
-            match row.sight {
-                Sight::Possible => "possible",
-                Sight::Absent => "absent",
-                Sight::Undecidable => "undecidable",
-            }
-            .to_string(),
-        ]);
+        })
+        .yes_or_no("plausible", |row| row.plausible)
+        .yes_or_no("in the 95 % set", |row| row.in_set)
+        .number(
+            ["gain_left_out_conditions", "gain left out", "ln"],
+            After(1),
+            |row| row.gain_left_out_conditions,
+        );
+    vec![
+        Part::Headline(vec![
+            fact(
+                "/p_nothing",
+                "Probability that nothing is missing",
+                found.p_nothing,
+            ),
+            fact(
+                "/novel/probability",
+                "Probability of an unknown cause",
+                found.novel.probability,
+            ),
+        ]),
+        Part::Table(table.table()),
+    ]
+}
+
+fn effects(study: &str, found: &Diagnosis) -> Vec<Part> {
+    let table = Rows::of("/effects", &found.effects)
+        .by(|row| row.score.abs())
+        .words("effect", |row| row.effect.as_str())
+        .words("where", place)
+        .number(["score", "score", "σ"], After(1), |row| row.score)
+        .number(["one_step", "one step", ""], Significant(3), |row| row.one_step)
+        .number(["one_step_error", "±", ""], Significant(2), |row| row.one_step_error)
+        .number(["refitted", "refitted", ""], Significant(3), |row| row.refitted)
+        .number(["refitted_error", "±", ""], Significant(2), |row| row.refitted_error)
+        .number(["plausible_range/0", "plausible from", ""], Significant(3), |row| {
+            row.plausible_range[0]
+        })
+        .number(["plausible_range/1", "to", ""], Significant(3), |row| row.plausible_range[1])
+        .yes_or_no("within", |row| row.plausible)
+        .words("unit", |row| row.unit.as_str())
+        .number(["detectability", "detectable", "σ"], After(1), |row| row.detectability)
+        .words("alone", |row| match row.sight {
+            Sight::Possible => "possible",
+            Sight::Absent => "absent",
+            Sight::Undecidable => "undecidable",
+        })
+        .caption(
+            "Score: distance from none, what the model can absorb left out. One step: strength by one linear step. Within: whether its \
+             error reaches the plausible range. Detectable: the score that the largest plausible size would have, by the derivative at \
+             none, or by the model where that says more than 100. Alone: whether it could be what is missing, by its score alone \
+             (absent: a third of the plausible size would have been seen).",
+        )
+        .most_in_text(SHOWN)
+        .table();
+    let mut parts = vec![Part::Table(table)];
+    parts.extend(found.added_variables.iter().map(|plot| {
+        let figure = pictures::added_variables(study, std::slice::from_ref(plot));
+        Part::Folded(format!("{} against the residual", plot.effect), figure)
+    }));
+    if !found.unseen.is_empty() {
+        parts.push(Part::Subtitle(
+            "Not visible in this campaign at their plausible size:".to_string(),
+        ));
+        parts.push(Part::Text(found.unseen.join(", ")));
     }
-    table.render() + &rest
+    parts
 }
 
 fn place(row: &EffectRow) -> String {
-    row.place.as_ref().map_or(String::new(), |place| {
-        let numbers = place.numbers.values().map(|value| format!(" {value}"));
-        let wing = place
-            .wing
-            .as_ref()
-            .map_or(String::new(), |wing| format!(" on {wing}"));
-        format!(
-            "{} @ {}{wing}",
-            numbers.collect::<String>(),
-            significant(place.value, 2)
+    let Some(place) = &row.place else {
+        return String::new();
+    };
+    let numbers = place
+        .numbers
+        .iter()
+        .map(|(name, value)| format!(", {name} {value}"));
+    let wing = place.wing.iter().map(|wing| format!(" on {wing}"));
+    let rest: String = numbers.chain(wing).collect();
+    format!("{} {}{rest}", place.parameter, significant(place.value, 2))
+}
+
+fn likely(effects: &[EffectRow]) -> Table {
+    fn near(row: &EffectRow) -> Option<&LookAlike> {
+        row.look_alikes.first()
+    }
+    Rows::of("/effects", effects)
+        .by(|row| row.score.abs())
+        .words("effect", |row| row.effect.as_str())
+        .words("family", |row| row.family.as_str())
+        .number(["ln_evidence", "ln evidence", ""], After(1), |row| row.ln_evidence)
+        .number(["probability", "probability", ""], After(3), |row| row.probability)
+        .number(["gain_left_out_conditions", "gain left out", "ln"], After(1), |row| {
+            row.gain_left_out_conditions
+        })
+        .number(["held_out_gain", "held-out gain", ""], After(2), |row| row.held_out_gain)
+        .words("looks like", |row| near(row).map_or("", |near| near.effect.as_str()))
+        .number(["look_alikes/0/cosine", "cosine", ""], After(2), |row| {
+            near(row).map(|near| near.cosine)
+        })
+        .number(["look_alikes/0/separation_sigma", "apart", "σ"], After(1), |row| {
+            near(row).map(|near| near.separation_sigma)
+        })
+        .caption(
+            "ln evidence: against nothing missing. Probability: of its family, alone or with a second that the data merely allow. Gain left \
+             out: of the logarithm of the density that all other cases give to each. Held-out gain: held-out error without over with \
+             it. Looks like: the nearest other effect, the cosine between both signatures, and how far apart they are at the strength found.",
         )
-    })
+        .most_in_text(SHOWN)
+        .table()
 }
 
-fn likely(effects: &[EffectRow]) -> String {
-    let mut table = Table::new([
-        "effect",
-        "family",
-        "ln_evidence",
-        "probability",
-        "gain_left_out",
-        "held_out_gain",
-        "look-alikes: cosine, sigma apart",
-    ]);
-    let (order, rest) = shown(effects);
-    for row in order {
-        let optional =
-            |value: Option<f64>, digits| value.map_or(String::new(), |value| number(value, digits));
-        let alike = row.look_alikes.iter().take(TOLD).map(|near| {
-            format!(
-                "{} {}, {}",
-                near.effect,
-                number(near.cosine, 2),
-                number(near.separation_sigma, 1)
-            )
-        });
-        table.row([
-            row.effect.clone(),
-            row.family.clone(),
-            number(row.ln_evidence, 1),
-            number(row.probability, 3),
-            optional(row.gain_left_out_conditions, 1),
-            optional(row.held_out_gain, 2),
-            alike.collect::<Vec<_>>().join("; "),
-        ]);
+fn misfit(study: &str, found: &Diagnosis) -> Vec<Part> {
+    let Misfit {
+        by_condition,
+        by_station,
+        pulls,
+        ..
+    } = &found.misfit;
+    let mut parts = Vec::new();
+    if let Some(plot) = found.added_variables.first() {
+        parts.push(Part::Figure(in_sigma::of_diagnosis(study, &plot.points)));
     }
-    table.render() + &rest
-}
-
-fn misfit(diagnosis: &Diagnosis) -> String {
-    let mut groups: Vec<_> = diagnosis.misfit.by_condition.iter().collect();
-    groups.sort_by(|a, b| b.share.total_cmp(&a.share));
-    let mut table = Table::new([
-        "case",
-        "channel",
-        "numbers",
-        "share",
-        "mean_error",
-        "uncertainty",
-        "rms",
-        "rms_in_sigma",
-    ]);
-    for group in groups.iter().take(12) {
-        table.row([
-            group.condition.clone(),
-            group.channel.name().to_string(),
-            group.numbers.to_string(),
-            format!("{:.0} %", 100.0 * group.share),
-            significant(group.mean_error, 3),
-            significant(group.mean_uncertainty, 2),
-            significant(group.rms, 3),
-            number(group.rms_sigma, 1),
-        ]);
+    let places = by_station.iter().map(|station| station.r_over_length);
+    if places.clone().any(|place| Some(place) != places.clone().next()) {
+        parts.push(Part::Figure(pictures::by_station(study, by_station)));
     }
-    let mut text = table.render();
-    for pull in diagnosis.misfit.pulls.iter().filter(|pull| pull.is_flagged) {
-        let line = format!(
-            "{} was pulled to {} ({} of its prior's sigma): it may stand in for what is missing.",
+    let table = Rows::of("/misfit/by_condition", by_condition)
+        .by(|row| row.share)
+        .words("case", |row| row.condition.as_str())
+        .words("channel", |row| row.channel.name().replace('_', " "))
+        .number(["numbers", "numbers", ""], After(0), |row| row.numbers as f64)
+        .number(["share", "share of the misfit", ""], After(2), |row| row.share)
+        .number(["mean_error", "mean error", ""], Significant(3), |row| {
+            row.mean_error
+        })
+        .number(["mean_uncertainty", "its σ", ""], Significant(2), |row| {
+            row.mean_uncertainty
+        })
+        .number(["rms", "rms error", ""], Significant(3), |row| row.rms)
+        .number(["rms_sigma", "rms", "σ"], After(1), |row| row.rms_sigma);
+    parts.push(Part::Table(
+        table.most_in_text(CASES).folded(20, "Misfit by case").table(),
+    ));
+    let pulled = pulls.iter().filter(|pull| pull.is_flagged).map(|pull| {
+        format!(
+            "{} was pulled to {} ({} σ of its prior): it may stand in for what is missing.",
             pull.unknown,
             significant(pull.value, 4),
             number(pull.pull, 1)
-        );
-        text.push_str(&wrapped(&line, 2));
-    }
-    text
+        )
+    });
+    parts.push(Part::List(pulled.collect()));
+    parts
 }
 
-/// The ladder of the error.
-pub fn ladder(rungs: &[Rung]) -> String {
-    let mut table = Table::new([
-        "model",
-        "channel",
-        "in_sample",
-        "left_out",
-        "held_out",
-        "unit",
-        "chi2_all",
-        "held_out_sigma",
-    ]);
-    for rung in rungs {
-        let shown = |value: Option<f64>| value.map_or(String::new(), |value| significant(value, 3));
-        table.row([
-            rung.name.clone(),
-            rung.channel.name().to_string(),
-            significant(rung.in_sample, 3),
-            shown(rung.left_out),
-            shown(rung.held_out),
-            rung.channel.unit().to_string(),
-            shown(rung.chi_square_per_number),
-            shown(rung.held_out_sigma),
-        ]);
+fn errors(study: &str, found: &Diagnosis) -> Vec<Part> {
+    let falls = Fall::of_rungs(&found.ladder);
+    let mut parts = Vec::new();
+    if !falls.is_empty() {
+        let title = format!("{study} – the error, step by step");
+        parts.push(Part::Figure(ladder::figure(&title, &falls)));
     }
-    table.render()
+    parts.push(Part::Table(steps(&found.ladder)));
+    parts
 }
 
-fn reconstruction(found: &Reconstruction) -> String {
-    let mut text = String::new();
-    for profile in &found.field {
+/// The error, step by step: the list `ladder` of a document.
+pub fn steps(rungs: &[Rung]) -> Table {
+    Rows::of("/ladder", rungs)
+        .words("model", |row| row.name.as_str())
+        .words("channel", |row| row.channel.name().replace('_', " "))
+        .number(["in_sample", "fitted", ""], Significant(3), |row| row.in_sample)
+        .number(["left_out", "left out", ""], Significant(3), |row| row.left_out)
+        .number(["held_out", "held out", ""], Significant(3), |row| row.held_out)
+        .words("unit", |row| row.channel.unit())
+        .number(
+            ["chi_square_per_number", "χ² per number, all channels", ""],
+            Significant(3),
+            |row| row.chi_square_per_number,
+        )
+        .number(
+            ["held_out_sigma", "held out, all channels", "σ"],
+            Significant(3),
+            |row| row.held_out_sigma,
+        )
+        .table()
+}
+
+fn missing(study: &str, found: &Diagnosis) -> Vec<Part> {
+    let (Verdict::Novel, Some(field)) = (found.verdict, &found.novel.reconstruction) else {
+        return Vec::new();
+    };
+    let mut parts = vec![Part::Figure(pictures::field(study, field))];
+    for (index, profile) in field.field.iter().enumerate() {
         if let Some(condition) = &profile.condition {
-            text.push_str(&format!("  in {condition}\n"));
+            parts.push(Part::Subtitle(format!("in {condition}")));
         }
-        let mut table = Table::new(["r_over_R", "value", "sigma", "unit"]);
-        for point in &profile.points {
-            table.row([
-                number(point.r_over_length, 2),
-                significant(point.value, 3),
-                significant(point.standard_deviation, 2),
-                found.unit.clone(),
-            ]);
-        }
-        text.push_str(&table.render());
+        let place = format!("/novel/field/{index}/points");
+        let table = Rows::of(&place, &profile.points)
+            .number(["r_over_length", "r/R", ""], After(2), |row| row.r_over_length)
+            .number(["value", "value", ""], Significant(3), |row| row.value)
+            .number(["standard_deviation", "σ", ""], Significant(2), |row| {
+                row.standard_deviation
+            })
+            .words("unit", |_| field.unit.as_str());
+        parts.push(Part::Table(table.folded(20, "Along the span").table()));
     }
-    text
-}
-
-/// Station or interval of a prediction, mm; nothing where it has none.
-pub(super) fn station(prediction: &Prediction) -> String {
-    let ends = [prediction.r_mm, prediction.r_to_mm].into_iter().flatten();
-    let ends = ends.map(|r_mm| significant(r_mm, 4));
-    ends.collect::<Vec<_>>().join(" to ")
-}
-
-fn predictions(diagnosis: &Diagnosis) -> String {
-    let mut table = Table::new([
-        "case",
-        "channel",
-        "r_mm",
-        "measured",
-        "calibrated",
-        "explained",
-        "sigma",
-        "unit",
-    ]);
-    for prediction in &diagnosis.predictions {
-        table.row([
-            prediction.condition.clone(),
-            prediction.channel.name().to_string(),
-            station(prediction),
-            significant(prediction.measured, 4),
-            significant(prediction.calibrated, 4),
-            significant(prediction.explained, 4),
-            significant(prediction.standard_deviation, 2),
-            prediction.unit.clone(),
-        ]);
+    if let Some(Draft {
+        what,
+        effect,
+        expression,
+        ..
+    }) = &found.novel.draft
+    {
+        parts.push(Part::Text(what.clone()));
+        parts.push(match effect {
+            Some(_) => Part::Text(
+                "An effect of your own to start from (washout add missing --own FILE --to STUDY):"
+                    .to_string(),
+            ),
+            None => Part::Text("Along the span (x = r/R):".to_string()),
+        });
+        parts.push(Part::Code(effect.as_ref().unwrap_or(expression).clone()));
     }
-    table.render()
+    parts
 }
 
-fn indented(text: &str) -> String {
-    text.lines().map(|line| format!("  {line}\n")).collect()
+fn predictions(predictions: &[Prediction]) -> Vec<Part> {
+    let table = Rows::of("/predictions", predictions)
+        .words("case", |row| row.condition.as_str())
+        .words("channel", |row| row.channel.name().replace('_', " "))
+        .number(["r_mm", "r", "mm"], Significant(4), |row| row.r_mm)
+        .number(["r_to_mm", "to", "mm"], Significant(4), |row| row.r_to_mm)
+        .number(["measured", "measured", ""], Significant(4), |row| row.measured)
+        .number(["calibrated", "calibrated", ""], Significant(4), |row| row.calibrated)
+        .number(["explained", "explained", ""], Significant(4), |row| row.explained)
+        .number(["standard_deviation", "σ of explained", ""], Significant(2), |row| {
+            row.standard_deviation
+        })
+        .words("unit", |row| row.unit.as_str())
+        .caption(
+            "Explained: by the best of the known effects, or by the fitted cause without a name where the verdict is that the cause is \
+             unknown.",
+        );
+    vec![Part::Table(table.folded(20, "Predictions").table())]
+}
+
+fn next(found: &Diagnosis) -> Vec<Part> {
+    let Some(next) = &found.next_experiment else {
+        return Vec::new();
+    };
+    let table = Rows::of("/next_experiment/candidates", &next.candidates)
+        .words("experiment", |row| row.name.as_str())
+        .number(
+            ["separation_sigma", "sets the rivals apart by", "σ"],
+            After(1),
+            |row| row.separation_sigma,
+        );
+    vec![Part::Text(next.sentence.clone()), Part::Table(table.table())]
+}
+
+fn notes(found: &Diagnosis) -> Vec<Part> {
+    let NoiseFound {
+        numbers,
+        scale,
+        formulation,
+        on_trust,
+        outliers,
+        ..
+    } = &found.noise;
+    let trust = if *on_trust { ", taken on trust" } else { "" };
+    let basis = format!(
+        "{numbers} numbers fitted; noise {} times as stated{trust}; error of the model's formulation {} % of what it predicts. {} effects \
+         were tried.",
+        significant(*scale, 3),
+        significant(100.0 * formulation, 2),
+        found.tried
+    );
+    let outliers = outliers.iter().map(|outlier| {
+        format!(
+            "{}, line {}: far from what all others tell; its σ was widened {} times.",
+            outlier.condition,
+            outlier.line,
+            significant(outlier.widening, 2)
+        )
+    });
+    let mut notes = found.notes.clone();
+    if found.verdict == Verdict::Undecidable {
+        notes.push("This campaign cannot tell: that is no proof that nothing is missing.".to_string());
+    }
+    vec![
+        Part::Text(basis),
+        Part::List(outliers.collect()),
+        Part::Notes(notes),
+    ]
 }

@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::ExportError;
 use super::summary::{ProfileRow, RunSummary};
-use super::text::{Table, number, significant};
+use super::{ExportError, json};
+use crate::page::text::{Table, number, significant};
 
 /// What differs between two runs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -183,10 +183,7 @@ fn twist_at(profile: &[ProfileRow], r_mm: f64) -> Option<f64> {
 
 fn inputs(first: &RunSummary, second: &RunSummary) -> Result<Vec<InputDifference>, ExportError> {
     let flat = |run: &RunSummary| -> Result<Vec<(String, Value)>, ExportError> {
-        let value = serde_json::to_value(&run.design).map_err(|error| ExportError::Encoding {
-            format: "JSON",
-            reason: error.to_string(),
-        })?;
+        let value = json::tree(&run.design)?;
         let mut leaves = Vec::new();
         flatten("", value, &mut leaves);
         Ok(leaves)

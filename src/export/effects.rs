@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::effects::Card;
 use crate::explore::Signature;
 
-use super::text::{number, significant};
+use crate::page::text::{number, significant};
 
 /// The page in Markdown; the same cards give the same page.
 pub fn effects_page(cards: &[Card]) -> String {

@@ -2,7 +2,7 @@
 
 use crate::compare::{RungGroup, StudyRung};
 
-use super::text::{Table, significant};
+use crate::page::text::{Table, significant};
 
 /// A line for each rung: errors of all channels in stated σ, fitted, left out and held out, and χ² per number.
 pub fn steps(ladder: &[StudyRung]) -> String {

@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 
 use super::ExportError;
 use super::csv::table;
-use super::text::{Table, number, wrapped};
 use crate::input::design::Design;
 use crate::origin::MadeOf;
+use crate::page::text::{Table, number, wrapped};
 
 /// What `washout design` prints with `--json`; `summary.json` of its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

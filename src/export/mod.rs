@@ -10,6 +10,8 @@ pub mod place;
 
 pub mod html;
 
+pub mod json;
+
 pub mod vtu;
 
 pub mod vtu_read;
@@ -48,8 +50,6 @@ pub mod kratos;
 
 pub mod nodal_loads;
 
-pub mod stroke;
-
 pub mod sweep;
 
 pub mod tasks;
@@ -77,8 +77,6 @@ pub mod report;
 pub mod studies;
 
 pub mod study;
-
-pub mod text;
 
 pub mod trust;
 

@@ -11,9 +11,9 @@ use crate::observation::ModeReading;
 use crate::origin::MadeOf;
 use crate::structure::Mode;
 
-use super::text::{Table, number, wrapped};
 use super::vtu::{Array, Grid};
 use super::wing::shape_grid;
+use crate::page::text::{Table, number, wrapped};
 
 /// Natural modes of a wing; `summary.json` of their folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -7,7 +7,7 @@ use crate::origin::MadeOf;
 
 use super::ExportError;
 use super::csv::table;
-use super::text::{Table, number, wrapped};
+use crate::page::text::{Table, number, wrapped};
 
 /// What `washout pareto` prints with `--json`; `summary.json` of its folder. Lift and efficiency are over those of the wing
 /// without twist at its own stop.

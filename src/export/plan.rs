@@ -4,7 +4,7 @@ use crate::diagnose::Plan;
 use crate::diagnose::plan::PlannedEffect;
 use crate::diagnose::screening::ENOUGH_POWER;
 
-use super::text::{Table, number, significant, wrapped};
+use crate::page::text::{Table, number, significant, wrapped};
 
 /// The page of `washout diagnose --plan`.
 pub fn page(study: &str, plan: &Plan) -> String {

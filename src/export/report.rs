@@ -2,15 +2,15 @@
 
 use std::fmt::Write;
 
-use super::builder::engineering;
+use super::builder::{engineering, line};
 use super::comparison::{rows, sign, stages};
 use crate::input::design::FilmCompression;
 use crate::lift::{Forces, LiftReport};
 use crate::study::{Output, Uncertainty};
+use crate::wing::stroke::{StrokeKind, StrokeSummary};
 
-use super::stroke::{StrokeKind, StrokeSummary};
 use super::summary::{FlowSummary, RunSummary};
-use super::text::{Table, number, significant, wrapped};
+use crate::page::text::{Table, number, significant, wrapped};
 
 /// The page; `folder` is where the files of the run are, if any were written.
 pub fn page(summary: &RunSummary, folder: Option<&str>) -> String {
@@ -22,7 +22,7 @@ pub fn page(summary: &RunSummary, folder: Option<&str>) -> String {
     let film_carries = film.is_some_and(|film| film.compression == FilmCompression::Carries);
     sections.push(engineering(&summary.engineering, film_carries));
     if !summary.warnings.is_empty() {
-        sections.push(list("Mind", &summary.warnings));
+        sections.push(list("Notes", &summary.warnings));
     }
     sections.extend(folder.map(|folder| files(summary, folder)));
     sections.retain(|section| !section.is_empty());
@@ -366,12 +366,6 @@ fn list(head: &str, lines: &[String]) -> String {
     lines
         .iter()
         .fold(format!("{head}\n"), |text, line| text + "  " + line + "\n")
-}
-
-/// Adds a line to a page: a name and what it is.
-pub(super) fn line(text: &mut String, name: &str, value: &str) {
-    // Writing to a String cannot fail.
-    let _ = writeln!(text, "  {name:<12}{value}");
 }
 
 fn exponent(value: f64) -> String {

@@ -7,7 +7,7 @@ use crate::compare::{StudyComparison, StudyRow};
 use crate::input::measurement::Bound;
 use crate::origin::MadeOf;
 
-use super::text::{Table, number, significant, wrapped};
+use crate::page::text::{Table, number, significant, wrapped};
 
 /// What `washout compare STUDY` gives; `comparison.json` of its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -2,6 +2,7 @@
 //!
 //! It holds no time, no host and no thread count, so that equal inputs give equal bytes.
 
+use crate::wing::stroke::StrokeSummary;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,8 +13,6 @@ use crate::input::measurement::Bound;
 use crate::lift::LiftReport;
 use crate::origin::MadeOf;
 use crate::study::Uncertainty;
-
-use super::stroke::StrokeSummary;
 
 /// Version of this document.
 pub const FORMAT: u32 = 1;

@@ -6,11 +6,11 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::ExportError;
 use super::csv::table as csv_table;
 use super::tasks::write_json;
-use super::text::Table;
+use super::{ExportError, json};
 use crate::origin::{InputFile, MadeOf};
+use crate::page::text::Table;
 use crate::sweep::{Row, Sensitivity, SweepPlan};
 
 /// Failures that the page lists.
@@ -170,7 +170,7 @@ pub fn write_plan(folder: &Path, plan: &SweepPlan) -> Result<(), ExportError> {
 pub fn read_plan(folder: &Path) -> Result<Option<SweepPlan>, ExportError> {
     let path = folder.join("sweep.json");
     match std::fs::read_to_string(&path) {
-        Ok(text) => serde_json::from_str(&text)
+        Ok(text) => json::read(text.as_bytes())
             .map(Some)
             .map_err(|error| ExportError::NoPlan {
                 path: path.clone(),

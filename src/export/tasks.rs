@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use super::ExportError;
 use super::file::write_own;
+use super::{ExportError, json};
 
 /// A part as its file holds it.
 #[derive(Debug, Serialize, Deserialize)]
@@ -54,7 +54,7 @@ fn part_file(folder: &Path, number: usize, key: &str) -> PathBuf {
 /// If it is there but cannot be read.
 pub fn read_json<T: DeserializeOwned>(path: &Path) -> Result<Option<T>, ExportError> {
     match std::fs::read_to_string(path) {
-        Ok(text) => Ok(serde_json::from_str(&text).ok()),
+        Ok(text) => Ok(json::read(text.as_bytes()).ok()),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
         Err(error) => Err(ExportError::file("read", path)(error)),
     }
@@ -65,11 +65,7 @@ pub fn read_json<T: DeserializeOwned>(path: &Path) -> Result<Option<T>, ExportEr
 /// # Errors
 /// If it cannot be written.
 pub fn write_json(path: &Path, value: &impl Serialize) -> Result<(), ExportError> {
-    let text = serde_json::to_string_pretty(value).map_err(|error| ExportError::Encoding {
-        format: "JSON",
-        reason: error.to_string(),
-    })?;
-    write_own(path, text.as_bytes())
+    write_own(path, json::text(value)?.as_bytes())
 }
 
 #[cfg(test)]

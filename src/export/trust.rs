@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use crate::compare::StudyComparison;
 
-use super::text::{number, significant};
 use super::verification::{CaseReport, QuantityReport, VerifyReport, percent, rows};
+use crate::page::text::{number, significant};
 
 /// What stands above the tables of the page "How far to trust washout".
 pub const TRUST_HEAD: &str = "\

@@ -7,7 +7,7 @@ use crate::origin::MadeOf;
 use crate::verify::{Confidence, Extent, Judged, Kind, Order, Outcome, Quantity, Verdict};
 
 use super::ExportError;
-use super::text::{Table, number, significant};
+use crate::page::text::{Table, number, significant};
 
 /// Every case and what became of it; `verify.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -5,11 +5,11 @@ use std::fmt::Write;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::text::{Table, number, significant};
 use crate::input::measurement::{Bound, COLUMNS, SigmaKind};
 use crate::input::study::RulerKind;
 use crate::input::video::{Along, LoadedVideo};
 use crate::observation::{RulerHint, VideoTwist, ruler_hints, twist_from_video};
+use crate::page::text::{Table, number, significant};
 
 /// What `washout measure` prints.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -1,9 +1,9 @@
 //! What limits how far the numbers of a run hold.
 
-use super::stroke::StrokeSummary;
 use super::summary::RunSummary;
-use super::text::{number, significant};
 use crate::input::design::{Coefficients, Design, FilmCompression, Section};
+use crate::page::text::{number, significant};
+use crate::wing::stroke::StrokeSummary;
 
 /// Below this ratio of the lowest natural frequency to that of the flapping, the shape does not follow its load.
 pub const SLOW_RATIO: f64 = 1.5;

@@ -3,10 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use serde::Deserialize;
-
 use super::air_table;
 use super::check;
+use super::checked::design_of;
 use super::design::Design;
 use super::document::{Node, NodeValue, Source};
 use super::error::{InputError, Problem};
@@ -15,7 +14,6 @@ use super::form;
 use super::keys;
 use super::measurement::Measurement;
 use super::named::{named_file, read_mesh};
-use super::quantity::Quantity;
 use super::set::Setting;
 use crate::origin::InputFile;
 
@@ -39,6 +37,19 @@ pub struct Loaded {
 }
 
 impl Loaded {
+    /// A design that names no other files, under its name for a path.
+    pub fn alone(design: Design) -> Loaded {
+        Loaded {
+            path: PathBuf::from(&design.name),
+            design,
+            materials_path: None,
+            mesh_file: None,
+            air_table: None,
+            measurement: None,
+            files: Vec::new(),
+        }
+    }
+
     /// All that a solved wing hangs on: what the files hold, not where they stand.
     pub fn content(&self) -> String {
         let mesh = self.mesh_file.as_ref().map(|(_, bytes)| bytes);
@@ -150,7 +161,20 @@ impl Design {
 
     /// The design as TOML; [`Design::from_toml`] reads it back to the same design.
     pub fn to_toml(&self) -> String {
-        toml::to_string(self).unwrap_or_default()
+        let mut plain = serde_json::to_value(self).unwrap_or_default();
+        drop_empty(&mut plain);
+        toml::to_string(&plain).unwrap_or_default()
+    }
+}
+
+/// Takes out what is not given, which TOML has no word for.
+fn drop_empty(value: &mut serde_json::Value) {
+    if let Some(table) = value.as_object_mut() {
+        table.retain(|_, item| !item.is_null());
+        table.values_mut().for_each(drop_empty);
+    }
+    if let Some(list) = value.as_array_mut() {
+        list.iter_mut().for_each(drop_empty);
     }
 }
 
@@ -162,23 +186,6 @@ fn read_air_table(path: &Path, files: &mut Vec<InputFile>) -> Result<Vec<[f64; 3
 
 fn settings(sets: &[String]) -> Result<Vec<Setting>, InputError> {
     sets.iter().map(|text| Setting::parse(text)).collect()
-}
-
-/// The checked design of a tree.
-pub(crate) fn design_of(root: &Node) -> Result<Design, InputError> {
-    check::format_is_one(root)?;
-    check::one_flow(root)?;
-    form::check(root, keys::design())?;
-    let mut design = Design::deserialize(root.to_value()).map_err(|error| {
-        let message = format!("cannot be read: {}", error.message());
-        InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
-    })?;
-    let cut = root.get("planform").and_then(|planform| planform.get("tip_cut"));
-    if cut.is_none() && design.planform.has_tip_chord() {
-        design.planform.tip_cut = Quantity::Stated(1.0);
-    }
-    check::check(&design, root)?;
-    Ok(design)
 }
 
 /// Joins the tables of the materials file, if one is named, to those of the design.

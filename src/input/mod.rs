@@ -36,6 +36,8 @@ mod table;
 
 mod check;
 
+mod checked;
+
 mod document;
 
 mod file;

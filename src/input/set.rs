@@ -2,11 +2,11 @@
 
 use std::rc::Rc;
 
+use super::checked::design_of;
 use super::design::Design;
 use super::document::{Node, NodeValue, Source};
 use super::error::{InputError, Place, Problem};
 use super::keys::{self, Kind};
-use super::load;
 use super::path::{KeyPath, Step};
 
 /// One `key=value` of the command line, read.
@@ -96,7 +96,7 @@ impl Design {
             node = kept;
         }
         put(&mut root, &path, node)?;
-        *self = load::design_of(&root)?;
+        *self = design_of(&root)?;
         Ok(())
     }
 

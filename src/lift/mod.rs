@@ -21,8 +21,6 @@ pub mod effective;
 
 pub mod distribution;
 
-pub mod sweep;
-
 pub mod report;
 
 pub mod flight;
@@ -40,5 +38,4 @@ pub use means::{StationMeans, StrokeMeans};
 pub use ratios::{Ratios, mean_local_lift_to_drag};
 pub use report::{Forces, LiftReport};
 pub use stroke::{Instant, Stroke, forces_at_phase, stroke_means};
-pub use sweep::{AmplitudePoint, amplitude_sweep, lift_at_power};
 pub use twist::{TwistAlongSpan, TwistHistory};

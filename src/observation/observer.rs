@@ -215,3 +215,18 @@ fn camera(design: &Design, root_angle_rad: Option<f64>) -> Result<Camera, Observ
     }
     Ok(camera)
 }
+
+/// The twist profile of a solved wing at the stations of its design; errors as [`Observer::new`].
+pub fn read_profile(
+    design: &Design,
+    planform: &Planform,
+    solution: &Solution,
+) -> Result<TwistProfile, ObservationError> {
+    Ok(Observer::new(design, planform, solution)?.profile())
+}
+
+/// Twist at `r_m` by the design's instrument, rad; none where it cannot be read.
+pub fn twist_at(design: &Design, planform: &Planform, solution: &Solution, r_m: f64) -> Option<f64> {
+    let observer = Observer::new(design, planform, solution).ok()?;
+    Some(observer.twist(r_m).ok()?.twist_rad)
+}

@@ -1,12 +1,8 @@
 //! Twist along the span as the design's instrument reads it.
 
-use crate::coupling::solution::Solution;
-use crate::geometry::Planform;
-use crate::input::design::{CameraAxis, Design, Instrument};
+use crate::input::design::{CameraAxis, Instrument};
 use crate::input::measurement::Bound;
 
-use super::error::ObservationError;
-use super::observer::Observer;
 use super::station::{Place, SkippedStation};
 
 /// Share of the span below which two stations count as one place in a fit.
@@ -93,25 +89,11 @@ impl TwistProfile {
     }
 }
 
-/// The twist profile of a solved wing at the stations of its design; errors as [`Observer::new`].
-pub fn read_profile(
-    design: &Design,
-    planform: &Planform,
-    solution: &Solution,
-) -> Result<TwistProfile, ObservationError> {
-    Ok(Observer::new(design, planform, solution)?.profile())
-}
-
-/// Twist at `r_m` by the design's instrument, rad; none where it cannot be read.
-pub fn twist_at(design: &Design, planform: &Planform, solution: &Solution, r_m: f64) -> Option<f64> {
-    let observer = Observer::new(design, planform, solution).ok()?;
-    Some(observer.twist(r_m).ok()?.twist_rad)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::observation::imposed::{design, wing};
+    use crate::observation::{ObservationError, read_profile, twist_at};
 
     fn twist_rad(r_m: f64) -> f64 {
         6.0 * r_m + 40.0 * r_m * r_m

@@ -1,7 +1,5 @@
 //! Why a structure cannot be built or solved.
 
-use super::finite::NotFinite;
-
 /// Why a structure cannot be built or solved.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StructureError {
@@ -79,4 +77,16 @@ pub enum StructureError {
     /// The user asked to stop.
     #[error(transparent)]
     Interrupted(#[from] crate::progress::Cancelled),
+}
+
+/// A number that is not finite.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{quantity} {place} is {value}")]
+pub struct NotFinite {
+    /// What it is, with its unit.
+    pub quantity: &'static str,
+    /// Where it stands.
+    pub place: String,
+    /// The number.
+    pub value: f64,
 }

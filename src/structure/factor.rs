@@ -13,7 +13,7 @@ use faer::sparse::linalg::cholesky::{
 use faer::{Conj, MatMut, Par, Side};
 
 use super::StructureError;
-use super::finite::NotFinite;
+use super::error::NotFinite;
 use super::pattern::Pattern;
 
 /// Factor of a symmetric matrix with a fixed pattern.

@@ -4,23 +4,12 @@ use std::fmt::Display;
 
 use nalgebra::Vector3;
 
+use super::error::NotFinite;
 use super::loads::Loads;
 use super::model::Model;
 use super::section::Section;
 use super::sheet::{Compression, Sheet};
 use super::skin::Skin;
-
-/// A number that is not finite.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{quantity} {place} is {value}")]
-pub struct NotFinite {
-    /// What it is, with its unit.
-    pub quantity: &'static str,
-    /// Where it stands.
-    pub place: String,
-    /// The number.
-    pub value: f64,
-}
 
 /// Refuses numbers of one place that are not finite.
 ///

@@ -4,9 +4,10 @@ use std::cell::OnceCell;
 
 use nalgebra::Vector3;
 
-use super::case::{Asked, Columns, PreparedCase, Solved};
+use super::case::{Asked, PreparedCase, Solved};
+use super::columns::Column;
+use super::columns::Columns;
 use super::error::StudyError;
-use super::footing::Column;
 use super::work::Work;
 use crate::coupling::sensitivity::{Nearby, Rate};
 use crate::coupling::strips::Strips;

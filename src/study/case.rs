@@ -6,11 +6,11 @@ use std::fmt::Display;
 use std::sync::Arc;
 
 use super::error::StudyError;
-use super::footing::Column;
 use super::forward::{Condition, Observable};
 use super::unnamed;
 use super::work::Work;
 use crate::aero::Flow;
+use crate::coupling::motion::motion_needed;
 use crate::coupling::sensitivity::Nearby;
 use crate::coupling::wing::Wing;
 use crate::coupling::{self, BladeAir, Care, CouplingError, Near};
@@ -46,9 +46,6 @@ pub struct PreparedCase {
     pub(super) air_table: Option<Vec<[f64; 3]>>,
     mesh_file: Option<(String, Arc<[u8]>)>,
 }
-
-/// How a case answers, for the index of a column.
-pub type Columns = Vec<(usize, Column)>;
 
 /// A derivative that is asked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -228,10 +225,17 @@ impl PreparedCase {
         let start = near.or(from_base.as_ref());
         let alike = base.filter(|base| base.at.solution.mesh == mesh);
         let (alike, nearby) = (alike.map(|base| &base.wing), start.map(|near| near.solution));
-        let wing = Wing::near(design, &mesh, self.air_table.as_deref(), alike, nearby)
-            .map_err(|error| self.unsolved(error))?;
+        let air_table = self.air_table.as_deref();
+        let wing = motion_needed(design, &mesh, air_table, nearby, progress).and_then(|motion| match alike {
+            Some(alike) => alike.beside(design, &mesh, air_table, None, motion),
+            None => Wing::with_motion(design, &mesh, air_table, motion),
+        });
+        let wing = wing.map_err(|error| self.unsolved(error))?;
         let solution = coupling::solve_wing(design, &wing, &mesh, start, progress);
         let (solution, tangent) = solution.map_err(|error| self.unsolved(error))?;
+        solution
+            .refuse_pull_of_stop(design)
+            .map_err(|error| self.unsolved(error))?;
         let at = Nearby {
             design: design.clone(),
             planform,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::case::Solved;
+use super::columns::Column;
 use crate::coupling::{Care, Near};
 
 /// A point at which all cases were solved.
@@ -24,15 +25,6 @@ pub(super) struct Stand {
     pub reading: Arc<Vec<f64>>,
     /// Derivatives, by index of the unknown.
     pub columns: BTreeMap<usize, Arc<Column>>,
-}
-
-/// How a case answers to an unknown.
-#[derive(Debug)]
-pub struct Column {
-    /// Derivative of every row.
-    pub rates: Vec<f64>,
-    /// Change of the loaded shape by freedom, per unit of the unknown; none if the mesh moves too, or there is a kink.
-    pub shape: Option<Vec<f64>>,
 }
 
 impl Ground {

@@ -16,6 +16,8 @@ pub mod campaign;
 
 pub mod case;
 
+pub mod columns;
+
 pub mod draws;
 
 pub mod error;

@@ -6,17 +6,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::error::SweepError;
-use crate::aero::Flow;
 use crate::compare::study::compare_study;
 use crate::coupling::solution::Solution;
-use crate::coupling::{BladeAir, CouplingError, solve_from};
 use crate::input::study::LoadedStudy;
 use crate::input::{Design, Loaded};
-use crate::lift::LiftReport;
-use crate::mesh::{MeshFile, for_design};
-use crate::observation::{Place, read_profile};
+use crate::observation::Place;
 use crate::progress::{Cancelled, Progress};
 use crate::study::{Campaign, StudyError};
+use crate::wing::{WingError, WingModel};
 
 /// One number that a case gives.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -80,9 +77,9 @@ impl Base {
     pub fn prepare(&mut self, progress: &Progress) -> Result<(), SweepError> {
         if let Base::Design(loaded, solution) = self {
             progress.say("the base as it stands");
-            let found = solve(loaded, None, progress);
+            let found = WingModel::new((**loaded).clone()).and_then(|wing| wing.solve(progress));
             progress.check()?;
-            *solution = found.ok().map(|(solved, _)| Box::new(solved));
+            *solution = found.ok().map(|solved| Box::new(solved.solution));
         }
         Ok(())
     }
@@ -142,26 +139,13 @@ fn finite(figures: Vec<Figure>) -> Result<Vec<Figure>, Nothing> {
     }
 }
 
-fn solve(
-    loaded: &Loaded,
-    near: Option<&Solution>,
-    progress: &Progress,
-) -> Result<(Solution, crate::geometry::Planform), Nothing> {
-    let file = (loaded.mesh_file.as_ref()).map(|(name, bytes)| MeshFile { name, bytes });
-    let (planform, mesh) = for_design(&loaded.design, file).map_err(Nothing::of_input)?;
-    let table = loaded.air_table.as_deref();
-    let solution = solve_from(&loaded.design, &planform, &mesh, table, near, progress);
-    let solution = solution.map_err(|error: CouplingError| match error.is_not_converged() {
-        true => Nothing::Unsolved(error.to_string()),
-        false => Nothing::of_input(error),
-    })?;
-    if let Some(moment_n_m) = solution.pull_of_stop(&loaded.design) {
-        return Err(Nothing::Refused(format!(
-            "the pitch stop would have to pull with {:.3} mN mm, but it only pushes",
-            moment_n_m * 1e6
-        )));
+impl From<WingError> for Nothing {
+    fn from(error: WingError) -> Nothing {
+        match error.is_not_converged() {
+            true => Nothing::Unsolved(error.to_string()),
+            false => Nothing::Refused(error.to_string()),
+        }
     }
-    Ok((solution, planform))
 }
 
 fn of_design(
@@ -170,9 +154,11 @@ fn of_design(
     near: Option<&Solution>,
     progress: &Progress,
 ) -> Result<Vec<Figure>, Nothing> {
-    let loaded = Design::load(path, sets).map_err(Nothing::of_input)?;
-    let (solution, planform) = solve(&loaded, near, &progress.unseen())?;
-    let design = &loaded.design;
+    let wing = WingModel::new(Design::load(path, sets).map_err(Nothing::of_input)?)?;
+    let solved = match near {
+        Some(near) => wing.solve_from(near, &progress.unseen()),
+        None => wing.solve(&progress.unseen()),
+    }?;
     let mut figures = Vec::new();
     let mut add = |name: &str, value: f64| {
         figures.push(Figure {
@@ -180,7 +166,7 @@ fn of_design(
             value,
         });
     };
-    let profile = read_profile(design, &planform, &solution).map_err(Nothing::of_input)?;
+    let profile = solved.profile()?;
     let tip = profile
         .readings
         .iter()
@@ -196,11 +182,7 @@ fn of_design(
             add("tip_alpha_deg", alpha.to_degrees());
         }
     }
-    if let Some(flow) = Flow::from_design(design) {
-        let law = BladeAir::new(design, &planform, loaded.air_table.as_deref());
-        let law = law.map_err(Nothing::of_input)?;
-        let report = LiftReport::new(&planform, &law, &flow, &solution.strips);
-        let report = report.map_err(Nothing::of_input)?;
+    if let Some(report) = solved.lift()? {
         let forces = report.stroke_mean.as_ref().unwrap_or(&report.solved);
         add("lift_mn", forces.lift_mn);
         add("drag_mn", forces.drag_mn);
@@ -212,7 +194,7 @@ fn of_design(
             add("lift_per_power_n_per_w", ratio);
         }
     }
-    let report = &solution.report;
+    let report = &solved.solution.report;
     add("root_pitch_moment_mn_mm", report.reaction_moment_n_m[0] * 1e6);
     add("newton_steps", report.newton_steps as f64);
     Ok(figures)

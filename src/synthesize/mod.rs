@@ -10,11 +10,14 @@ pub mod error;
 
 pub mod hidden;
 
+pub mod hide;
+
 pub mod rival;
 
 pub use background::Background;
 pub use error::SynthesizeError;
 pub use hidden::Hidden;
+pub use hide::Acted;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -71,24 +74,6 @@ pub struct Answer {
     pub unread: Vec<String>,
 }
 
-/// A hidden effect as it acted.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Acted {
-    /// The effect that was asked for.
-    pub asked: String,
-    /// Its family.
-    pub family: String,
-    /// Its strength.
-    pub strength: f64,
-    /// The effect or formula that acted.
-    pub formula: String,
-    /// The strength with which that acted.
-    pub formula_strength: f64,
-    /// Whether that is another formula than the diagnosis has; some effects have but one.
-    #[serde(default)]
-    pub is_other: bool,
-}
-
 /// A value that was drawn from its prior.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Drawn {
@@ -112,7 +97,7 @@ pub fn synthesize(
     let draws = Draws::new(recipe.made.seed);
     let mut truth = study.clone();
     truth.experiments.clear();
-    let acted = hidden::hide(&mut truth, &recipe.hidden, recipe.made.formulas)?;
+    let acted = hide::hide(&mut truth, &recipe.hidden, recipe.made.formulas)?;
     let background = make_unlike(&mut truth, &recipe.made)?;
     let campaign = Campaign::new(&truth, &[], &progress.unseen())?;
     let at: Vec<f64> = campaign

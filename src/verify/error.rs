@@ -1,11 +1,14 @@
 //! Why a case could not be run.
 
+use std::error::Error;
+
 use crate::coupling::CouplingError;
 use crate::geometry::GeometryError;
 use crate::input::InputError;
 use crate::mesh::MeshError;
 use crate::progress::Cancelled;
 use crate::structure::StructureError;
+use crate::wing::WingError;
 
 /// Why a case could not be run.
 #[derive(Debug, thiserror::Error)]
@@ -37,9 +40,24 @@ pub enum VerifyError {
         /// What was sought.
         what: &'static str,
     },
+    /// The wing of a case cannot be made or read.
+    #[error("{0}")]
+    Wing(Box<dyn Error + Send + Sync>),
     /// The user asked to stop.
     #[error(transparent)]
     Interrupted(#[from] Cancelled),
+}
+
+impl From<WingError> for VerifyError {
+    fn from(error: WingError) -> Self {
+        match error {
+            WingError::Input(error) => error.into(),
+            WingError::Solve { source, .. } | WingError::Phase { source, .. } => source.into(),
+            WingError::Interrupted(cancelled) => cancelled.into(),
+            WingError::Design { reason, .. } => VerifyError::Wing(reason),
+            error => VerifyError::Wing(Box::new(error)),
+        }
+    }
 }
 
 impl From<StructureError> for VerifyError {

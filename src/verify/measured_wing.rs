@@ -1,12 +1,9 @@
 //! A shipped design of a wing that was measured, and the measurement: both as shipped, nothing tuned.
 
-use crate::coupling;
-use crate::geometry::Planform;
 use crate::input::design::Design;
 use crate::input::measurement::{Channel, Measurement};
-use crate::mesh::generate;
-use crate::observation::Observer;
 use crate::progress::Progress;
+use crate::wing::WingModel;
 
 use super::{Level, VerifyError};
 
@@ -61,15 +58,13 @@ impl MeasuredWing {
             design.set(key, *value)?;
         }
         design.mesh.refine = level.times(1) as f64;
-        let planform = Planform::from_design(&design)?;
-        let mesh = generate(&design, &planform)?;
-        let solution = coupling::solve(&design, &planform, &mesh, None, progress)?;
+        let wing = WingModel::of_design(design)?.solve(progress)?;
         let missing = VerifyError::Missing {
             what: "reading at the tip",
         };
-        let tip_m = planform.length_m();
+        let tip_m = wing.model.planform.length_m();
         let read = || {
-            let observer = Observer::new(&design, &planform, &solution).ok()?;
+            let observer = wing.observer().ok()?;
             let moved = observer.displacement(tip_m, 0.5)?;
             Some((moved, observer.twist(tip_m).ok()?.twist_rad))
         };

@@ -11,12 +11,12 @@
 //! K_VV = GA, K_VT = GA d, K_TT = GJ + GA d², so that a force at y = d bends without twist. Small rotations, thin-airfoil
 //! lift 2π α normal to the leading edge.
 
+use crate::coupling::CouplingError;
 use crate::coupling::solution::Solution;
-use crate::coupling::{self, CouplingError};
-use crate::geometry::Planform;
 use crate::input::design::Design;
 use crate::mesh::{BeamElement, BeamPart, Mesh};
 use crate::progress::Progress;
+use crate::wing::WingModel;
 
 use super::VerifyError;
 
@@ -86,14 +86,13 @@ impl StripWing {
             / (self.arm_m() * self.chord_m * std::f64::consts::TAU)
     }
 
-    /// The wing as a design, its outline and its mesh.
+    /// The wing, meshed.
     ///
     /// # Errors
     /// If the design is refused.
-    pub fn build(&self) -> Result<(Design, Planform, Mesh), VerifyError> {
+    pub fn build(&self) -> Result<WingModel, VerifyError> {
         let design = Design::from_toml(&self.text(), "strip-wing.toml")?;
-        let planform = Planform::from_design(&design)?;
-        Ok((design, planform, self.mesh()))
+        Ok(WingModel::on_mesh(design, self.mesh())?)
     }
 
     /// The wing in its air.
@@ -101,8 +100,7 @@ impl StripWing {
     /// # Errors
     /// If there is no equilibrium, as beyond divergence.
     pub fn solve(&self, progress: &Progress) -> Result<Solution, VerifyError> {
-        let (design, planform, mesh) = self.build()?;
-        Ok(coupling::solve(&design, &planform, &mesh, None, progress)?)
+        Ok(self.build()?.shape(None, progress)?)
     }
 
     /// Dynamic pressure at which the wing diverges by the feedback of the air at its own, Pa.

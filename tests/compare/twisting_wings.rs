@@ -39,7 +39,7 @@ fn compared(name: &str) -> Comparison {
     } = base_model(name);
     let planform = Planform::from_design(&design).unwrap();
     let mesh = mesh::generate(&design, &planform).unwrap();
-    let solution = coupling::solve(&design, &planform, &mesh, None, &Progress::quiet()).unwrap();
+    let solution = coupling::solve(&design, &mesh, None, &Progress::quiet()).unwrap();
     assert_eq!(solution.report.negative_pivots, 0);
     let observer = Observer::new(&design, &planform, &solution).unwrap();
     compare(&observer, &measurement.unwrap(), &BTreeMap::new())

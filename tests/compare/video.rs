@@ -98,7 +98,7 @@ fn wing() -> (Design, Planform, Solution) {
     let loaded = Design::load(&path, &["mesh.chordwise=6".to_string()]).unwrap();
     let planform = Planform::from_design(&loaded.design).unwrap();
     let mesh = mesh::generate(&loaded.design, &planform).unwrap();
-    let solution = coupling::solve(&loaded.design, &planform, &mesh, None, &Progress::quiet()).unwrap();
+    let solution = coupling::solve(&loaded.design, &mesh, None, &Progress::quiet()).unwrap();
     (loaded.design, planform, solution)
 }
 

@@ -40,7 +40,7 @@ impl Wing {
     }
 
     pub fn try_solve(&self) -> Result<Solution, CouplingError> {
-        coupling::solve(&self.design, &self.planform, &self.mesh, None, &Progress::quiet())
+        coupling::solve(&self.design, &self.mesh, None, &Progress::quiet())
     }
 
     /// The solution, which must stand on the stable branch.

@@ -7,12 +7,8 @@ use washout::progress::Progress;
 use crate::support::{Wing, apart, shipped};
 
 fn solve_from(wing: &Wing, nearby: &Solution) -> Solution {
-    let Wing {
-        design,
-        planform,
-        mesh,
-    } = wing;
-    coupling::solve_from(design, planform, mesh, None, Some(nearby), &Progress::quiet()).unwrap()
+    let Wing { design, mesh, .. } = wing;
+    coupling::solve_from(design, mesh, None, Some(nearby), &Progress::quiet()).unwrap()
 }
 
 #[test]

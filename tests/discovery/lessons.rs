@@ -14,12 +14,12 @@ use crate::rod::Toy;
 use crate::scoreboard::{Share, run};
 use crate::truth::{Hidden, Nature};
 
-fn said(toy: &Toy) -> Diagnosis {
+pub fn said(toy: &Toy) -> Diagnosis {
     diagnose(toy, &Settings::default(), &Progress::quiet()).expect("a diagnosis")
 }
 
 /// A study with this hidden cause, noise 0.3 deg.
-fn study(hidden: Vec<Hidden>, seed: u64) -> Toy {
+pub fn study(hidden: Vec<Hidden>, seed: u64) -> Toy {
     let draws = Draws::new(seed);
     let mut toy = good_campaign(0.3);
     let nature = Nature::drawn(draws, hidden);

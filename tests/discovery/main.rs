@@ -3,6 +3,7 @@
 mod cases;
 mod effects;
 mod lessons;
+mod pages;
 mod rod;
 mod scoreboard;
 mod truth;

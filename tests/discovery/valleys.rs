@@ -89,7 +89,7 @@ fn an_effect_whose_derivative_at_zero_points_the_wrong_way_is_found_by_finite_st
         .iter()
         .find(|row| row.effect == EFFECT)
         .expect("a row");
-    assert!(row.one_step < 0.0);
+    assert!(row.one_step.unwrap() < 0.0);
     let best = &said.hypotheses[0];
     assert_eq!(best.effects, [EFFECT]);
     let (strength, error) = (

@@ -50,7 +50,7 @@ pub fn strips(design: &Design, twist_rad: f64) -> Vec<Found> {
     let air = wing.strip_air(&wing.strips.shapes(&state), false).unwrap();
     let found = |(strip, air): (
         &washout::coupling::strips::Strip,
-        &washout::coupling::strips::StripAir,
+        &washout::coupling::strip_air::StripAir,
     )| {
         let mut moment = 0.0;
         for (point, eta) in strip.eta.iter().enumerate() {

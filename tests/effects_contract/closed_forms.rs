@@ -1,10 +1,11 @@
 //! For each effect the case of its card: a closed form in the full model that a wrong factor of 2 would miss.
 
 use nalgebra::Vector3;
+use washout::coupling::motion::motion_needed;
 use washout::coupling::wing::Wing;
 use washout::coupling::{self, solution::Solution};
 use washout::input::design::Design;
-use washout::mesh::for_design;
+use washout::mesh::{Mesh, for_design};
 use washout::progress::Progress;
 use washout::structure::state::State;
 
@@ -30,15 +31,21 @@ pub fn with(mut design: Design, effect: &str, strength: f64) -> Design {
     design
 }
 
+/// The wing of a design, with its motion over the stroke where an effect is made from it.
+pub fn wing(design: &Design, mesh: &Mesh) -> Wing {
+    let motion = motion_needed(design, mesh, None, None, &Progress::quiet()).unwrap();
+    Wing::with_motion(design, mesh, None, motion).unwrap()
+}
+
 pub fn solve(design: &Design) -> Solution {
-    let (planform, mesh) = for_design(design, None).unwrap();
-    coupling::solve(design, &planform, &mesh, None, &Progress::quiet()).unwrap()
+    let (_, mesh) = for_design(design, None).unwrap();
+    coupling::solve(design, &mesh, None, &Progress::quiet()).unwrap()
 }
 
 /// Total air force and moment about the wing base on the wing at rest.
 fn air_at_rest(design: &Design) -> (Vec<f64>, Vector3<f64>) {
     let (_, mesh) = for_design(design, None).unwrap();
-    let wing = Wing::new(design, &mesh, None).unwrap();
+    let wing = wing(design, &mesh);
     let air = wing
         .strip_air(&wing.strips.shapes(&State::at_rest(mesh.nodes.len())), false)
         .unwrap();

@@ -157,7 +157,7 @@ fn solve(design: &Design) -> Nearby {
 
 fn solve_from(design: &Design, nearby: Option<&Solution>) -> Nearby {
     let (planform, mesh) = mesh(design);
-    let solution = coupling::solve_from(design, &planform, &mesh, None, nearby, &Progress::quiet())
+    let solution = coupling::solve_from(design, &mesh, None, nearby, &Progress::quiet())
         .unwrap_or_else(|error| panic!("{:?}: {error}", design.effects));
     Nearby {
         design: design.clone(),
@@ -309,7 +309,7 @@ fn with_the_shape_frozen_an_effect_acts_at_its_seam_alone() {
         let (base, _) = base(&card);
         let on = with(&base, &card, 0.5 * card.parameters[0].scale());
         let (_, mesh) = mesh(&base);
-        let [off, on] = [&base, &on].map(|design| Wing::new(design, &mesh, None).unwrap());
+        let [off, on] = [&base, &on].map(|design| closed_forms::wing(design, &mesh));
         let structure_changed = format!("{:?}", off.model.beams) != format!("{:?}", on.model.beams)
             || off.model.sheets != on.model.sheets
             || off.model.springs != on.model.springs
@@ -370,7 +370,7 @@ fn check_rate(effect: &dyn Effect) -> Result<(), String> {
     let (base, tolerance) = base(&card);
     let here = solve(&with(&base, &card, middle));
     let at = |value: f64| solve_from(&with(&base, &card, value), Some(&here.solution));
-    let wing = Wing::new(&here.design, &here.solution.mesh, None).unwrap();
+    let wing = closed_forms::wing(&here.design, &here.solution.mesh);
     let remesh = |design: &Design| for_design(design, None);
     let mut sensitivity = Sensitivity::new(&here.design, &wing, None, &here.solution, &remesh).unwrap();
     let rate = sensitivity

@@ -13,7 +13,7 @@ use washout::mesh::for_design;
 use washout::progress::Progress;
 use washout::structure::state::State;
 
-use super::closed_forms::{rectangle, solve, with};
+use super::closed_forms::{rectangle, solve, wing, with};
 
 const FILM: &str = "[film]\nmaterial = 'steel'\nthickness_mm = 0.01\n";
 const FLAPPING: &str = "[flapping]\nfrequency_hz = 20.0\nhalf_amplitude_deg = 30.0\n";
@@ -43,8 +43,10 @@ fn held(mut design: Design, motion: Option<&Motion>) -> (Vector3<f64>, Vector3<f
     design.set("rod[0].section.diameter_mm", 10.0).unwrap();
     design.set("film.thickness_mm", 2.0).unwrap();
     let (_, mesh) = for_design(&design, None).unwrap();
-    let known = motion.map(|motion| Arc::new(motion.clone()));
-    let wing = Wing::with_motion(&design, &mesh, None, known).unwrap();
+    let wing = match motion {
+        Some(known) => Wing::with_motion(&design, &mesh, None, Some(Arc::new(known.clone()))).unwrap(),
+        None => wing(&design, &mesh),
+    };
     let (solution, _) = solve_wing(&design, &wing, &mesh, None, &Progress::quiet()).unwrap();
     let report = solution.report;
     (report.reaction_force_n.into(), report.reaction_moment_n_m.into())
@@ -141,7 +143,7 @@ fn added_mass_is_that_of_a_cylinder_on_the_chord() {
     let plate = FILM.replace("0.01", "0.15");
     let base = rectangle(&format!("{plate}{FLAPPING}phase_deg = 30.0\n"));
     let (_, mesh) = for_design(&base, None).unwrap();
-    let motion = motion(&base, &mesh, None).unwrap();
+    let motion = motion(&base, &mesh, None, None, &Progress::quiet()).unwrap();
     let sum = |loads: &[NodeLoad]| loads.iter().map(|load| load.force_n).sum::<Vector3<f64>>();
     let expected = 1.2
         * FRAC_PI_4
@@ -157,7 +159,7 @@ fn added_mass_is_that_of_a_cylinder_on_the_chord() {
     let found = sum(&motion.moved_air_of_stroke);
     assert!((found.z / -expected - 1.0).abs() < 2e-3, "{found} {expected}");
     let on = with(base.clone(), "added-mass", 1.0);
-    let [on, off] = [&on, &base].map(|design| Wing::new(design, &mesh, None).unwrap());
+    let [on, off] = [&on, &base].map(|design| wing(design, &mesh));
     let total = |wing: &Wing| wing.bench.force_n.iter().sum::<Vector3<f64>>();
     let added = total(&on) - total(&off);
     assert!((added - found - sum(&motion.moved_air)).norm() < 1e-12);
@@ -204,7 +206,7 @@ fn twist_with_its_inertia_is_that_of_the_periodic_motion() {
     .unwrap();
     let twist = |design: &Design| {
         let solution = solve(design);
-        let wing = Wing::new(design, &mesh, None).unwrap();
+        let wing = wing(design, &mesh);
         let shapes = wing.strips.shapes(&solution.state);
         let angles = shapes.chunks_exact(6).map(|shape| shape[2].atan2(shape[1]));
         angles.collect::<Vec<f64>>()

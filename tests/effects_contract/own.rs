@@ -6,7 +6,7 @@ use washout::input::design::Design;
 use washout::mesh::for_design;
 use washout::structure::state::State;
 
-use super::closed_forms::{rectangle, solve};
+use super::closed_forms::{self, rectangle, solve};
 
 const AIR: &str = "[film]\nmaterial = 'steel'\nthickness_mm = 0.01\n\
                    [flapping]\nfrequency_hz = 20.0\nhalf_amplitude_deg = 30.0\n";
@@ -20,7 +20,7 @@ fn own(acts_on: &str, expression: &str, more: &str) -> String {
 /// Normal force (N) and moment about the leading edge (N·m) of the air on the wing at rest.
 fn air(design: &Design) -> (f64, f64) {
     let (_, mesh) = for_design(design, None).unwrap();
-    let wing = Wing::new(design, &mesh, None).unwrap();
+    let wing = closed_forms::wing(design, &mesh);
     let shapes = wing.strips.shapes(&State::at_rest(mesh.nodes.len()));
     let force = wing.air_force(&wing.strip_air(&shapes, false).unwrap());
     let nodes = force.iter().zip(&mesh.nodes);
@@ -151,7 +151,7 @@ fn a_formula_of_ones_own_may_brake_by_the_twist_rate() {
     let plate = AIR.replace("0.01", "0.15");
     let braked = rectangle(&format!("{plate}{}", own("moment", "-2e-4 * twist_rate", "")));
     let (_, mesh) = for_design(&braked, None).unwrap();
-    let wing = Wing::new(&braked, &mesh, None).unwrap();
+    let wing = closed_forms::wing(&braked, &mesh);
     let motion = wing.motion.clone().unwrap();
     let shapes = wing.strips.shapes(&State::at_rest(mesh.nodes.len()));
     let sum = |wing: &Wing| -> f64 {

@@ -42,8 +42,8 @@ fn poisoned(name: &str, kind: usize, more: &str) -> Design {
 
 /// What a solve says that must be refused for a number that is not finite.
 fn refused(design: &Design, what: &str) -> String {
-    let (planform, mesh) = for_design(design, None).unwrap_or_else(|error| panic!("{what}: {error}"));
-    match coupling::solve(design, &planform, &mesh, None, &Progress::quiet()) {
+    let (_, mesh) = for_design(design, None).unwrap_or_else(|error| panic!("{what}: {error}"));
+    match coupling::solve(design, &mesh, None, &Progress::quiet()) {
         Ok(solution) => panic!("{what}: solved, residual {:?}", solution.report.residual),
         Err(error) => {
             assert!(
@@ -60,8 +60,8 @@ fn refused(design: &Design, what: &str) -> String {
 fn the_wing_without_poison_has_an_equilibrium() {
     for name in ["poisoned-air", "poisoned-wing"] {
         let design = wing(&format!("[effects.{name}]\nstrength = 0.0\nkind = 1\n"));
-        let (planform, mesh) = for_design(&design, None).unwrap();
-        let solved = coupling::solve(&design, &planform, &mesh, None, &Progress::quiet());
+        let (_, mesh) = for_design(&design, None).unwrap();
+        let solved = coupling::solve(&design, &mesh, None, &Progress::quiet());
         assert!(solved.unwrap().report.residual.unwrap() < 1e-5);
     }
 }

@@ -86,8 +86,8 @@ fn modes_and_the_motion_over_the_stroke_are_refused_as_the_solve_is() {
         not_finite(moving, "motion over the stroke");
     }
     let sound = wing("");
-    let (planform, mesh) = for_design(&sound, None).unwrap();
-    let solution = coupling::solve(&sound, &planform, &mesh, None, &quiet).unwrap();
+    let (_, mesh) = for_design(&sound, None).unwrap();
+    let solution = coupling::solve(&sound, &mesh, None, &quiet).unwrap();
     for kind in [0, 5, 9] {
         let design = poisoned("poisoned-wing", kind, "");
         not_finite(Standing::unloaded(&design, &mesh, None, &quiet), "unloaded modes");
@@ -100,8 +100,8 @@ fn modes_and_the_motion_over_the_stroke_are_refused_as_the_solve_is() {
 fn a_rate_toward_a_load_that_is_not_finite_is_refused_and_not_taken_for_divergence() {
     for (name, kind) in [("poisoned-air", 2), ("poisoned-air", 6), ("poisoned-wing", 0)] {
         let design = wing(&format!("[effects.{name}]\nstrength = 0.0\nkind = {kind}\n"));
-        let (planform, mesh) = for_design(&design, None).unwrap();
-        let solution = coupling::solve(&design, &planform, &mesh, None, &Progress::quiet()).unwrap();
+        let (_, mesh) = for_design(&design, None).unwrap();
+        let solution = coupling::solve(&design, &mesh, None, &Progress::quiet()).unwrap();
         let solved = Wing::new(&design, &mesh, None).unwrap();
         let remesh = |design: &Design| for_design(design, None);
         let mut sensitivity = Sensitivity::new(&design, &solved, None, &solution, &remesh).unwrap();

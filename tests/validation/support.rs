@@ -36,7 +36,7 @@ impl Solved {
         let planform = Planform::from_design(&design).unwrap();
         let mesh = generate(&design, &planform).unwrap();
         let progress = Progress::quiet();
-        let solution = coupling::solve(&design, &planform, &mesh, None, &progress)
+        let solution = coupling::solve(&design, &mesh, None, &progress)
             .unwrap_or_else(|error| panic!("{}: {error}", design.name));
         assert_eq!(solution.report.negative_pivots, 0, "{}", design.name);
         Solved {

@@ -1,6 +1,7 @@
 //! Trial of a formula before a wing flies with it: at its places, chords, speeds and angles, with the derivatives of flight.
 
 use super::Custom;
+use super::section::Section;
 use super::target::{ALONG, CHORD, TWIST_RATE, UNITS, VARIABLES};
 use crate::aero::Flow;
 use crate::effects::{Dual, EffectError, StripPlace};
@@ -13,31 +14,6 @@ const PARTS: u32 = 20;
 const ANGLES_DEG: [f64; 6] = [-40.0, -5.0, 0.0, 5.0, 45.0, 80.0];
 /// Shares of a flapping wing's speed at mid-stroke, as it meets them over the stroke.
 const STROKE: [f64; 3] = [1.0, 0.5, 0.01];
-
-/// A place of the span, as a formula sees it, without angle and speed.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Section<'a> {
-    pub design: &'a Design,
-    pub r_m: f64,
-    pub chord_m: f64,
-    pub root_angle_rad: f64,
-    pub density_kg_m3: f64,
-    pub twist_rate_rad_s: f64,
-}
-
-impl<'a> Section<'a> {
-    /// Of a strip.
-    pub fn of(place: &StripPlace<'a>) -> Self {
-        Section {
-            design: place.design,
-            r_m: place.r_m,
-            chord_m: place.chord_m,
-            root_angle_rad: place.root_angle_rad,
-            density_kg_m3: place.density_kg_m3,
-            twist_rate_rad_s: place.twist_rate_rad_s(),
-        }
-    }
-}
 
 impl Custom {
     /// Refuses a formula that is not finite, or a stiffness that is not positive, somewhere on the outline of a design.

@@ -5,16 +5,13 @@ use std::ops::Range;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::{Deserialize, Serialize};
 
-use crate::coupling::solution::Solution;
-use crate::coupling::{self, BladeAir};
 use crate::explore::error::ExploreError;
-use crate::geometry::Planform;
 use crate::input::design::{Design, Instrument};
 use crate::input::stock::StockRod;
-use crate::lift::{Stroke, TwistAlongSpan, TwistHistory, stroke_means};
-use crate::mesh::for_design;
-use crate::observation::read_profile;
+use crate::lift::{LiftError, TwistAlongSpan};
+use crate::observation::ObservationError;
 use crate::progress::Progress;
+use crate::wing::{SolvedWing, WingModel};
 
 use super::layout::{Layout, Piece};
 
@@ -85,10 +82,8 @@ const STATIONS: usize = 60;
 /// A design whose layouts are tried.
 #[derive(Debug, Clone)]
 pub struct Workshop<'a> {
-    /// The design: outline, film, spar, stroke, materials.
-    pub design: &'a Design,
-    /// Rows of its table of coefficients, if it has one.
-    pub air_table: Option<&'a [[f64; 3]]>,
+    /// The wing whose outline, film, spar, stroke and materials all have.
+    pub wing: &'a WingModel,
     /// What the layout is for.
     pub aim: &'a Aim,
     /// Outer end of the span over which twist is compared, m.
@@ -106,35 +101,22 @@ impl Workshop<'_> {
         refine: f64,
         progress: &Progress,
     ) -> Result<Candidate, ExploreError> {
-        let mut design = layout.applied(self.design)?;
+        let mut design = layout.applied(self.wing.design())?;
         design.mesh.refine *= refine;
-        let (solution, planform) = self.solved(&design, progress)?;
-        self.judged(layout, &design, &planform, &solution)
+        self.judged(layout, &self.solved(design, progress)?)
     }
 
     /// The loaded shape of a design.
     ///
     /// # Errors
     /// If there is none.
-    pub fn solved(&self, design: &Design, progress: &Progress) -> Result<(Solution, Planform), ExploreError> {
-        let (planform, mesh) = for_design(design, None)?;
-        let solution = coupling::solve(design, &planform, &mesh, self.air_table, progress)?;
-        Ok((solution, planform))
+    pub fn solved(&self, design: Design, progress: &Progress) -> Result<SolvedWing, ExploreError> {
+        Ok(self.wing.with_design(design)?.solve(progress)?)
     }
 
-    fn judged(
-        &self,
-        layout: &Layout,
-        design: &Design,
-        planform: &Planform,
-        solution: &Solution,
-    ) -> Result<Candidate, ExploreError> {
-        let twist = read_twist(design, planform, solution)?;
-        let flow = crate::aero::Flow::from_design(design).ok_or(crate::lift::LiftError::NotFlapping)?;
-        let stroke = Stroke::from_flow(&flow)?;
-        let air = BladeAir::new(design, planform, self.air_table)?;
-        let full = TwistAlongSpan::from_strips(&solution.strips, stroke.stop_angle_rad)?;
-        let means = stroke_means(planform, &air, &stroke, &TwistHistory::paper_ramp(full))?;
+    fn judged(&self, layout: &Layout, wing: &SolvedWing) -> Result<Candidate, ExploreError> {
+        let twist = read_twist(wing)?;
+        let means = wing.means_on_ramp()?.ok_or(LiftError::NotFlapping)?;
         let distance_deg = match self.aim {
             Aim::Twist(wanted) => Some(distance_deg(&twist, wanted, self.tip_m)),
             Aim::LiftPerPower { .. } => None,
@@ -181,14 +163,10 @@ impl Candidate {
 ///
 /// # Errors
 /// If it cannot be read.
-pub fn read_twist(
-    design: &Design,
-    planform: &Planform,
-    solution: &Solution,
-) -> Result<TwistAlongSpan, ExploreError> {
-    let mut plain = design.clone();
-    plain.observation.instrument = Instrument::ChordRotation;
-    let profile = read_profile(&plain, planform, solution)?;
+pub fn read_twist(wing: &SolvedWing) -> Result<TwistAlongSpan, ExploreError> {
+    let refused = |error: ObservationError| ExploreError::Design(Box::new(error));
+    let observer = wing.observer()?.seen_by(Instrument::ChordRotation);
+    let profile = observer.map_err(refused)?.profile();
     let mut points: Vec<[f64; 2]> = Vec::new();
     for reading in &profile.readings {
         if points.last().is_none_or(|last| reading.r_m > last[0] + 1e-9) {
@@ -232,7 +210,7 @@ pub struct Closer {
 impl<'a> Search<'a> {
     /// All layouts that can be chosen.
     pub fn new(workshop: &'a Workshop<'a>, choices: &Choices) -> Search<'a> {
-        let length_mm = workshop.design.planform.length_mm.value();
+        let length_mm = workshop.wing.design().planform.length_mm.value();
         let piece = |rod: &StockRod, to_mm: f64| Piece {
             rod: rod.clone(),
             to_mm,
@@ -314,7 +292,7 @@ impl<'a> Search<'a> {
     /// # Errors
     /// If the user asked to stop.
     pub fn closer(&self, index: usize, progress: &Progress) -> Result<Closer, ExploreError> {
-        let length_mm = self.workshop.design.planform.length_mm.value();
+        let length_mm = self.workshop.wing.design().planform.length_mm.value();
         let step_mm = 0.5 * (BREAKS[1] - BREAKS[0]) * length_mm;
         let (solved, best) = refine_break(
             self.workshop,
@@ -354,7 +332,7 @@ fn refine_break(
         return (solved, best);
     }
     let centre_mm = from.pieces[0].to_mm;
-    let length_mm = workshop.design.planform.length_mm.value();
+    let length_mm = workshop.wing.design().planform.length_mm.value();
     let (mut low, mut high) = (
         (centre_mm - reach_mm).max(0.05 * length_mm),
         (centre_mm + reach_mm).min(0.95 * length_mm),

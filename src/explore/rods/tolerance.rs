@@ -87,12 +87,13 @@ pub fn band(
     for material in materials {
         let key = format!("material.{material}.g_gpa");
         let range = workshop
-            .design
+            .wing
+            .design()
             .assumptions()
             .into_iter()
             .find(|known| known.key == key)
             .map(|known| known.range);
-        let stated = workshop.design.get(&key);
+        let stated = workshop.wing.design().get(&key);
         let range = range.or_else(|| {
             let share = tolerances.shear_modulus_share;
             stated.map(|value| [value * (1.0 - share), value * (1.0 + share)])
@@ -181,13 +182,12 @@ fn twist_of(
     progress: &Progress,
 ) -> Result<TwistAlongSpan, ExploreError> {
     let design: Design = match off {
-        Off::Layout(layout) => layout.applied(workshop.design)?,
+        Off::Layout(layout) => layout.applied(workshop.wing.design())?,
         Off::Modulus(key, value) => {
-            let mut design = layout.applied(workshop.design)?;
+            let mut design = layout.applied(workshop.wing.design())?;
             design.set(key, *value)?;
             design
         }
     };
-    let (solution, planform) = workshop.solved(&design, progress)?;
-    read_twist(&design, &planform, &solution)
+    read_twist(&workshop.solved(design, progress)?)
 }

@@ -3,30 +3,11 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::export::ExportError;
-use crate::export::text::{number, significant};
+use crate::export::{ExportError, json};
+pub use crate::page::Digits;
 
 use super::script::in_script;
 use crate::plot::pen::escaped;
-
-/// How many digits are shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Digits {
-    /// So many after the point.
-    After(usize),
-    /// So many from the first that is not zero.
-    Significant(usize),
-}
-
-impl Digits {
-    /// The number as text.
-    pub fn show(self, value: f64) -> String {
-        match self {
-            Digits::After(digits) => number(value, digits),
-            Digits::Significant(digits) => significant(value, digits),
-        }
-    }
-}
 
 /// Something that stands in a cell: HTML, and whether it is a number.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -70,10 +51,7 @@ impl Document {
     /// # Errors
     /// If it cannot be written as JSON.
     pub fn new(id: &'static str, content: &impl Serialize) -> Result<Document, ExportError> {
-        let value = serde_json::to_value(content).map_err(|error| ExportError::Encoding {
-            format: "JSON",
-            reason: error.to_string(),
-        })?;
+        let value = json::tree(content)?;
         Ok(Document { id, value })
     }
 

@@ -11,9 +11,13 @@ pub mod table;
 
 pub mod page;
 
+pub mod parts;
+
 pub mod picture;
 
 pub mod wing;
+
+pub mod wings;
 
 pub mod still;
 

@@ -101,7 +101,7 @@ pub fn mind(lines: &[String]) -> String {
         return String::new();
     }
     format!(
-        "<div class=\"mind\" role=\"note\"><strong>Mind</strong>\n{}</div>\n",
+        "<div class=\"mind\" role=\"note\"><strong>Notes</strong>\n{}</div>\n",
         super::table::list(lines)
     )
 }

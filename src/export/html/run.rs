@@ -15,7 +15,8 @@ use super::inputs::{all_numbers, inputs};
 use super::page::{Page, headline, mind};
 use super::picture::picture;
 use super::table::{HtmlTable, list, paragraph};
-use super::wing::{Wing, section};
+use super::wing::Wing;
+use super::wings::section;
 
 const STRIPS: &str = "strips.csv";
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::export::text::significant;
+use crate::page::text::significant;
 
 use super::wing::{MAP, Wing};
 

@@ -15,7 +15,7 @@ use super::inputs::{all_numbers, assumptions};
 use super::page::{Page, headline};
 use super::picture::picture;
 use super::table::{HtmlTable, list};
-use super::wing::Wings;
+use super::wings::Wings;
 
 /// What a report of a study shows besides its comparison.
 #[derive(Debug, Clone, Default)]
@@ -40,9 +40,6 @@ pub fn page(report: &StudyReport, parts: &StudyParts) -> Result<Page, ExportErro
         lead: lead(&document, comparison),
         ..Page::default()
     };
-    if let Some(found) = &parts.diagnosis {
-        page.lead.push_str(&diagnosis::sentence(&found.diagnosis));
-    }
     page.section("wing", "The wings", parts.wings.section()?);
     let found = Compared::of_study(comparison);
     let has_rows = !found.rows.is_empty();

@@ -1,19 +1,13 @@
 //! Wings for the viewer of the page: two shapes, the film, rod and spars, and what they are coloured by.
 
-use std::fmt::Write;
-
 use crate::coupling::solution::Solution;
 use crate::export::ExportError;
-use crate::export::text::significant;
 use crate::export::vtu::{Array, Grid, Values};
 use crate::export::wing::{Shape, solution_grid};
 use crate::geometry::Planform;
 use crate::input::Design;
 use crate::observation::field::twist_at_nodes;
-
-use super::script::in_script;
-use super::still::still;
-use super::table::paragraph;
+use crate::page::text::significant;
 
 /// Colours from the lowest to the highest value: cividis (J. R. Nuñez, C. R. Anderton, R. S. Renslow, PLOS ONE 13 (2018)
 /// e0199239), which looks alike to people with and without colour vision and rises in lightness.
@@ -134,7 +128,7 @@ impl Wing {
     }
 
     /// As the viewer reads it: points in whole micrometres.
-    fn json(&self) -> Result<String, ExportError> {
+    pub(super) fn json(&self) -> Result<String, ExportError> {
         let points =
             |points: &[[f64; 3]]| joined(points.as_flattened(), |x| format!("{}", (x * 1e3).round() as i64));
         let lines = self
@@ -183,74 +177,10 @@ fn joined(values: &[f64], show: impl Fn(f64) -> String) -> String {
     text
 }
 
-/// Wings of a study, and what is not shown of them.
-#[derive(Debug, Clone, Default)]
-pub struct Wings {
-    /// Those shown.
-    pub shown: Vec<Wing>,
-    /// What is not shown, and why.
-    pub notes: Vec<String>,
-}
-
-impl Wings {
-    /// Those of `more` besides.
-    pub fn extend(&mut self, more: Wings) {
-        self.shown.extend(more.shown);
-        self.notes.extend(more.notes);
-    }
-
-    /// The section that shows them and says what it does not show.
-    ///
-    /// # Errors
-    /// If a value is not finite.
-    pub fn section(&self) -> Result<String, ExportError> {
-        let mut html = section(&self.shown)?;
-        for words in &self.notes {
-            html.push_str(&paragraph(words));
-        }
-        Ok(html)
-    }
-}
-
-/// The wings as they stand in the page: a still picture, and a viewer that takes its place where scripts run.
-///
-/// # Errors
-/// If a value is not finite.
-pub fn section(wings: &[Wing]) -> Result<String, ExportError> {
-    let Some(first) = wings.first() else {
-        return Ok(String::new());
-    };
-    let shown: Vec<String> = wings.iter().map(Wing::json).collect::<Result<_, _>>()?;
-    let map: Vec<String> = MAP.iter().map(|[r, g, b]| format!("[{r},{g},{b}]")).collect();
-    let mut html = String::from("<div class=\"wing\">\n");
-    // Writing to a String cannot fail.
-    let _ = writeln!(html, "<div id=\"wing-still\">{}</div>", still(first));
-    html.push_str(
-        "<div id=\"wing-live\" hidden>\n<div id=\"wing-controls\"></div>\n<canvas id=\"wing-canvas\" tabindex=\"0\" role=\"img\" \
-         aria-label=\"The wing under load in three dimensions, the unloaded shape dashed; arrow keys turn it, plus and minus \
-         zoom, 0 resets the view\"></canvas>\n<div id=\"wing-bar\"><div class=\"strip\"></div><div class=\"ends\">\
-         <span class=\"low\"></span><span class=\"mid\"></span><span class=\"high\"></span></div></div>\n\
-         <p class=\"quiet screen\">Drag to turn, pinch to zoom; after a click the wheel zooms too. Keys: arrows, + and −, 0 for \
-         the first view. Thick: rod; thin: spars. Dashed: the ghost.</p>\n</div>\n</div>\n",
-    );
-    let _ = writeln!(
-        html,
-        "<script type=\"application/json\" id=\"wing-data\">{{\"map\":[{}],\"wings\":[{}]}}</script>",
-        map.join(","),
-        in_script(&shown.join(","))
-    );
-    if wings.len() > 1 {
-        html.push_str(
-            "<p class=\"quiet screen\">All wings share one scale of colours. Two states of a wing are held against each other by \
-             choosing one as wing and the other as ghost.</p>\n",
-        );
-    }
-    Ok(html)
-}
-
 #[cfg(test)]
 pub mod tests {
     use super::*;
+    use crate::export::html::wings::section;
 
     /// Two triangles and a rod, twisted.
     pub fn wing(name: &str) -> Wing {

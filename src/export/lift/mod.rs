@@ -7,8 +7,12 @@ pub mod tables;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::lift::{Forces, Ratios};
+use crate::lift::{
+    Forces, InertialPower, StrokeMeans, departure_from_ellipse, mean_local_lift_to_drag, span_distribution,
+};
 use crate::origin::MadeOf;
+use crate::wing::Flown;
+use crate::wing::lift_ratios::{Sensitivity, WingRatios};
 
 /// What `washout lift` prints with `--json`; `summary.json` of its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -79,72 +83,6 @@ pub struct Inertial {
     pub lift_per_power_n_per_w: Option<f64>,
 }
 
-/// A wing over the reference under three conditions.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct WingRatios {
-    /// Name of the wing.
-    pub name: String,
-    /// Its frequency over that of the reference.
-    pub frequency_ratio: f64,
-    /// Its product of frequency and amplitude over that of the reference.
-    pub rate_ratio: f64,
-    /// Each at its own frequency and amplitude.
-    pub as_flown: RatioSet,
-    /// At the same amplitude, each at its own frequency; with the twist kept.
-    pub equal_amplitude: RatioSet,
-    /// At the same product of frequency and amplitude; with the twist kept.
-    pub equal_rate: RatioSet,
-    /// What was measured, if anything was.
-    pub measured: Option<MeasuredRatios>,
-    /// What the measured lift says of the modelled one.
-    pub effective: Option<Effective>,
-}
-
-/// Ratios to the reference.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct RatioSet {
-    /// Mean lift.
-    pub lift: f64,
-    /// Mean drag.
-    pub drag: f64,
-    /// Mean aerodynamic power.
-    pub power: f64,
-    /// Mean lift over mean drag.
-    pub lift_to_drag: f64,
-    /// Local lift over drag, mean along the span: the paper's efficiency.
-    pub local_lift_to_drag: f64,
-    /// Lift per power.
-    pub lift_per_power: f64,
-    /// Lift with the stroke changed until both take the same power.
-    pub lift_at_equal_power: f64,
-    /// Lift per power with the stroke changed until both lift the same.
-    pub lift_per_power_at_equal_lift: f64,
-}
-
-/// Measured ratios to the reference.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct MeasuredRatios {
-    /// Mean lift, with its standard deviation.
-    pub lift: Option<[f64; 2]>,
-    /// Aerodynamic efficiency, with its standard deviation.
-    pub efficiency: Option<[f64; 2]>,
-    /// Effective lift coefficient as the source gives it, with its standard deviation.
-    pub effective_lift: Option<[f64; 2]>,
-}
-
-/// What a measured lift says of the modelled one.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Effective {
-    /// Effective lift coefficient over that of the reference, each at its own frequency and both at the same amplitude.
-    pub lift_at_equal_amplitude: f64,
-    /// The same with the amplitudes of the designs.
-    pub lift_as_flown: f64,
-    /// Effective drag coefficient over that of the reference, if the measured efficiency is lift per power in that condition.
-    pub drag_at_equal_amplitude: Option<f64>,
-    /// Amplitude over that of the reference which the source's own effective coefficient implies.
-    pub implied_amplitude_ratio: Option<f64>,
-}
-
 /// Means over the stroke along the span of one wing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SpanCurve {
@@ -192,52 +130,50 @@ pub struct SweepCurve {
     pub power_mw: Vec<f64>,
 }
 
-/// How the ratios of a wing move with one thing that is not known, changed alike on both wings, the twist kept.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Sensitivity {
-    /// Name of the wing.
-    pub wing: String,
-    /// What is changed: a key of the design, or words.
-    pub what: String,
-    /// To what.
-    pub value: String,
-    /// Lift over drag over that of the reference.
-    pub lift_to_drag: f64,
-    /// Lift at equal frequency × amplitude.
-    pub lift_at_equal_rate: f64,
-    /// Lift per power at equal frequency × amplitude.
-    pub lift_per_power_at_equal_rate: f64,
-    /// Lift per power at the same amplitude, each at its own frequency.
-    pub lift_per_power_at_equal_amplitude: f64,
-}
-
-impl From<&Ratios> for RatioSet {
-    fn from(ratios: &Ratios) -> Self {
-        RatioSet {
-            lift: ratios.lift,
-            drag: ratios.drag,
-            power: ratios.power,
-            lift_to_drag: ratios.lift_to_drag,
-            local_lift_to_drag: ratios.local_lift_to_drag,
-            lift_per_power: ratios.lift_per_power,
-            lift_at_equal_power: ratios.lift_at_equal_power,
-            lift_per_power_at_equal_lift: ratios.lift_per_power_at_equal_lift,
+impl WingLift {
+    /// The row of a wing that flew.
+    pub fn of(wing: &Flown, mean: &StrokeMeans, inertial: Option<InertialPower>) -> WingLift {
+        let (flight, design) = (&wing.flight, &wing.model.loaded.design);
+        let amplitude = design
+            .flapping
+            .as_ref()
+            .map(|flapping| &flapping.half_amplitude_deg);
+        let tip_m = flight.planform.tip_m();
+        let positive = |power_w: f64| (power_w > 0.0).then(|| mean.lift_n / power_w);
+        WingLift {
+            name: wing.name.clone(),
+            file: wing.file.display().to_string(),
+            frequency_hz: flight.stroke.frequency_hz,
+            half_amplitude_deg: flight.stroke.half_amplitude_rad.to_degrees(),
+            half_amplitude_is_assumed: amplitude.is_some_and(|amplitude| amplitude.assumption().is_some()),
+            stop_angle_deg: flight.stroke.stop_angle_rad.to_degrees(),
+            tip_twist_deg: flight.twist.twist_rad(tip_m, 0.0).to_degrees(),
+            effects: design.effects.keys().cloned().collect(),
+            mean: Forces::of_means("mean over the stroke", mean),
+            local_lift_to_drag: mean_local_lift_to_drag(mean),
+            departure_from_ellipse: departure_from_ellipse(mean),
+            inertial: inertial.map(|inertial| Inertial {
+                inertia_g_mm2: inertial.inertia_kg_m2 * 1e9,
+                largest_mw: inertial.largest_w * 1e3,
+                mean_without_recovery_mw: inertial.mean_without_recovery_w * 1e3,
+                lift_per_power_n_per_w: positive(inertial.mean_without_recovery_w),
+            }),
         }
     }
 }
 
-impl RatioSet {
-    /// The ratios with their names.
-    pub fn named(&self) -> [(&'static str, f64); 8] {
-        [
-            ("lift", self.lift),
-            ("drag", self.drag),
-            ("power", self.power),
-            ("lift over drag", self.lift_to_drag),
-            ("local lift over drag along the span", self.local_lift_to_drag),
-            ("lift per power", self.lift_per_power),
-            ("lift at equal power", self.lift_at_equal_power),
-            ("lift per power at equal lift", self.lift_per_power_at_equal_lift),
-        ]
+impl SpanCurve {
+    /// The curve of a wing that flew; the lift of the reference gives what is the ideal along the span.
+    pub fn of(wing: &Flown, mean: &StrokeMeans, reference: &StrokeMeans) -> SpanCurve {
+        let points = span_distribution(mean, reference);
+        SpanCurve {
+            wing: wing.name.clone(),
+            r_mm: points.iter().map(|p| p.r_m * 1e3).collect(),
+            twist_deg: mean.stations.iter().map(|s| s.twist_rad.to_degrees()).collect(),
+            // N/m is mN/mm
+            lift_mn_per_mm: points.iter().map(|p| p.lift_n_per_m).collect(),
+            drag_mn_per_mm: points.iter().map(|p| p.drag_n_per_m).collect(),
+            lift_to_drag: points.iter().map(|p| p.lift_to_drag).collect(),
+        }
     }
 }

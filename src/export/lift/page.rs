@@ -1,7 +1,7 @@
 //! What twist buys, for people to read.
 
 use super::{LiftSummary, WingRatios};
-use crate::export::text::{Table, number, wrapped};
+use crate::page::text::{Table, number, wrapped};
 
 impl LiftSummary {
     /// The page.

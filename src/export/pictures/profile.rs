@@ -224,7 +224,7 @@ pub fn strips(name: &str, rows: &[StripRow]) -> Figure {
 pub fn stroke(summary: &RunSummary) -> Figure {
     let phases = summary.stroke.iter().flat_map(|stroke| &stroke.phases);
     let phases: Vec<_> = phases.collect();
-    let curve = |value: &dyn Fn(&crate::export::stroke::PhaseRow) -> Option<f64>| -> Vec<[f64; 2]> {
+    let curve = |value: &dyn Fn(&crate::wing::stroke::PhaseRow) -> Option<f64>| -> Vec<[f64; 2]> {
         phases
             .iter()
             .filter_map(|row| Some([row.phase_deg, value(row)?]))

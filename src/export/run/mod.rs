@@ -22,7 +22,7 @@ use super::file::sync_folder;
 use super::html::REPORT;
 use super::lock::Lock;
 use super::summary::RunSummary;
-use super::{ExportError, place};
+use super::{ExportError, json, place};
 use exchange::{Kind, hidden_folder, put_in_place, tidy};
 use record::{RECORD, Record, refuse_foreign};
 
@@ -180,9 +180,9 @@ where
         format: "JSON",
         reason,
     };
-    let mut text = serde_json::to_string_pretty(document).map_err(|error| refuse(error.to_string()))?;
+    let mut text = json::text(document)?;
     // JSON writes a number that is not finite as null.
-    let back: T = serde_json::from_str(&text)
+    let back: T = json::read(text.as_bytes())
         .map_err(|error| refuse(format!("a number that is not finite, or the like: {error}")))?;
     if back != *document {
         return Err(refuse("it holds a number that is not finite".to_string()));
@@ -198,7 +198,7 @@ pub fn read_summary(folder: &Path) -> Result<RunSummary, ExportError> {
         path: folder.to_path_buf(),
         source,
     })?;
-    serde_json::from_str(&text).map_err(|error| ExportError::ForeignSummary {
+    json::read(text.as_bytes()).map_err(|error| ExportError::ForeignSummary {
         path,
         reason: error.to_string(),
     })

@@ -10,10 +10,10 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use crate::export::ExportError;
 use crate::export::file::{left_of, write_over, write_own};
 use crate::export::html::REPORT;
 use crate::export::lock::Lock;
+use crate::export::{ExportError, json};
 use crate::origin::sha256;
 
 /// Name of the record in its folder.
@@ -49,7 +49,7 @@ impl Record {
     /// That of a folder; none where there is none that can be read.
     pub fn read(folder: &Path) -> Option<Record> {
         let text = fs::read(folder.join(RECORD)).ok()?;
-        let record: Record = serde_json::from_slice(&text).ok()?;
+        let record: Record = json::read(&text).ok()?;
         (record.format == FORMAT).then_some(record)
     }
 
@@ -65,11 +65,7 @@ impl Record {
 
     /// As it stands in its file.
     pub fn text(&self) -> Result<String, ExportError> {
-        let text = serde_json::to_string_pretty(self).map_err(|error| ExportError::Encoding {
-            format: "JSON",
-            reason: error.to_string(),
-        })?;
-        Ok(text + "\n")
+        Ok(json::text(self)? + "\n")
     }
 }
 

@@ -1,7 +1,7 @@
 //! Rod and spars: no gaps, no overlaps, nothing off the wing, nothing too near.
 
+use super::refusal::{material_is_known, refuse, round};
 use super::section::check_section;
-use super::{material_is_known, refuse, round};
 use crate::input::design::{Design, Section};
 use crate::input::document::Node;
 use crate::input::error::{InputError, Number};

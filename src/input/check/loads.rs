@@ -1,6 +1,6 @@
 //! Bench loads: on the wing, and loading something.
 
-use super::refuse;
+use super::refusal::refuse;
 use crate::input::design::Design;
 use crate::input::document::Node;
 use crate::input::error::{InputError, Number};

@@ -8,16 +8,16 @@ mod planform;
 
 mod reading;
 
+mod refusal;
+
 mod section;
 
-use std::path::Path;
+use refusal::material_is_known;
+pub(crate) use refusal::{refuse, refused_in};
 
 use super::design::Design;
 use super::document::Node;
 use super::error::{InputError, Problem};
-use super::file::{read_text, shown};
-use super::nearest::nearest;
-use super::path::KeyPath;
 
 /// Checks a design; `root` is the tree it was read from.
 pub(crate) fn check(design: &Design, root: &Node) -> Result<(), InputError> {
@@ -73,28 +73,6 @@ fn flow(design: &Design, root: &Node) -> Result<(), InputError> {
     Ok(())
 }
 
-/// Refuses the name of a material that is not defined.
-fn material_is_known(design: &Design, root: &Node, name: &str, key: &str) -> Result<(), InputError> {
-    if design.material.contains_key(name) {
-        return Ok(());
-    }
-    let known = design.material.keys().map(String::as_str);
-    let mut cure = match nearest(name, known.clone()) {
-        Some(near) => format!("Did you mean \"{near}\"? "),
-        None => String::new(),
-    };
-    cure.push_str(&match design.material.is_empty() {
-        true => format!(
-            "No material is defined; add a table [material.{name}], or name a file: materials = \"...\""
-        ),
-        false => format!(
-            "Defined are {}; add a table [material.{name}]",
-            known.collect::<Vec<_>>().join(", ")
-        ),
-    });
-    refuse(root, key, "there is no such material", &["material"], cure)
-}
-
 /// The version of the file format.
 pub(crate) fn format_is_one(root: &Node) -> Result<(), InputError> {
     match root.get("format") {
@@ -114,41 +92,4 @@ pub(crate) fn format_is_one(root: &Node) -> Result<(), InputError> {
         }
         _ => Ok(()),
     }
-}
-
-/// Refuses the value at `key`, with its place; at the nearest table above where the key does not stand.
-pub(crate) fn refuse<T>(
-    root: &Node,
-    key: &str,
-    message: impl Into<String>,
-    with: &[&str],
-    cure: impl Into<String>,
-) -> Result<T, InputError> {
-    let path = KeyPath::parse(key).unwrap_or_default();
-    let mut above = path.clone();
-    while root.at(&above).is_none() && above.0.pop().is_some() {}
-    let place = match root.at(&above) {
-        Some(node) if !above.0.is_empty() => node.place(),
-        _ => root.file(),
-    };
-    let shown = root.at(&path).map(Node::shown).unwrap_or_default();
-    let problem = Problem::Conflict {
-        message: message.into(),
-        with: with.iter().map(|key| key.to_string()).collect(),
-    };
-    Err(InputError::new(place, key, &shown, problem, cure))
-}
-
-/// The refusal of the value at `key` of a TOML file on disk, with its place; that of the file, if it cannot be read any more.
-pub(crate) fn refused_in(path: &Path, what: &str, key: &str, message: &str, cure: &str) -> InputError {
-    let root = read_text(path, what).and_then(|text| Node::parse_file(&shown(path), &text));
-    match root.and_then(|root| refuse::<()>(&root, key, message, &[], cure)) {
-        Err(refusal) => refusal,
-        Ok(()) => InputError::about_file(&shown(path), message, cure),
-    }
-}
-
-/// Without the last digits that arithmetic leaves behind, for messages.
-fn round(value: f64) -> f64 {
-    (value * 1e6).round() / 1e6
 }

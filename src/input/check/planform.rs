@@ -1,6 +1,6 @@
 //! The outline: one shape, possible radii, rising points.
 
-use super::refuse;
+use super::refusal::refuse;
 use crate::input::design::Planform;
 use crate::input::document::Node;
 use crate::input::error::{InputError, Number};

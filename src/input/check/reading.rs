@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::{refuse, round};
+use super::refusal::{refuse, round};
 use crate::input::assumption::word_at;
 use crate::input::design::{Design, Instrument};
 use crate::input::document::Node;

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::{material_is_known, refuse};
+use super::refusal::{material_is_known, refuse};
 use crate::input::design::{CouplingTerm, Design, Section, SectionStrain};
 use crate::input::document::Node;
 use crate::input::error::{InputError, Number};

@@ -5,9 +5,7 @@ mod parse;
 use std::ops;
 use std::rc::Rc;
 
-use toml::de::{DeTable, DeValue};
-
-use super::error::{InputError, Number, Place};
+use super::error::{Number, Place};
 use super::path::{KeyPath, Step};
 
 /// Where values come from: a file, or the command line.
@@ -98,30 +96,6 @@ impl Entry {
 }
 
 impl Node {
-    /// Reads a whole file.
-    pub fn parse_file(file: &str, text: &str) -> Result<Node, InputError> {
-        let source = Source::file(file, text);
-        let table = DeTable::parse(text).map_err(|error| parse::syntax_error(&source, &error))?;
-        let span = table.span();
-        Ok(Node {
-            value: parse::table_value(&source, table.into_inner()),
-            source,
-            span,
-        })
-    }
-
-    /// Reads one value from `source`, which is no file; text that is no TOML value counts as a word.
-    pub fn parse_value(source: &Rc<Source>, text: &str) -> Node {
-        match DeValue::parse(text) {
-            Ok(value) => {
-                let mut node = parse::node(source, value);
-                node.forget_spans();
-                node
-            }
-            Err(_) => Node::new(source, NodeValue::Text(text.to_string())),
-        }
-    }
-
     /// A value without a text of its own.
     pub fn new(source: &Rc<Source>, value: NodeValue) -> Node {
         Node {
@@ -165,7 +139,23 @@ impl Node {
         Node::new(source, value)
     }
 
-    /// The plain value, for deserialization.
+    /// The plain value for deserialization; as JSON, since documents are read from that too, and each way to read a type is compiled
+    /// by itself. A number that is not finite, which [`crate::input::form`] refuses, is null.
+    pub fn to_json(&self) -> serde_json::Value {
+        match &self.value {
+            NodeValue::Text(text) => text.as_str().into(),
+            NodeValue::Integer(number) => (*number).into(),
+            NodeValue::Float(number) => (*number).into(),
+            NodeValue::Boolean(flag) => (*flag).into(),
+            NodeValue::Date => self.shown().into(),
+            NodeValue::List(items) => items.iter().map(Node::to_json).collect(),
+            NodeValue::Table(entries) => (entries.iter())
+                .map(|entry| (entry.key.clone(), entry.node.to_json()))
+                .collect(),
+        }
+    }
+
+    /// The plain value.
     pub fn to_value(&self) -> toml::Value {
         match &self.value {
             NodeValue::Text(text) => toml::Value::String(text.clone()),
@@ -312,7 +302,7 @@ impl Node {
         }
     }
 
-    fn forget_spans(&mut self) {
+    pub(super) fn forget_spans(&mut self) {
         self.span = 0..0;
         match &mut self.value {
             NodeValue::List(items) => items.iter_mut().for_each(Node::forget_spans),

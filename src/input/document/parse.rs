@@ -9,7 +9,33 @@ use super::{Entry, Node, NodeValue, Source};
 use crate::input::error::{InputError, Problem};
 use crate::input::syntax;
 
-pub(super) fn node(source: &Rc<Source>, value: Spanned<DeValue<'_>>) -> Node {
+impl Node {
+    /// Reads a whole file.
+    pub fn parse_file(file: &str, text: &str) -> Result<Node, InputError> {
+        let source = Source::file(file, text);
+        let table = DeTable::parse(text).map_err(|error| syntax_error(&source, &error))?;
+        let span = table.span();
+        Ok(Node {
+            value: table_value(&source, table.into_inner()),
+            source,
+            span,
+        })
+    }
+
+    /// Reads one value from `source`, which is no file; text that is no TOML value counts as a word.
+    pub fn parse_value(source: &Rc<Source>, text: &str) -> Node {
+        match DeValue::parse(text) {
+            Ok(value) => {
+                let mut node = node(source, value);
+                node.forget_spans();
+                node
+            }
+            Err(_) => Node::new(source, NodeValue::Text(text.to_string())),
+        }
+    }
+}
+
+fn node(source: &Rc<Source>, value: Spanned<DeValue<'_>>) -> Node {
     let span = value.span();
     let value = match value.into_inner() {
         DeValue::String(text) => NodeValue::Text(text.into_owned()),
@@ -30,7 +56,7 @@ pub(super) fn node(source: &Rc<Source>, value: Spanned<DeValue<'_>>) -> Node {
     }
 }
 
-pub(super) fn table_value(source: &Rc<Source>, table: DeTable<'_>) -> NodeValue {
+fn table_value(source: &Rc<Source>, table: DeTable<'_>) -> NodeValue {
     let entries = table.into_iter().map(|(key, value)| Entry {
         key_start: key.span().start,
         key: key.into_inner().into_owned(),
@@ -39,7 +65,7 @@ pub(super) fn table_value(source: &Rc<Source>, table: DeTable<'_>) -> NodeValue 
     NodeValue::Table(entries.collect())
 }
 
-pub(super) fn syntax_error(source: &Source, error: &toml::de::Error) -> InputError {
+fn syntax_error(source: &Source, error: &toml::de::Error) -> InputError {
     let byte = error.span().map_or(0, |span| span.start);
     let place = source.place(byte);
     let before = source.text.get(..byte).unwrap_or_default();

@@ -1,6 +1,6 @@
 //! Assumed values: a number inside its own range, both inside the allowed one.
 
-use super::in_range;
+use super::range::in_range;
 use crate::input::document::{Entry, Node, NodeValue};
 use crate::input::error::{InputError, Number, Problem, Range};
 use crate::input::keys::Key;

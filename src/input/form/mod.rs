@@ -2,8 +2,12 @@
 
 mod assumed;
 
+mod range;
+
+use range::in_range;
+
 use super::document::{Entry, Node, NodeValue};
-use super::error::{InputError, Problem, Range};
+use super::error::{InputError, Problem};
 use super::keys::{Key, Kind};
 use super::nearest::nearest;
 use super::path::KeyPath;
@@ -239,27 +243,6 @@ fn wrong_type(node: &Node, expected: &str, key: &Key, path: &KeyPath) -> InputEr
     }
     cure.push_str(&key.cure());
     InputError::new(node.place(), &path.to_string(), &node.shown(), problem, cure)
-}
-
-fn in_range(
-    node: &Node,
-    number: f64,
-    range: Option<Range>,
-    key: &Key,
-    path: &KeyPath,
-) -> Result<(), InputError> {
-    let problem = match range {
-        _ if !number.is_finite() => Problem::NotFinite,
-        Some(range) if !range.contains(number) => Problem::OutOfRange { range },
-        _ => return Ok(()),
-    };
-    Err(InputError::new(
-        node.place(),
-        &path.to_string(),
-        &node.shown(),
-        problem,
-        key.cure(),
-    ))
 }
 
 fn one_of(node: &Node, word: &str, words: &[String], key: &Key, path: &KeyPath) -> Result<(), InputError> {

@@ -1,27 +1,22 @@
 //! Tidy measurement tables: one row per number, with its error and what reported it.
 
-use std::collections::HashMap;
-use std::path::Path;
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::design::{Design, Instrument};
 use super::error::{InputError, Place, Problem, Range};
-use super::file;
-use super::table::Table;
 use crate::origin::InputFile;
 
 mod columns;
 
 mod made;
 
+mod read;
+
 mod row;
 
 pub use columns::COLUMN_WORDS;
 pub use made::{Formulas, InCommon, Made};
-
-use row::{identity, read_row};
 
 /// What a measurement file holds, or the rows of one case of it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -242,73 +237,6 @@ pub(super) fn refuse_planned(file: &str, rows: &[Row]) -> Result<(), InputError>
 }
 
 impl Measurement {
-    /// Reads a measurement file with all its cases.
-    pub fn load(path: &Path) -> Result<Measurement, InputError> {
-        let (text, input) = file::read_input(path, "measurement file")?;
-        let measurement = Measurement::from_csv(&text, &file::shown(path))?;
-        Ok(Measurement {
-            input: Some(input),
-            ..measurement
-        })
-    }
-
-    /// Reads the rows that belong to a design: of the case it names under `measured`, of the case with its
-    /// name, or of the only case; their stations must lie on the wing.
-    pub fn load_for(path: &Path, design: &Design) -> Result<Measurement, InputError> {
-        let all = Measurement::load(path)?;
-        let cases = all.cases();
-        let named = design.measured.as_ref().map(|measured| measured.case.as_str());
-        let wanted = named
-            .into_iter()
-            .chain([design.name.as_str()])
-            .find(|name| cases.contains(name));
-        let case = match (wanted, &cases[..]) {
-            (Some(case), _) => case.to_string(),
-            (None, [only]) => only.to_string(),
-            (None, _) => {
-                let message = format!(
-                    "has no case for the design {}, only {}",
-                    design.name,
-                    cases.join(", ")
-                );
-                let cure = "Name the case in the design: [measured] case = \"...\"";
-                return Err(InputError::about_file(&all.file, message, cure));
-            }
-        };
-        let rows = all.case(&case);
-        rows.check_stations(design)?;
-        refuse_planned(&all.file, &rows.rows)?;
-        Ok(rows)
-    }
-
-    /// Reads a measurement from its text.
-    pub fn from_csv(text: &str, file_name: &str) -> Result<Measurement, InputError> {
-        let table = Table::parse(file_name, text, &COLUMNS, &OPTIONAL_COLUMNS)?;
-        let mut rows: Vec<Row> = Vec::new();
-        let mut seen = HashMap::new();
-        for record in &table.records {
-            let row = read_row(record)?;
-            if let Some(first) = seen.insert(identity(&row), row.line) {
-                let message = format!("repeats the row on line {first}");
-                let cure = "Delete one of them, or tell repeats apart in the column run";
-                return Err(record.conflict(
-                    "case",
-                    message,
-                    &["channel", "instrument", "run", "r_mm"],
-                    cure,
-                ));
-            }
-            rows.push(row);
-        }
-        Ok(Measurement {
-            file: file_name.to_string(),
-            input: None,
-            comments: table.comments,
-            made: Made::of_file(text, file_name)?,
-            rows,
-        })
-    }
-
     /// The names of the cases, in the order of the file.
     pub fn cases(&self) -> Vec<&str> {
         let mut cases: Vec<&str> = Vec::new();

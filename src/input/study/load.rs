@@ -124,8 +124,8 @@ impl LoadedStudy {
         }
         format_is_one(&root)?;
         form::check(&root, keys::study())?;
-        let study = Study::deserialize(root.to_value()).map_err(|error| {
-            let message = format!("cannot be read: {}", error.message());
+        let study = Study::deserialize(&root.to_json()).map_err(|error| {
+            let message = format!("cannot be read: {error}");
             InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
         })?;
         check(&study, &root)?;

@@ -62,8 +62,8 @@ impl LoadedVideo {
         let root = Node::parse_file(&file::shown(path), &file::read_text(path, "video file")?)?;
         format_is_one(&root)?;
         form::check(&root, keys::video())?;
-        let video = Video::deserialize(root.to_value()).map_err(|error| {
-            let message = format!("cannot be read: {}", error.message());
+        let video = Video::deserialize(&root.to_json()).map_err(|error| {
+            let message = format!("cannot be read: {error}");
             InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
         })?;
         check(&video, &root)?;

@@ -13,7 +13,9 @@ pub mod lines;
 
 pub mod read;
 
-pub mod sections;
+pub mod raw;
+
+mod sections;
 
 pub mod version_2;
 

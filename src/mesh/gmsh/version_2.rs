@@ -4,7 +4,7 @@
 
 use super::error::GmshError;
 use super::lines::Lines;
-use super::sections::{RawElement, RawNode, Sections, coordinates, shape_of};
+use super::raw::{RawElement, RawNode, Sections, coordinates, shape_of};
 
 /// Reads `$Nodes`: a count, then tag and place of each.
 pub fn nodes(lines: &mut Lines, sections: &mut Sections) -> Result<(), GmshError> {

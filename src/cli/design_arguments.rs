@@ -1,16 +1,11 @@
-//! A design on the command line, and the wing that it makes.
+//! A design on the command line.
 
-use std::error::Error;
 use std::path::{Component, Path, PathBuf};
 
 use clap::Args;
 
-use crate::coupling::solution::Solution;
-use crate::coupling::{self, CouplingError};
-use crate::geometry::Planform;
 use crate::input::{Design, Loaded};
-use crate::mesh::{Mesh, MeshError, MeshFile, for_design};
-use crate::progress::Progress;
+use crate::wing::WingModel;
 
 use super::{Console, Failure};
 
@@ -30,74 +25,22 @@ pub struct DesignArguments {
     pub mesh: Option<PathBuf>,
 }
 
-/// A wing that is ready to be solved.
-#[derive(Debug, Clone)]
-pub struct Case {
-    /// The design with all that its file refers to.
-    pub loaded: Loaded,
-    /// Its outline.
-    pub planform: Planform,
-    /// Its mesh.
-    pub mesh: Mesh,
-}
-
-impl Case {
-    /// A loaded design, meshed.
-    pub fn new(loaded: Loaded) -> Result<Case, Failure> {
-        let (planform, mesh) =
-            wing(&loaded.design, &loaded).map_err(|error| Failure::design(&loaded.path, error))?;
-        Ok(Case {
-            loaded,
-            planform,
-            mesh,
-        })
-    }
-
-    /// The same case with another design, such as one with a changed number.
-    pub fn with(&self, design: Design) -> Result<Case, MeshError> {
-        let (planform, mesh) = wing(&design, &self.loaded)?;
-        let mut case = self.clone();
-        case.loaded.design = design;
-        (case.planform, case.mesh) = (planform, mesh);
-        Ok(case)
-    }
-
-    /// The loaded shape.
-    pub fn solve(&self, progress: &Progress) -> Result<Solution, CouplingError> {
-        self.solve_from(None, progress)
-    }
-
-    /// The same, found sooner from the solution of a case nearby.
-    pub fn solve_from(
-        &self,
-        nearby: Option<&Solution>,
-        progress: &Progress,
-    ) -> Result<Solution, CouplingError> {
-        let Loaded {
-            design, air_table, ..
-        } = &self.loaded;
-        let air_table = air_table.as_deref();
-        coupling::solve_from(design, &self.planform, &self.mesh, air_table, nearby, progress)
-    }
-
-    /// What is wrong with the design, as a failure that names its file.
-    pub fn fault(&self, reason: impl Error + Send + Sync + 'static) -> Failure {
-        Failure::design(&self.loaded.path, reason)
-    }
-}
-
-/// A design on the mesh file of another, if that names one.
-fn wing(design: &Design, loaded: &Loaded) -> Result<(Planform, Mesh), MeshError> {
-    let file = (loaded.mesh_file.as_ref()).map(|(name, bytes)| MeshFile { name, bytes });
-    for_design(design, file)
-}
-
 impl DesignArguments {
     /// Reads the design and meshes the wing.
-    pub fn case(&self, console: &Console) -> Result<Case, Failure> {
+    pub fn wing(&self, console: &Console) -> Result<WingModel, Failure> {
         let loaded = self.load(&[])?;
         console.progress().say(format!("meshing {}", loaded.design.name));
-        Case::new(loaded)
+        Ok(WingModel::new(loaded)?)
+    }
+
+    /// A design file on its own terms.
+    pub fn of_file(file: &Path, set: &[String], refine: Option<f64>) -> DesignArguments {
+        DesignArguments {
+            design: file.to_path_buf(),
+            set: set.to_vec(),
+            refine,
+            mesh: None,
+        }
     }
 
     /// Reads the design with the changes of the command line, and `more` besides.

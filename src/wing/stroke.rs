@@ -1,9 +1,15 @@
-//! The wing over its stroke, as `summary.json`, `stroke.csv` and `stroke-twist.csv` have it.
+//! The wing over its stroke: twist, forces and what the stop carries, phase by phase.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::coupling::instant::Instant;
+use crate::coupling::solution::Solution;
+use crate::input::design::Flapping;
 use crate::lift::Forces;
+
+use super::error::WingError;
+use super::model::WingModel;
 
 /// How the phases of a stroke were solved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -93,4 +99,24 @@ pub struct PeriodicSummary {
     /// Stretches of a half-stroke, deg from mid-stroke, where the rod is taken to rest on its stop, but the stop would have to
     /// pull.
     pub released_deg: Vec<[f64; 2]>,
+}
+
+/// The shape at one phase, for whoever draws it.
+#[derive(Debug)]
+pub struct PhaseShape<'a> {
+    /// The wing.
+    pub model: &'a WingModel,
+    /// The shape, in the frame of the rod.
+    pub solution: &'a Solution,
+    /// Where the rod is; none where each phase was solved as if it stood still.
+    pub instant: Option<&'a Instant>,
+}
+
+/// The stroke of a design, or that it has none, in answer to `question`.
+pub(super) fn flapping<'a>(wing: &'a WingModel, question: &'static str) -> Result<&'a Flapping, WingError> {
+    let flapping = wing.design().flapping.as_ref();
+    flapping.ok_or_else(|| WingError::Question {
+        question,
+        reason: "the design does not flap, so it has no stroke; give it a [flapping] table".to_string(),
+    })
 }

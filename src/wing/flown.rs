@@ -1,13 +1,12 @@
-//! Wings on their stroke, from designs and profiles on the command line, with the twist that the user asks for.
+//! Wings on their stroke, from designs and profiles, with the twist that is asked for.
 
 use std::f64::consts::FRAC_PI_2;
 use std::path::{Path, PathBuf};
 
-use clap::ValueEnum;
 use nalgebra::Vector3;
 
 use crate::aero::Flow;
-use crate::coupling::solution::Solution;
+use crate::coupling::build::built;
 use crate::effects::{Need, bind};
 use crate::input::TwistTable;
 use crate::lift::{Flight, LiftError, Stroke, TwistAlongSpan, TwistHistory};
@@ -16,15 +15,15 @@ use crate::progress::Progress;
 use crate::structure::MassProperties;
 use crate::structure::state::State;
 
-use super::Failure;
-use super::case::{Case, DesignArguments};
-use super::reading::air_law;
+use super::error::WingError;
+use super::model::WingModel;
+use super::solved::SolvedWing;
 
 /// A profile may go on beyond the tip by this factor on the length.
 const BEYOND: f64 = 1.2;
 
 /// Where the twist of a design comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TwistSource {
     /// Solved at phases of the stroke, each as if it stood still
     Phases,
@@ -46,7 +45,7 @@ pub struct Flown {
     /// Every file that it was read from.
     pub files: Vec<InputFile>,
     /// The design that gives outline, air and stroke.
-    pub case: Case,
+    pub model: WingModel,
     /// The wing on its stroke.
     pub flight: Flight,
     /// Solutions at parts of the full speed, for other amplitudes: (part, twist), falling; empty where twist does not follow
@@ -60,13 +59,13 @@ pub fn is_profile(file: &Path) -> bool {
 }
 
 /// Refuses a profile that goes on far beyond the wing: it is of another wing, or in another unit.
-fn covers(file: &Path, table: &TwistTable, on: &Case) -> Result<(), Failure> {
+fn covers(file: &Path, table: &TwistTable, on: &WingModel) -> Result<(), WingError> {
     let length_mm = on.planform.length_m() * 1e3;
     let points = table.profiles.iter().flat_map(|(_, points)| points);
     let last_mm = points.map(|point| point[0]).fold(0.0, f64::max);
     if last_mm > BEYOND * length_mm {
-        return Err(Failure::Option {
-            option: "PROFILE",
+        return Err(WingError::Question {
+            question: "PROFILE",
             reason: format!(
                 "{}: r_mm goes up to {last_mm}, and the wing ({}) is {length_mm} mm long; give millimetres from the wing base",
                 file.display(),
@@ -78,11 +77,11 @@ fn covers(file: &Path, table: &TwistTable, on: &Case) -> Result<(), Failure> {
 }
 
 /// A profile on the stroke of a design.
-pub fn of_profile(file: &Path, on: &Case) -> Result<Flown, Failure> {
+pub fn of_profile(file: &Path, on: &WingModel) -> Result<Flown, WingError> {
     let table = TwistTable::load(file)?;
-    let stroke = stroke(on)?;
+    let stroke = on.stroke()?;
     covers(file, &table, on)?;
-    let refuse = |error: LiftError| Failure::design(file, error);
+    let refuse = |error: LiftError| WingError::design(file, error);
     let along = |points: &Vec<[f64; 2]>| {
         let points = points.iter().map(|[r_mm, deg]| [r_mm * 1e-3, deg.to_radians()]);
         TwistAlongSpan::from_points(points.collect()).map_err(refuse)
@@ -93,7 +92,7 @@ pub fn of_profile(file: &Path, on: &Case) -> Result<Flown, Failure> {
             let phases = profiles
                 .iter()
                 .map(|(phase_deg, points)| Ok((phase_deg.unwrap_or(0.0).to_radians(), along(points)?)));
-            TwistHistory::solved(phases.collect::<Result<_, Failure>>()?).map_err(refuse)?
+            TwistHistory::solved(phases.collect::<Result<_, WingError>>()?).map_err(refuse)?
         }
     };
     Ok(Flown {
@@ -104,45 +103,43 @@ pub fn of_profile(file: &Path, on: &Case) -> Result<Flown, Failure> {
         files: on.loaded.files.iter().chain(&table.input).cloned().collect(),
         flight: Flight {
             planform: on.planform.clone(),
-            air: air_law(on)?,
+            air: on.air()?,
             stroke,
             twist,
         },
-        case: on.clone(),
+        model: on.clone(),
         by_speed: Vec::new(),
     })
 }
 
 /// A design with the twist that is asked for; `amplitudes`: besides its own, others over it at which it will flap.
 pub fn of_design(
-    case: Case,
+    wing: WingModel,
     source: TwistSource,
     phases: u16,
     amplitudes: &[f64],
     progress: &Progress,
-) -> Result<Flown, Failure> {
-    let stroke = stroke(&case)?;
+) -> Result<Flown, WingError> {
+    let stroke = wing.stroke()?;
     let mut by_speed = Vec::new();
     let twist = match source {
         TwistSource::Flat => TwistHistory::paper_ramp(TwistAlongSpan::flat()),
         TwistSource::Measured => {
-            let measurement = case.loaded.measurement.as_ref();
-            let measurement = measurement.ok_or_else(|| Failure::NoMeasurement {
-                design: case.loaded.path.clone(),
-            })?;
+            let measurement = wing.loaded.measurement.as_ref();
+            let measurement = measurement.ok_or_else(|| wing.no_measurement())?;
             let full = TwistAlongSpan::from_measurement(measurement);
-            TwistHistory::paper_ramp(full.map_err(|error| case.fault(error))?)
+            TwistHistory::paper_ramp(full.map_err(|error| wing.fault(error))?)
         }
         TwistSource::Ramp => {
-            by_speed = at_speeds(&case, &[&[1.0], amplitudes].concat(), progress)?;
+            by_speed = at_speeds(&wing, &[&[1.0], amplitudes].concat(), progress)?;
             TwistHistory::paper_ramp(at_full_speed(&by_speed))
         }
         TwistSource::Phases => {
-            has_no_rates(&case)?;
+            has_no_rates(&wing)?;
             let own = (0..phases).map(|k| (FRAC_PI_2 * f64::from(k) / f64::from(phases)).cos());
             let own: Vec<f64> = own.collect();
-            if follows_speed(&case)? {
-                by_speed = at_speeds(&case, &[&own, amplitudes].concat(), progress)?;
+            if follows_speed(&wing)? {
+                by_speed = at_speeds(&wing, &[&own, amplitudes].concat(), progress)?;
                 // those of other amplitudes are not of this stroke: it is the same with and without them
                 let is_own = |speed: f64| own.iter().any(|known| (known - speed).abs() < 1e-9);
                 let known: Vec<_> = by_speed
@@ -150,23 +147,23 @@ pub fn of_design(
                     .filter(|(speed, _)| is_own(*speed))
                     .cloned()
                     .collect();
-                over_stroke(&known, 1.0).map_err(|error| case.fault(error))?
+                over_stroke(&known, 1.0).map_err(|error| wing.fault(error))?
             } else {
-                at_phases(&case, phases, progress)?
+                at_phases(&wing, phases, progress)?
             }
         }
     };
     Ok(Flown {
-        name: case.loaded.design.name.clone(),
-        file: case.loaded.path.clone(),
-        files: case.loaded.files.clone(),
+        name: wing.design().name.clone(),
+        file: wing.loaded.path.clone(),
+        files: wing.loaded.files.clone(),
         flight: Flight {
-            planform: case.planform.clone(),
-            air: air_law(&case)?,
+            planform: wing.planform.clone(),
+            air: wing.air()?,
             stroke,
             twist,
         },
-        case,
+        model: wing,
         by_speed,
     })
 }
@@ -196,57 +193,37 @@ impl Flown {
     }
 
     /// Inertia about the stroke axis, kg·m², at rest; none for a profile, which has no mass.
-    pub fn inertia_kg_m2(&self) -> Result<Option<f64>, Failure> {
+    pub fn inertia_kg_m2(&self) -> Result<Option<f64>, WingError> {
         if is_profile(&self.file) {
             return Ok(None);
         }
-        let Loaded { design, table } = self.loaded();
-        let wing = crate::coupling::wing::Wing::new(design, &self.case.mesh, table);
-        let wing = wing.map_err(|source| Failure::Coupling {
-            design: self.file.clone(),
-            source,
-        })?;
-        let properties = MassProperties::of(&wing.model, &State::at_rest(wing.model.nodes.len()));
+        let design = self.model.design();
+        let unsolved = |source| self.model.unsolved(source);
+        let effects = bind(design).map_err(|error| unsolved(error.into()))?;
+        let (model, _) = built(design, &self.model.mesh, &effects, None, None).map_err(unsolved)?;
+        let properties = MassProperties::of(&model, &State::at_rest(model.nodes.len()));
         let axis = Vector3::new(-self.flight.planform.root_offset_m(), 0.0, 0.0);
         let direction = Flow::from_design(design).map(|flow| flow.lift_direction());
         Ok(direction.map(|direction| properties.about_kg_m2(&axis, &direction)))
     }
-
-    fn loaded(&self) -> Loaded<'_> {
-        Loaded {
-            design: &self.case.loaded.design,
-            table: self.case.loaded.air_table.as_deref(),
-        }
-    }
-}
-
-struct Loaded<'a> {
-    design: &'a crate::input::Design,
-    table: Option<&'a [[f64; 3]]>,
-}
-
-fn stroke(case: &Case) -> Result<Stroke, Failure> {
-    let flow = Flow::from_design(&case.loaded.design);
-    let flow = flow.ok_or_else(|| case.fault(LiftError::NotFlapping))?;
-    Stroke::from_flow(&flow).map_err(|error| case.fault(error))
 }
 
 /// Refuses a design without stroke, or with air that cannot be set up, before anything is solved.
-pub fn can_fly(case: &Case) -> Result<(), Failure> {
-    stroke(case)?;
-    air_law(case).map(|_| ())
+pub fn can_fly(wing: &WingModel) -> Result<(), WingError> {
+    wing.stroke()?;
+    wing.air().map(|_| ())
 }
 
 /// Refuses effects that act by the rates of the twist where shapes are solved one by one: a line through a few of them has
 /// steps for rates.
-fn has_no_rates(case: &Case) -> Result<(), Failure> {
-    let bound = bind(&case.loaded.design).map_err(|error| case.fault(error))?;
+fn has_no_rates(wing: &WingModel) -> Result<(), WingError> {
+    let bound = bind(wing.design()).map_err(|error| wing.fault(error))?;
     let by_rates = bound
         .iter()
         .find(|bound| bound.effect.card().needs.contains(&Need::Motion));
     match by_rates {
-        Some(bound) => Err(Failure::Option {
-            option: "--twist phases",
+        Some(bound) => Err(WingError::Question {
+            question: "--twist phases",
             reason: format!(
                 "{} acts by the rates of the twist, and shapes that are solved one by one have none; give --twist ramp, \
                  --twist measured, or a profile with many phases (CSV: phase_deg, r_mm, twist_deg)",
@@ -258,8 +235,8 @@ fn has_no_rates(case: &Case) -> Result<(), Failure> {
 }
 
 /// Whether the shape follows the speed of the air alone, whatever the phase and the motion.
-fn follows_speed(case: &Case) -> Result<bool, Failure> {
-    let bound = bind(&case.loaded.design).map_err(|error| case.fault(error))?;
+fn follows_speed(wing: &WingModel) -> Result<bool, WingError> {
+    let bound = bind(wing.design()).map_err(|error| wing.fault(error))?;
     let is_free = |effect: &crate::effects::Acting| {
         let card = effect.card();
         let moves = |need: &Need| matches!(need, Need::Motion | Need::OffMidStroke);
@@ -270,69 +247,48 @@ fn follows_speed(case: &Case) -> Result<bool, Failure> {
 }
 
 /// Twist as solved at mid-stroke with these parts of the amplitude, from the largest down.
-fn at_speeds(case: &Case, parts: &[f64], progress: &Progress) -> Result<Vec<(f64, TwistAlongSpan)>, Failure> {
+fn at_speeds(
+    wing: &WingModel,
+    parts: &[f64],
+    progress: &Progress,
+) -> Result<Vec<(f64, TwistAlongSpan)>, WingError> {
     let mut parts: Vec<f64> = parts.iter().copied().filter(|part| *part > 0.0).collect();
     parts.sort_by(|a, b| b.total_cmp(a));
     parts.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
-    let amplitude_deg = case.loaded.design.flapping.as_ref();
-    let amplitude_deg = amplitude_deg.map_or(0.0, |flapping| flapping.half_amplitude_deg.value());
-    let mut last: Option<Solution> = None;
+    let mut last: Option<SolvedWing> = None;
     let mut known = Vec::new();
     for part in parts {
-        let name = &case.loaded.design.name;
+        let name = &wing.design().name;
         progress.say(format_args!(
             "solving {name} at {:.0} % of its speed",
             100.0 * part
         ));
-        let mut design = case.loaded.design.clone();
-        design.set("flapping.phase_deg", 0.0)?;
-        if part != 1.0 {
-            design.set("flapping.half_amplitude_deg", amplitude_deg * part)?;
-        }
-        let case = case.with(design).map_err(|error| case.fault(error))?;
-        let solution = case
-            .solve_from(last.as_ref(), progress)
-            .map_err(|source| Failure::Phase {
-                design: case.loaded.path.clone(),
-                phase_deg: part.min(1.0).acos().to_degrees(),
-                source,
-            })?;
-        known.push((part, twist_of(&case, &solution)?));
-        last = Some(solution);
+        let solved = wing.at_speed(part, last.as_ref(), progress)?;
+        known.push((part, twist_of(&solved)?));
+        last = Some(solved);
     }
     Ok(known)
 }
 
-fn at_phases(case: &Case, count: u16, progress: &Progress) -> Result<TwistHistory, Failure> {
+fn at_phases(wing: &WingModel, count: u16, progress: &Progress) -> Result<TwistHistory, WingError> {
     let mut phases = Vec::new();
-    let mut last: Option<Solution> = None;
+    let mut last: Option<SolvedWing> = None;
     for index in 0..count {
         let phase = FRAC_PI_2 * f64::from(index) / f64::from(count);
         let phase_deg = phase.to_degrees();
-        progress.say(format_args!(
-            "solving {} at phase {phase_deg:.0} deg",
-            case.loaded.design.name
-        ));
-        let mut design = case.loaded.design.clone();
-        design.set("flapping.phase_deg", phase_deg)?;
-        let case = case.with(design).map_err(|error| case.fault(error))?;
-        let solution = case
-            .solve_from(last.as_ref(), progress)
-            .map_err(|source| Failure::Phase {
-                design: case.loaded.path.clone(),
-                phase_deg,
-                source,
-            })?;
-        phases.push((phase, twist_of(&case, &solution)?));
-        last = Some(solution);
+        let name = &wing.design().name;
+        progress.say(format_args!("solving {name} at phase {phase_deg:.0} deg"));
+        let solved = wing.at_phase(phase_deg, last.as_ref(), progress)?;
+        phases.push((phase, twist_of(&solved)?));
+        last = Some(solved);
     }
-    TwistHistory::solved(phases).map_err(|error| case.fault(error))
+    TwistHistory::solved(phases).map_err(|error| wing.fault(error))
 }
 
-fn twist_of(case: &Case, solution: &Solution) -> Result<TwistAlongSpan, Failure> {
-    let stop = case.loaded.design.flapping.as_ref();
+fn twist_of(wing: &SolvedWing) -> Result<TwistAlongSpan, WingError> {
+    let stop = wing.model.design().flapping.as_ref();
     let stop_rad = stop.map_or(0.0, |flapping| flapping.stop_angle_deg.value().to_radians());
-    TwistAlongSpan::from_strips(&solution.strips, stop_rad).map_err(|error| case.fault(error))
+    TwistAlongSpan::from_strips(&wing.solution.strips, stop_rad).map_err(|error| wing.model.fault(error))
 }
 
 fn at_full_speed(known: &[(f64, TwistAlongSpan)]) -> TwistAlongSpan {
@@ -345,14 +301,4 @@ fn over_stroke(known: &[(f64, TwistAlongSpan)], part: f64) -> Result<TwistHistor
     let reached = known.iter().filter(|(speed, _)| *speed <= part * (1.0 + 1e-9));
     let phases = reached.map(|(speed, twist)| ((speed / part).min(1.0).acos(), twist.clone()));
     TwistHistory::solved(phases.collect())
-}
-
-/// A design file that is flown on its own terms.
-pub fn design_arguments(file: &Path, set: &[String], refine: Option<f64>) -> DesignArguments {
-    DesignArguments {
-        design: file.to_path_buf(),
-        set: set.to_vec(),
-        refine,
-        mesh: None,
-    }
 }

@@ -1,0 +1,33 @@
+//! The end of a verb that writes a folder.
+
+use std::path::PathBuf;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::export::html::Document;
+use crate::export::html::folder::add as add_report;
+use crate::export::run::RunFolder;
+
+use super::{Console, Failure};
+
+/// Ends the folder of a verb: its report where the verb's words are given for one, its document, and then it stands in its place.
+///
+/// # Errors
+/// If it cannot be written, or the user asked to stop.
+pub fn finished<T>(
+    mut folder: RunFolder,
+    words: Option<&str>,
+    (id, document): (&'static str, &T),
+    console: &Console,
+) -> Result<PathBuf, Failure>
+where
+    T: Serialize + DeserializeOwned + PartialEq,
+{
+    if let Some(words) = words {
+        add_report(&mut folder, words, Document::new(id, document)?)?;
+    }
+    folder.add_summary(document)?;
+    console.progress().check()?;
+    Ok(folder.commit()?)
+}

@@ -1,0 +1,127 @@
+//! The equilibrium of structure and air.
+
+use crate::input::design::{Accelerator, Design, Factorization};
+use crate::mesh::Mesh;
+use crate::progress::Progress;
+use crate::structure::state::State;
+use crate::structure::{Equilibrium, Tangent};
+
+use super::air::Air;
+use super::error::CouplingError;
+use super::fixed_point::Coupled;
+use super::near::{Care, Near};
+use super::solution::{Solution, SolveReport};
+use super::wing::Wing;
+use super::{cure, cure_near, fixed_point, newton};
+
+/// As [`super::solve_from`], of the wing of a design that is set up already. Besides, the structure's tangent at the solution,
+/// factorized.
+///
+/// # Errors
+/// As [`super::solve()`]; of a trial, if Newton's method does not settle on a stable shape.
+pub fn solve_wing(
+    design: &Design,
+    wing: &Wing,
+    mesh: &Mesh,
+    near: Option<&Near>,
+    progress: &Progress,
+) -> Result<(Solution, Tangent), CouplingError> {
+    let mut equilibrium = Equilibrium::new(&wing.model)?;
+    if design.structure.factorization == Factorization::Parallel {
+        equilibrium.spread();
+    }
+    let (rest, steps) = match near.filter(|near| near.care.is_trial()) {
+        None => cure::cured(&wing.model, &mut equilibrium, progress)?,
+        Some(near) => cure_near::cured_near(wing, &mut equilibrium, near, progress)?,
+    };
+    let mut coupled = couple(design, wing, &mut equilibrium, &rest, near, progress)?;
+    coupled.newton_steps += steps;
+    let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false)?;
+    if let Some(Air { law, .. }) = &wing.air {
+        for strip in &air {
+            law.check(strip.force.alpha)?;
+        }
+    }
+    let air_force = wing.air_force(&air);
+    let solution = Solution {
+        mesh: mesh.clone(),
+        strips: wing.strip_loads(&air),
+        pressure_pa: wing.pressure(mesh, &air),
+        beam_force: wing.beam_forces(&rest, &coupled.state),
+        membrane_force_n_per_m: wing.membrane_forces(&rest, &coupled.state),
+        report: report(wing, &equilibrium, &coupled),
+        air_force_n: air_force.into_iter().map(Into::into).collect(),
+        rest,
+        state: coupled.state,
+    };
+    solution.refuse_not_finite()?;
+    Ok((solution, equilibrium.into_tangent()))
+}
+
+/// By Newton's method where the design asks for it, from nearby and from rest; else, and where it does not settle on a stable
+/// shape, by the fixed point.
+fn couple(
+    design: &Design,
+    wing: &Wing,
+    equilibrium: &mut Equilibrium,
+    rest: &State,
+    near: Option<&Near>,
+    progress: &Progress,
+) -> Result<Coupled, CouplingError> {
+    let Design {
+        coupling, structure, ..
+    } = design;
+    let asked = near.map_or(Care::Full, |near| near.care).tolerances(coupling);
+    let mut lost = 0;
+    if coupling.accelerator == Accelerator::Newton && !wing.linear && structure.load_increments == 1 {
+        let nearby = near.and_then(|near| {
+            let shape = newton::carried(wing, &near.solution.mesh, &near.solution.state)?;
+            Some((shape, near.step.as_deref()))
+        });
+        let nearby = nearby.iter().map(|(shape, step)| (shape, true, *step));
+        for (shape, is_loaded, step) in nearby.chain([(rest, false, None)]) {
+            let start = newton::Start {
+                rest,
+                shape,
+                is_loaded,
+                step,
+            };
+            match newton::iterate(wing, equilibrium, start, &asked, progress)? {
+                Ok(mut found) => {
+                    lost += found.newton_steps;
+                    found.newton_steps = lost;
+                    match fixed_point::stable(wing, equilibrium, rest, found) {
+                        Ok(found) if found.negative_pivots == 0 => return Ok(found),
+                        _ => {}
+                    }
+                }
+                Err(steps) => lost += steps,
+            }
+        }
+        if near.is_some_and(|near| near.care.is_trial()) {
+            return Err(CouplingError::GivenUp { steps: lost });
+        }
+    }
+    let mut found = fixed_point::iterate(wing, equilibrium, rest, coupling, structure, progress)?;
+    found.newton_steps += lost;
+    Ok(found)
+}
+
+/// Residuals of what has converged that are larger are rounding: there is next to no load to set them beside.
+const UNLOADED: f64 = 1e-3;
+
+fn report(wing: &Wing, equilibrium: &Equilibrium, coupled: &Coupled) -> SolveReport {
+    let (force, moment) = wing.reaction(equilibrium, &coupled.state, &coupled.loads);
+    SolveReport {
+        residual: (coupled.residual < UNLOADED).then_some(coupled.residual),
+        twist_change_deg: coupled.twist_change_deg,
+        iterations: coupled.iterations,
+        newton_steps: coupled.newton_steps,
+        negative_pivots: coupled.negative_pivots,
+        critical_pressure_ratio: coupled.critical_ratio,
+        dof: wing.model.free_freedoms(),
+        reaction_force_n: force.into(),
+        reaction_moment_n_m: moment.into(),
+        twist_history_deg: coupled.twist_history_deg.clone(),
+    }
+}

@@ -1,0 +1,53 @@
+//! Where a solve starts, and how much is asked of it.
+
+use super::solution::Solution;
+use crate::input::design::Coupling;
+use crate::structure::larger;
+
+/// Largest change of twist in the last step of a rough solve, deg: a tenth of what a camera tells apart.
+const ROUGH_DEG: f64 = 0.015;
+/// Coupled residual of a rough solve, relative to the air load.
+const ROUGH_RESIDUAL: f64 = 0.05;
+/// Steps after which a rough solve is given up: one that settles takes five to ten.
+const ROUGH_ITERATIONS: usize = 30;
+
+/// Where a solve starts.
+#[derive(Debug)]
+pub struct Near<'a> {
+    /// A solution of a design nearby.
+    pub solution: &'a Solution,
+    /// Step by freedom from there to where the shape is expected, to first order.
+    pub step: Option<Vec<f64>>,
+    /// How much is asked of it.
+    pub care: Care,
+}
+
+/// How much is asked of a solve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Care {
+    /// A shape to the tolerances of the design; where Newton's method does not settle, the slow fixed point is asked.
+    #[default]
+    Full,
+    /// A trial that can be given up: the same by Newton's method alone.
+    Trial,
+    /// A trial whose shape is good to 0.015° of twist and 5 % of the load; a study leaves held-out cases as they are.
+    Rough,
+}
+
+impl Care {
+    /// Whether it can be given up.
+    pub fn is_trial(self) -> bool {
+        self != Care::Full
+    }
+
+    /// Tolerances to which it is solved.
+    pub(super) fn tolerances(self, coupling: &Coupling) -> Coupling {
+        let mut asked = coupling.clone();
+        if self == Care::Rough {
+            asked.twist_tolerance_deg = larger(asked.twist_tolerance_deg, ROUGH_DEG);
+            asked.residual_tolerance = larger(asked.residual_tolerance, ROUGH_RESIDUAL);
+            asked.max_iterations = asked.max_iterations.min(ROUGH_ITERATIONS);
+        }
+        asked
+    }
+}

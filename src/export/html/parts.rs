@@ -1,0 +1,77 @@
+//! A page of an answer, laid out as sections of HTML.
+
+use crate::export::ExportError;
+use crate::page::{Cell, Column, Page as Answer, Part, Row, Table};
+use crate::plot::pen::escaped;
+
+use super::document::{Document, Shown};
+use super::page::{Page, headline, mind};
+use super::picture::picture;
+use super::table::{HtmlTable, folded, list, paragraph};
+
+impl Page {
+    /// Adds what an answer says: its lead, its sections and the document that its numbers come from.
+    ///
+    /// # Errors
+    /// If a number in a figure is not finite.
+    pub fn add(&mut self, answer: &Answer, document: Document) -> Result<(), ExportError> {
+        self.lead.push_str(&html(&answer.lead, &document)?);
+        for section in &answer.sections {
+            self.section(section.id, section.title, html(&section.parts, &document)?);
+        }
+        self.documents.push(document);
+        Ok(())
+    }
+}
+
+fn html(parts: &[Part], document: &Document) -> Result<String, ExportError> {
+    parts.iter().map(|part| part_html(part, document)).collect()
+}
+
+fn part_html(part: &Part, document: &Document) -> Result<String, ExportError> {
+    Ok(match part {
+        Part::Headline(facts) => {
+            let shown = facts.iter().filter(|fact| fact.value.is_some());
+            let shown = shown.map(|fact| (fact.label, document.number(&fact.place, fact.digits), fact.unit));
+            headline(&shown.collect::<Vec<_>>())
+        }
+        Part::Sentence(words) => format!("<p class=\"sentence\">{}</p>\n", escaped(words)),
+        Part::Text(words) => paragraph(words),
+        Part::List(lines) => list(lines),
+        Part::Notes(lines) => mind(lines),
+        Part::Subtitle(words) => format!("<h3>{}</h3>\n", escaped(words)),
+        Part::Code(code) => format!("<pre>{}</pre>\n", escaped(code)),
+        Part::Table(table) => table_html(table, document),
+        Part::Figure(figure) => picture(figure)?,
+        Part::Folded(title, figure) => folded(title, &picture(figure)?),
+    })
+}
+
+fn table_html(table: &Table, document: &Document) -> String {
+    let heads: Vec<String> = table.columns.iter().map(Column::head).collect();
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let mut html = HtmlTable::new(&heads).caption(&table.caption);
+    for row in &table.rows {
+        let cells = table.columns.iter().zip(&row.cells);
+        html.row(
+            cells
+                .map(|(column, cell)| shown(table, row, column, cell, document))
+                .collect(),
+        );
+    }
+    html.folded(table.most_open, table.title)
+}
+
+fn shown(table: &Table, row: &Row, column: &Column, cell: &Cell, document: &Document) -> Shown {
+    match cell {
+        Cell::Words(words) => Shown::text(words),
+        Cell::Numbers(sign, numbers) => {
+            let place = |item| table.place_of(row, column, item);
+            let number = |item| document.number(&place(item), column.digits).after(sign).html;
+            Shown {
+                html: (0..numbers.len()).map(number).collect::<Vec<_>>().join(" / "),
+                is_number: true,
+            }
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! How a design is refused.
+
+use std::path::Path;
+
+use crate::input::design::Design;
+use crate::input::document::Node;
+use crate::input::error::{InputError, Problem};
+use crate::input::file::{read_text, shown};
+use crate::input::nearest::nearest;
+use crate::input::path::KeyPath;
+
+/// Refuses the name of a material that is not defined.
+pub fn material_is_known(design: &Design, root: &Node, name: &str, key: &str) -> Result<(), InputError> {
+    if design.material.contains_key(name) {
+        return Ok(());
+    }
+    let known = design.material.keys().map(String::as_str);
+    let mut cure = match nearest(name, known.clone()) {
+        Some(near) => format!("Did you mean \"{near}\"? "),
+        None => String::new(),
+    };
+    cure.push_str(&match design.material.is_empty() {
+        true => format!(
+            "No material is defined; add a table [material.{name}], or name a file: materials = \"...\""
+        ),
+        false => format!(
+            "Defined are {}; add a table [material.{name}]",
+            known.collect::<Vec<_>>().join(", ")
+        ),
+    });
+    refuse(root, key, "there is no such material", &["material"], cure)
+}
+
+/// Refuses the value at `key`, with its place; at the nearest table above where the key does not stand.
+pub(crate) fn refuse<T>(
+    root: &Node,
+    key: &str,
+    message: impl Into<String>,
+    with: &[&str],
+    cure: impl Into<String>,
+) -> Result<T, InputError> {
+    let path = KeyPath::parse(key).unwrap_or_default();
+    let mut above = path.clone();
+    while root.at(&above).is_none() && above.0.pop().is_some() {}
+    let place = match root.at(&above) {
+        Some(node) if !above.0.is_empty() => node.place(),
+        _ => root.file(),
+    };
+    let shown = root.at(&path).map(Node::shown).unwrap_or_default();
+    let problem = Problem::Conflict {
+        message: message.into(),
+        with: with.iter().map(|key| key.to_string()).collect(),
+    };
+    Err(InputError::new(place, key, &shown, problem, cure))
+}
+
+/// The refusal of the value at `key` of a TOML file on disk, with its place; that of the file, if it cannot be read any more.
+pub(crate) fn refused_in(path: &Path, what: &str, key: &str, message: &str, cure: &str) -> InputError {
+    let root = read_text(path, what).and_then(|text| Node::parse_file(&shown(path), &text));
+    match root.and_then(|root| refuse::<()>(&root, key, message, &[], cure)) {
+        Err(refusal) => refusal,
+        Ok(()) => InputError::about_file(&shown(path), message, cure),
+    }
+}
+
+/// Without the last digits that arithmetic leaves behind, for messages.
+pub fn round(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}

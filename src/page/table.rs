@@ -1,0 +1,233 @@
+//! Tables of a page: columns that know their unit and where their numbers come from.
+
+use super::text::{number, significant};
+
+/// How many digits are shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Digits {
+    /// So many after the point.
+    After(usize),
+    /// So many from the first that is not zero.
+    Significant(usize),
+}
+
+impl Digits {
+    /// The number as text.
+    pub fn show(self, value: f64) -> String {
+        match self {
+            Digits::After(digits) => number(value, digits),
+            Digits::Significant(digits) => significant(value, digits),
+        }
+    }
+}
+
+/// A column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Where its numbers stand below the row in the document, a JSON pointer without its first stroke; `*` stands for the place in a
+    /// list. Empty for words.
+    pub key: &'static str,
+    /// What it is called.
+    pub label: &'static str,
+    /// Unit; empty for none.
+    pub unit: &'static str,
+    /// Digits that are shown.
+    pub digits: Digits,
+}
+
+/// What stands in a column of a row.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    /// Words; may be empty.
+    Words(String),
+    /// Numbers, with what stands before each: the sign of a bound, or nothing. Often one, or none.
+    Numbers(&'static str, Vec<f64>),
+}
+
+/// A row.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Its place in the list of the document.
+    pub index: usize,
+    /// What stands in it, one for each column.
+    pub cells: Vec<Cell>,
+}
+
+/// A table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// What the columns mean, or what is compared; may be empty.
+    pub caption: String,
+    /// What its rows are called where it is folded.
+    pub title: &'static str,
+    /// Where the list of its rows stands in the document: a JSON pointer.
+    pub place: String,
+    /// Columns.
+    pub columns: Vec<Column>,
+    /// Rows.
+    pub rows: Vec<Row>,
+    /// Rows that text shows; how many more there are is said.
+    pub most_in_text: usize,
+    /// Rows up to which it lies open in HTML.
+    pub most_open: usize,
+}
+
+/// A table in the making: what its rows are made of.
+#[derive(Debug)]
+pub struct Rows<'a, T> {
+    of: Vec<(usize, &'a T)>,
+    table: Table,
+}
+
+impl<'a, T> Rows<'a, T> {
+    /// A table with a row for each of a list; `place` is where the document has the list.
+    pub fn of(place: &str, list: &'a [T]) -> Self {
+        Rows {
+            of: list.iter().enumerate().collect(),
+            table: Table {
+                caption: String::new(),
+                title: "All rows",
+                place: place.to_string(),
+                columns: Vec::new(),
+                rows: Vec::new(),
+                most_in_text: usize::MAX,
+                most_open: usize::MAX,
+            },
+        }
+    }
+
+    /// With the rows in another order, the largest first. Before the columns.
+    pub fn by(mut self, size: impl Fn(&T) -> f64) -> Self {
+        self.of.sort_by(|(_, a), (_, b)| size(b).total_cmp(&size(a)));
+        self
+    }
+
+    /// With a column of words.
+    pub fn words<S: Into<String>>(mut self, label: &'static str, of: impl Fn(&'a T) -> S) -> Self {
+        self.add(["", label, ""], Digits::After(0), |row| {
+            Cell::Words(of(row).into())
+        });
+        self
+    }
+
+    /// With a column of yes and no.
+    pub fn yes_or_no(self, label: &'static str, of: impl Fn(&'a T) -> bool) -> Self {
+        self.words(label, |row| if of(row) { "yes" } else { "no" })
+    }
+
+    /// With a column of numbers: its key, label and unit.
+    pub fn number<N: Into<Option<f64>>>(
+        mut self,
+        head: [&'static str; 3],
+        digits: Digits,
+        of: impl Fn(&'a T) -> N,
+    ) -> Self {
+        self.add(head, digits, |row| {
+            Cell::Numbers("", of(row).into().into_iter().collect())
+        });
+        self
+    }
+
+    /// With a column of lists of numbers.
+    pub fn numbers(
+        mut self,
+        head: [&'static str; 3],
+        digits: Digits,
+        of: impl Fn(&'a T) -> Vec<f64>,
+    ) -> Self {
+        self.add(head, digits, |row| Cell::Numbers("", of(row)));
+        self
+    }
+
+    /// With a caption.
+    pub fn caption(mut self, text: &str) -> Self {
+        self.table.caption = text.to_string();
+        self
+    }
+
+    /// Text shows so many rows.
+    pub fn most_in_text(mut self, rows: usize) -> Self {
+        self.table.most_in_text = rows;
+        self
+    }
+
+    /// Folded under a title where there are more rows than so many.
+    pub fn folded(mut self, above: usize, title: &'static str) -> Self {
+        (self.table.most_open, self.table.title) = (above, title);
+        self
+    }
+
+    /// The table. A column in which nothing stands is left out.
+    pub fn table(mut self) -> Table {
+        let table = &mut self.table;
+        for column in (0..table.columns.len()).rev() {
+            if table.rows.iter().all(|row| row.cells[column].is_blank()) {
+                table.columns.remove(column);
+                for row in &mut table.rows {
+                    row.cells.remove(column);
+                }
+            }
+        }
+        self.table
+    }
+
+    fn add(&mut self, [key, label, unit]: [&'static str; 3], digits: Digits, of: impl Fn(&'a T) -> Cell) {
+        self.table.columns.push(Column {
+            key,
+            label,
+            unit,
+            digits,
+        });
+        if self.table.rows.is_empty() {
+            let empty = |&(index, _): &(usize, &T)| Row {
+                index,
+                cells: Vec::new(),
+            };
+            self.table.rows = self.of.iter().map(empty).collect();
+        }
+        for (row, &(_, item)) in self.table.rows.iter_mut().zip(&self.of) {
+            row.cells.push(of(item));
+        }
+    }
+}
+
+impl Cell {
+    fn is_blank(&self) -> bool {
+        match self {
+            Cell::Words(words) => words.is_empty(),
+            Cell::Numbers(_, numbers) => numbers.is_empty(),
+        }
+    }
+}
+
+impl Column {
+    /// Label with unit.
+    pub fn head(&self) -> String {
+        match self.unit {
+            "" => self.label.to_string(),
+            unit => format!("{} ({unit})", self.label),
+        }
+    }
+}
+
+impl Table {
+    /// Where the document has a number: the one at `item` of the list in a column of a row.
+    pub fn place_of(&self, row: &Row, column: &Column, item: usize) -> String {
+        let key = column.key.replace('*', &item.to_string());
+        format!("{}/{}/{key}", self.place, row.index)
+    }
+
+    /// All numbers in it, with where each stands.
+    pub(super) fn numbers(&self) -> Vec<(String, f64)> {
+        let mut all = Vec::new();
+        for row in &self.rows {
+            for (column, cell) in self.columns.iter().zip(&row.cells) {
+                if let Cell::Numbers(_, numbers) = cell {
+                    let placed = numbers.iter().enumerate();
+                    all.extend(placed.map(|(item, value)| (self.place_of(row, column, item), *value)));
+                }
+            }
+        }
+        all
+    }
+}

@@ -1,0 +1,24 @@
+//! A wing read and meshed, and a wing solved: what everybody asks who needs a twist.
+
+pub mod error;
+
+pub mod model;
+
+pub mod solved;
+
+pub mod flown;
+
+pub mod lift_ratios;
+
+pub mod stroke;
+
+pub mod stroke_periodic;
+
+pub mod stroke_quasi_static;
+
+pub mod divergence;
+
+pub use error::WingError;
+pub use flown::{Flown, TwistSource};
+pub use model::WingModel;
+pub use solved::SolvedWing;
