@@ -6,7 +6,7 @@
 //! let wing = WingModel::open("designs/twist-v2.toml", &["flapping.half_amplitude_deg=30"])?;
 //! let solved = wing.solve(&Progress::quiet())?;
 //! let tip_m = 0.97 * wing.planform.length_m();
-//! println!("{:.2} deg", solved.twist_at(tip_m).unwrap_or(f64::NAN).to_degrees());
+//! println!("{:.2} deg", solved.twist_at(tip_m).expect("on the wing").to_degrees());
 //! # assert!((solved.twist_at(tip_m).unwrap().to_degrees() - 18.2).abs() < 0.2);
 //! # Ok::<(), washout::wing::WingError>(())
 //! ```

@@ -24,13 +24,13 @@ mod study_words;
 
 pub mod verdict;
 
-pub mod wing_comparison;
+pub mod wing;
 
-pub use comparison::compare;
+pub use comparison::Comparison;
 pub use ladder::{RungGroup, StudyRung};
 pub use reading::Reading;
 pub use row::{ComparedRow, NotCompared};
 pub use span::{ComparedStation, ProfileOrigin, SpanComparison};
 pub use stages::{FittedStage, ModelledStages};
 pub use study_comparison::{StudyCase, StudyComparison, StudyRow};
-pub use wing_comparison::Comparison;
+pub use wing::compare;

@@ -7,9 +7,9 @@ use crate::lift::LiftReport;
 use crate::observation::TwistProfile;
 use crate::wing::{SolvedWing, WingError};
 
-use super::comparison::compare;
+use super::comparison::Comparison;
 use super::stages::ModelledStages;
-use super::wing_comparison::Comparison;
+use super::wing::compare;
 
 /// What is read from a solved wing.
 #[derive(Debug, Clone)]

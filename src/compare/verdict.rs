@@ -5,10 +5,10 @@ use crate::input::measurement::{Bound, Channel, SigmaKind};
 
 use crate::observation::{Place, TwistProfile};
 
+use super::comparison::Comparison;
 use super::integrated::weaker;
 use super::row::ComparedRow;
 use super::span::{ComparedStation, SpanComparison};
-use super::wing_comparison::Comparison;
 
 /// Misfits up to this many standard deviations count as agreement.
 pub const AGREEMENT_SIGMA: f64 = 2.0;

@@ -97,7 +97,6 @@ fn hypotheses(found: &Diagnosis) -> Vec<Part> {
             Significant(2),
             strengths(|own| own.standard_error),
         )
-        // the most that is accepted: the data ask for no less
         .words("at its end", |row| {
             match row.strengths.iter().any(|strength| strength.at_end) {
                 true => "yes",
@@ -111,6 +110,11 @@ fn hypotheses(found: &Diagnosis) -> Vec<Part> {
             After(1),
             |row| row.gain_left_out_conditions,
         );
+    let mut strengths = found.hypotheses.iter().flat_map(|row| &row.strengths);
+    let table = match strengths.any(|strength| strength.at_end) {
+        true => table.caption("At its end: the most that is accepted; the data ask for no less."),
+        false => table,
+    };
     vec![
         Part::Headline(vec![
             fact(
@@ -186,8 +190,11 @@ fn place(row: &EffectRow) -> String {
 }
 
 fn likely(effects: &[EffectRow]) -> Table {
-    fn near(row: &EffectRow) -> Option<&LookAlike> {
-        row.look_alikes.first()
+    fn near(row: &EffectRow, place: usize) -> Option<&LookAlike> {
+        row.look_alikes.get(place)
+    }
+    fn name(row: &EffectRow, place: usize) -> &str {
+        near(row, place).map_or("", |near| near.effect.as_str())
     }
     Rows::of("/effects", effects)
         .by(|row| row.score.abs())
@@ -199,17 +206,24 @@ fn likely(effects: &[EffectRow]) -> Table {
             row.gain_left_out_conditions
         })
         .number(["held_out_gain", "held-out gain", ""], After(2), |row| row.held_out_gain)
-        .words("looks like", |row| near(row).map_or("", |near| near.effect.as_str()))
+        .words("looks like", |row| name(row, 0))
         .number(["look_alikes/0/cosine", "cosine", ""], After(2), |row| {
-            near(row).map(|near| near.cosine)
+            near(row, 0).map(|near| near.cosine)
         })
         .number(["look_alikes/0/separation_sigma", "apart", "σ"], After(1), |row| {
-            near(row).map(|near| near.separation_sigma)
+            near(row, 0).map(|near| near.separation_sigma)
+        })
+        .words("and like", |row| name(row, 1))
+        .number(["look_alikes/1/cosine", "cosine", ""], After(2), |row| {
+            near(row, 1).map(|near| near.cosine)
+        })
+        .number(["look_alikes/1/separation_sigma", "apart", "σ"], After(1), |row| {
+            near(row, 1).map(|near| near.separation_sigma)
         })
         .caption(
             "ln evidence: against nothing missing. Probability: of its family, alone or with a second that the data merely allow. Gain left \
              out: of the logarithm of the density that all other cases give to each. Held-out gain: held-out error without over with \
-             it. Looks like: the nearest other effect, the cosine between both signatures, and how far apart they are at the strength found.",
+             it. Looks like, and like: the two nearest other effects, the cosine between both signatures, and how far apart they are at the strength found.",
         )
         .most_in_text(SHOWN)
         .table()

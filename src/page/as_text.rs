@@ -70,17 +70,13 @@ impl Table {
     }
 
     fn cells<'a>(&'a self, row: &'a Row) -> impl Iterator<Item = String> + 'a {
-        self.columns
-            .iter()
-            .zip(&row.cells)
-            .map(|(column, cell)| match cell {
-                Cell::Words(words) => words.clone(),
-                Cell::Numbers(sign, numbers) => {
-                    let shown = numbers
-                        .iter()
-                        .map(|value| format!("{sign}{}", column.digits.show(*value)));
-                    shown.collect::<Vec<_>>().join(" / ")
-                }
-            })
+        let cells = self.columns.iter().zip(&row.cells);
+        cells.map(|(column, cell)| match cell {
+            Cell::Words(words) => words.clone(),
+            Cell::Numbers(numbers) => {
+                let shown = numbers.iter().map(|value| column.digits.show(*value));
+                shown.collect::<Vec<_>>().join(" / ")
+            }
+        })
     }
 }

@@ -40,8 +40,8 @@ pub struct Column {
 pub enum Cell {
     /// Words; may be empty.
     Words(String),
-    /// Numbers, with what stands before each: the sign of a bound, or nothing. Often one, or none.
-    Numbers(&'static str, Vec<f64>),
+    /// Numbers: one, none, or those of a list.
+    Numbers(Vec<f64>),
 }
 
 /// A row.
@@ -75,15 +75,23 @@ pub struct Table {
 /// A table in the making: what its rows are made of.
 #[derive(Debug)]
 pub struct Rows<'a, T> {
-    of: Vec<(usize, &'a T)>,
+    rows: Vec<(&'a T, Row)>,
     table: Table,
 }
 
 impl<'a, T> Rows<'a, T> {
     /// A table with a row for each of a list; `place` is where the document has the list.
     pub fn of(place: &str, list: &'a [T]) -> Self {
+        let empty = |index| Row {
+            index,
+            cells: Vec::new(),
+        };
         Rows {
-            of: list.iter().enumerate().collect(),
+            rows: list
+                .iter()
+                .enumerate()
+                .map(|(index, item)| (item, empty(index)))
+                .collect(),
             table: Table {
                 caption: String::new(),
                 title: "All rows",
@@ -96,9 +104,9 @@ impl<'a, T> Rows<'a, T> {
         }
     }
 
-    /// With the rows in another order, the largest first. Before the columns.
+    /// With the rows in another order, the largest first.
     pub fn by(mut self, size: impl Fn(&T) -> f64) -> Self {
-        self.of.sort_by(|(_, a), (_, b)| size(b).total_cmp(&size(a)));
+        self.rows.sort_by(|(a, _), (b, _)| size(b).total_cmp(&size(a)));
         self
     }
 
@@ -123,7 +131,7 @@ impl<'a, T> Rows<'a, T> {
         of: impl Fn(&'a T) -> N,
     ) -> Self {
         self.add(head, digits, |row| {
-            Cell::Numbers("", of(row).into().into_iter().collect())
+            Cell::Numbers(of(row).into().into_iter().collect())
         });
         self
     }
@@ -135,7 +143,7 @@ impl<'a, T> Rows<'a, T> {
         digits: Digits,
         of: impl Fn(&'a T) -> Vec<f64>,
     ) -> Self {
-        self.add(head, digits, |row| Cell::Numbers("", of(row)));
+        self.add(head, digits, |row| Cell::Numbers(of(row)));
         self
     }
 
@@ -159,14 +167,14 @@ impl<'a, T> Rows<'a, T> {
 
     /// The table. A column in which nothing stands is left out.
     pub fn table(mut self) -> Table {
-        let table = &mut self.table;
-        for column in (0..table.columns.len()).rev() {
-            if table.rows.iter().all(|row| row.cells[column].is_blank()) {
-                table.columns.remove(column);
-                for row in &mut table.rows {
-                    row.cells.remove(column);
-                }
-            }
+        let stands = |column: usize| self.rows.iter().any(|(_, row)| !row.cells[column].is_blank());
+        let kept: Vec<bool> = (0..self.table.columns.len()).map(stands).collect();
+        let mut keep = kept.iter();
+        self.table.columns.retain(|_| keep.next() == Some(&true));
+        for (_, mut row) in self.rows {
+            let mut keep = kept.iter();
+            row.cells.retain(|_| keep.next() == Some(&true));
+            self.table.rows.push(row);
         }
         self.table
     }
@@ -178,14 +186,7 @@ impl<'a, T> Rows<'a, T> {
             unit,
             digits,
         });
-        if self.table.rows.is_empty() {
-            let empty = |&(index, _): &(usize, &T)| Row {
-                index,
-                cells: Vec::new(),
-            };
-            self.table.rows = self.of.iter().map(empty).collect();
-        }
-        for (row, &(_, item)) in self.table.rows.iter_mut().zip(&self.of) {
+        for (item, row) in &mut self.rows {
             row.cells.push(of(item));
         }
     }
@@ -195,7 +196,7 @@ impl Cell {
     fn is_blank(&self) -> bool {
         match self {
             Cell::Words(words) => words.is_empty(),
-            Cell::Numbers(_, numbers) => numbers.is_empty(),
+            Cell::Numbers(numbers) => numbers.is_empty(),
         }
     }
 }
@@ -222,7 +223,7 @@ impl Table {
         let mut all = Vec::new();
         for row in &self.rows {
             for (column, cell) in self.columns.iter().zip(&row.cells) {
-                if let Cell::Numbers(_, numbers) = cell {
+                if let Cell::Numbers(numbers) = cell {
                     let placed = numbers.iter().enumerate();
                     all.extend(placed.map(|(item, value)| (self.place_of(row, column, item), *value)));
                 }

@@ -5,8 +5,7 @@ use std::cell::OnceCell;
 use nalgebra::Vector3;
 
 use super::case::{Asked, PreparedCase, Solved};
-use super::columns::Column;
-use super::columns::Columns;
+use super::columns::{Column, Columns};
 use super::error::StudyError;
 use super::work::Work;
 use crate::coupling::sensitivity::{Nearby, Rate};

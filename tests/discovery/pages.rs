@@ -18,7 +18,7 @@ fn numbers(found: &Diagnosis) -> usize {
         _ => Vec::new(),
     });
     let counts = cells.map(|cell| match cell {
-        Cell::Numbers(_, numbers) => numbers.len(),
+        Cell::Numbers(numbers) => numbers.len(),
         Cell::Words(_) => 0,
     });
     counts.sum()

@@ -65,9 +65,9 @@ fn table_html(table: &Table, document: &Document) -> String {
 fn shown(table: &Table, row: &Row, column: &Column, cell: &Cell, document: &Document) -> Shown {
     match cell {
         Cell::Words(words) => Shown::text(words),
-        Cell::Numbers(sign, numbers) => {
+        Cell::Numbers(numbers) => {
             let place = |item| table.place_of(row, column, item);
-            let number = |item| document.number(&place(item), column.digits).after(sign).html;
+            let number = |item| document.number(&place(item), column.digits).html;
             Shown {
                 html: (0..numbers.len()).map(number).collect::<Vec<_>>().join(" / "),
                 is_number: true,
