@@ -134,7 +134,7 @@ pub struct Strength {
     pub value: f64,
     /// Whether that is an end of what is accepted, and the data ask for no less; never of what is all or none.
     pub at_end: bool,
-    /// Its standard error.
+    /// Its standard error; 0 of what is all or none, or was tried in steps alone.
     pub standard_error: f64,
     /// Its unit.
     pub unit: String,

@@ -77,7 +77,8 @@ fn hypotheses(found: &Diagnosis) -> Vec<Part> {
         unit: "",
         digits: Significant(2),
     };
-    let strengths = |of: fn(&Strength) -> f64| move |row: &Hypothesis| row.strengths.iter().map(of).collect();
+    let strengths =
+        |of: fn(&Strength) -> Option<f64>| move |row: &Hypothesis| row.strengths.iter().map(of).collect();
     let table = Rows::of("/hypotheses", &found.hypotheses)
         .words("what is missing", |row| match row.effects.as_slice() {
             [] => "nothing".to_string(),
@@ -90,12 +91,12 @@ fn hypotheses(found: &Diagnosis) -> Vec<Part> {
         .numbers(
             ["strengths/*/value", "strength", ""],
             Significant(3),
-            strengths(|own| own.value),
+            strengths(|own| Some(own.value)),
         )
         .numbers(
             ["strengths/*/standard_error", "error", ""],
             Significant(2),
-            strengths(|own| own.standard_error),
+            strengths(|own| Some(own.standard_error).filter(|error| *error > 0.0)),
         )
         .words("at its end", |row| {
             match row.strengths.iter().any(|strength| strength.at_end) {
@@ -110,11 +111,11 @@ fn hypotheses(found: &Diagnosis) -> Vec<Part> {
             After(1),
             |row| row.gain_left_out_conditions,
         );
+    let mut caption = "Error: none of what is all or none, or was tried in steps alone.".to_string();
     let mut strengths = found.hypotheses.iter().flat_map(|row| &row.strengths);
-    let table = match strengths.any(|strength| strength.at_end) {
-        true => table.caption("At its end: the most that is accepted; the data ask for no less."),
-        false => table,
-    };
+    if strengths.any(|strength| strength.at_end) {
+        caption += " At its end: the most that is accepted; the data ask for no less.";
+    }
     vec![
         Part::Headline(vec![
             fact(
@@ -128,7 +129,7 @@ fn hypotheses(found: &Diagnosis) -> Vec<Part> {
                 found.novel.probability,
             ),
         ]),
-        Part::Table(table.table()),
+        Part::Table(table.caption(&caption).table()),
     ]
 }
 

@@ -1,5 +1,6 @@
 //! A page as text for a terminal.
 
+use super::table::UNKNOWN;
 use super::text::{self, wrapped};
 use super::{Cell, Fact, Page, Part, Row, Section, Table};
 
@@ -73,8 +74,11 @@ impl Table {
         let cells = self.columns.iter().zip(&row.cells);
         cells.map(|(column, cell)| match cell {
             Cell::Words(words) => words.clone(),
+            cell if cell.is_blank() => String::new(),
             Cell::Numbers(numbers) => {
-                let shown = numbers.iter().map(|value| column.digits.show(*value));
+                let shown = numbers
+                    .iter()
+                    .map(|value| value.map_or(UNKNOWN.to_string(), |value| column.digits.show(value)));
                 shown.collect::<Vec<_>>().join(" / ")
             }
         })

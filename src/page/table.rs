@@ -2,6 +2,9 @@
 
 use super::text::{number, significant};
 
+/// What stands for a number of a list that is not known.
+pub const UNKNOWN: &str = "–";
+
 /// How many digits are shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Digits {
@@ -40,8 +43,8 @@ pub struct Column {
 pub enum Cell {
     /// Words; may be empty.
     Words(String),
-    /// Numbers: one, none, or those of a list.
-    Numbers(Vec<f64>),
+    /// A number, or those of a list; of which any may not be known.
+    Numbers(Vec<Option<f64>>),
 }
 
 /// A row.
@@ -130,9 +133,7 @@ impl<'a, T> Rows<'a, T> {
         digits: Digits,
         of: impl Fn(&'a T) -> N,
     ) -> Self {
-        self.add(head, digits, |row| {
-            Cell::Numbers(of(row).into().into_iter().collect())
-        });
+        self.add(head, digits, |row| Cell::Numbers(vec![of(row).into()]));
         self
     }
 
@@ -141,7 +142,7 @@ impl<'a, T> Rows<'a, T> {
         mut self,
         head: [&'static str; 3],
         digits: Digits,
-        of: impl Fn(&'a T) -> Vec<f64>,
+        of: impl Fn(&'a T) -> Vec<Option<f64>>,
     ) -> Self {
         self.add(head, digits, |row| Cell::Numbers(of(row)));
         self
@@ -193,10 +194,11 @@ impl<'a, T> Rows<'a, T> {
 }
 
 impl Cell {
-    fn is_blank(&self) -> bool {
+    /// Whether nothing stands there.
+    pub fn is_blank(&self) -> bool {
         match self {
             Cell::Words(words) => words.is_empty(),
-            Cell::Numbers(numbers) => numbers.is_empty(),
+            Cell::Numbers(numbers) => numbers.iter().all(Option::is_none),
         }
     }
 }
@@ -224,8 +226,9 @@ impl Table {
         for row in &self.rows {
             for (column, cell) in self.columns.iter().zip(&row.cells) {
                 if let Cell::Numbers(numbers) = cell {
-                    let placed = numbers.iter().enumerate();
-                    all.extend(placed.map(|(item, value)| (self.place_of(row, column, item), *value)));
+                    let known = numbers.iter().enumerate();
+                    let known = known.filter_map(|(item, value)| Some((item, (*value)?)));
+                    all.extend(known.map(|(item, value)| (self.place_of(row, column, item), value)));
                 }
             }
         }

@@ -18,7 +18,7 @@ fn numbers(found: &Diagnosis) -> usize {
         _ => Vec::new(),
     });
     let counts = cells.map(|cell| match cell {
-        Cell::Numbers(numbers) => numbers.len(),
+        Cell::Numbers(numbers) => numbers.iter().flatten().count(),
         Cell::Words(_) => 0,
     });
     counts.sum()

@@ -1,6 +1,7 @@
 //! A page of an answer, laid out as sections of HTML.
 
 use crate::export::ExportError;
+use crate::page::table::UNKNOWN;
 use crate::page::{Cell, Column, Page as Answer, Part, Row, Table};
 use crate::plot::pen::escaped;
 
@@ -65,11 +66,20 @@ fn table_html(table: &Table, document: &Document) -> String {
 fn shown(table: &Table, row: &Row, column: &Column, cell: &Cell, document: &Document) -> Shown {
     match cell {
         Cell::Words(words) => Shown::text(words),
+        cell if cell.is_blank() => Shown::default(),
         Cell::Numbers(numbers) => {
             let place = |item| table.place_of(row, column, item);
-            let number = |item| document.number(&place(item), column.digits).html;
+            let shown = |(item, value): (usize, &Option<f64>)| match value {
+                Some(_) => document.number(&place(item), column.digits).html,
+                None => UNKNOWN.to_string(),
+            };
             Shown {
-                html: (0..numbers.len()).map(number).collect::<Vec<_>>().join(" / "),
+                html: numbers
+                    .iter()
+                    .enumerate()
+                    .map(shown)
+                    .collect::<Vec<_>>()
+                    .join(" / "),
                 is_number: true,
             }
         }
