@@ -36,7 +36,7 @@
 //!
 //! explore: fronts over twist profiles, rods for a wanted twist ←─ wing, study
 //!
-//! diagnose: which effect a model lacks, or none that is known ←─ study
+//! diagnose: which effect a model lacks, or an unknown cause ←─ study
 //!
 //! export: any result into bytes ←─ page: what a person reads ←─ plot: pictures from numbers
 //! cli: one file per verb   progress: for every room   origin: what results are made of   task: parts of long work

@@ -32,8 +32,7 @@ pub fn raised(py: Python<'_>, failure: &Failure) -> PyErr {
 
 /// The exception for arguments that the command line refuses.
 pub fn refused(py: Python<'_>, error: &clap::Error) -> PyErr {
-    let message = error.render().to_string();
-    let message = message.strip_prefix("error: ").unwrap_or(&message).trim_end();
+    let message = washout::cli::misused::words(error).unwrap_or_else(|| error.render().to_string());
     made(py, "InputError", (message, None::<String>)).unwrap_or_else(|error| error)
 }
 

@@ -16,7 +16,7 @@ DESIGN = "designs/twist-v2.toml"
 
 def message(done: subprocess.CompletedProcess[str]) -> str:
     """What the program said on standard error, without its name."""
-    return done.stderr.removeprefix("washout: ").removeprefix("error: ").strip()
+    return done.stderr.removeprefix("washout: ").strip()
 
 
 def test_a_refused_key_is_named_with_its_place_and_cure(command_line: CommandLine, tmp_path: Path) -> None:
@@ -48,9 +48,9 @@ def test_options_are_refused_as_on_the_command_line(command_line: CommandLine) -
     with pytest.raises(washout.InputError) as caught:
         washout.solve(DESIGN, stroke=1)
     assert str(caught.value) == message(command_line("solve", "--stroke=1", "--", DESIGN))
-    with pytest.raises(washout.InputError, match="cannot be used with"):
+    with pytest.raises(washout.InputError, match="does not go together with"):
         washout.solve(DESIGN, stroke=4, stroke_quasi_static=4)
-    with pytest.raises(washout.InputError, match="unrecognized subcommand"):
+    with pytest.raises(washout.InputError, match="there is no verb fly"):
         washout.run("fly")
 
 

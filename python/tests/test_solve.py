@@ -43,9 +43,9 @@ def test_arrays_are_the_numbers_of_the_tables_to_the_bit(run: washout.Run, tmp_p
         assert [float(value) for value in values] == run.strips[name].tolist(), name
     profile = table(folder / "profile.csv")
     assert run.alpha_deg is not None
-    arrays = {"r_mm": run.r_mm, "chord_mm": run.chord_mm, "twist_deg": run.twist_deg, "alpha_deg": run.alpha_deg}
-    for name, array in arrays.items():
-        assert [float(value) for value in profile[name]] == array.tolist(), name
+    for name in ["r_mm", "chord_mm", "twist_deg", "alpha_deg"]:
+        assert [float(value) for value in profile[name]] == run.along_span[name].tolist(), name
+    assert set(run.r_mm) <= set(run.along_span["r_mm"])
 
 
 def test_scalars_are_those_of_the_summary(run: washout.Run) -> None:

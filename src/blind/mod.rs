@@ -186,7 +186,7 @@ impl<'a> Blind<'a> {
     ) -> Result<Blind<'a>, BlindError> {
         let campaign = Campaign::new(study, &candidates, progress)?;
         let settings = Settings {
-            slop: campaign.slop,
+            discrepancy: campaign.discrepancy,
             start: Some(campaign.start()),
             ..Settings::default()
         };

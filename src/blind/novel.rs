@@ -17,22 +17,22 @@ const SOFTEST: f64 = 50.0;
 /// Powers of frequency and amplitude by which a moment grows.
 const LAWS: [[i32; 2]; 6] = [[0, 0], [1, 0], [0, 1], [2, 0], [1, 2], [2, 1]];
 
-/// Where along the span something acts: a hump, a stretch with blurred ends, a slope from one place to the tip, or two humps, of any width.
+/// Where along the span something acts: a bump, a stretch with blurred ends, a slope from one place to the tip, or two bumps, of any width.
 ///
-/// A diagnosis fits one hump of one width; a cause of nobody's library has that by chance at most.
+/// A diagnosis fits one bump of one width; a cause of nobody's library has that by chance at most.
 fn shape(draws: Draws, widest: f64) -> String {
     let place = 0.2 + 0.6 * draws.uniform(5, 0);
     let width = widest * (0.3 + 0.7 * draws.uniform(5, 5));
-    let hump = |place: f64| format!("exp(-((x - {place:.3}) / {width:.3})^2)");
+    let bump = |place: f64| format!("exp(-((x - {place:.3}) / {width:.3})^2)");
     match (draws.uniform(5, 6) * 4.0) as usize {
-        0 => hump(place),
+        0 => bump(place),
         1 => format!(
             "0.5 * (tanh((x - {:.3}) / 0.02) - tanh((x - {:.3}) / 0.02))",
             place - width,
             place + width
         ),
         2 => format!("max(x - {place:.3}, 0) / {:.3}", 1.0 - place),
-        _ => format!("({} + 0.6 * {})", hump(place), hump(1.0 - 0.5 * place)),
+        _ => format!("({} + 0.6 * {})", bump(place), bump(1.0 - 0.5 * place)),
     }
 }
 

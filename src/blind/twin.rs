@@ -7,7 +7,7 @@ use crate::diagnose::library::Trial;
 use crate::diagnose::refit::Explanation;
 use crate::diagnose::screening::effect_of;
 use crate::progress::Progress;
-use crate::study::{Footing, Forward};
+use crate::study::{Forward, WarmStart};
 
 use super::spot::Spot;
 use super::{Blind, BlindError};
@@ -28,8 +28,8 @@ pub fn apart(blind: &Blind, spot: Spot, strength: f64, progress: &Progress) -> R
         ..blind.settings.clone()
     };
     let baseline = Baseline::new(&told, &settings, Some(&blind.table), &progress.unseen())?;
-    let footing = baseline.footing.as_ref().map(Footing::for_trials);
-    let refits = baseline.refits(footing.as_ref());
+    let warm_start = baseline.warm_start.as_ref().map(WarmStart::for_trials);
+    let refits = baseline.refits(warm_start.as_ref());
     let (unknowns, members) = (told.unknowns(), &baseline.data.missing);
     // the strength itself may be what it likes within its range
     let left = |found: &Explanation| {

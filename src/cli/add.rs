@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml_edit::{ArrayOfTables, DocumentMut, Item, value};
 
-use crate::compare::ladder::{StudyRung, ladder};
+use crate::compare::ladder::{StudyLadderStep, ladder};
 use crate::compare::study::compare_study;
 use crate::compare::study_comparison::StudyComparison;
 use crate::effects::{Card, named};
@@ -87,7 +87,7 @@ pub struct AddReport {
     pub notes: Vec<String>,
     /// The error falling: as stated and calibrated without any effect that was added, with one after the other of those in the
     /// study, with this one (or without it), the noise.
-    pub ladder: Vec<StudyRung>,
+    pub ladder: Vec<StudyLadderStep>,
     /// What it was made of.
     pub made_of: MadeOf,
     /// Files of the folder, this one among them.
@@ -367,7 +367,7 @@ fn without(text: &str, effects: &[String]) -> Result<String, Failure> {
 
 /// What the tables of errors tell.
 const STEPS: &str = "Root mean square of all channels, in stated sigma; chi2: chi-square per fitted number, with errors of the model that go \
-                     together along the span (slop), which is what a fit makes least. Left out: each case predicted from the others.";
+                     together along the span (discrepancy), which is what a fit makes least. Left out: each case predicted from the others.";
 const GROUPS: &str = "rmse: root mean square error; chi2: chi-square per number, each number for itself.";
 
 /// The page of `washout add`.

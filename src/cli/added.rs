@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml_edit::{DocumentMut, Item, value};
 
-use crate::compare::ladder::StudyRung;
+use crate::compare::ladder::StudyLadderStep;
 use crate::compare::study_comparison::StudyComparison;
 use crate::input::study::LoadedStudy;
 use crate::page::text::significant;
@@ -113,7 +113,7 @@ pub fn elsewhere(study: &LoadedStudy, effect: &str, on: &[String]) -> Option<Str
 }
 
 /// That the last step, which adds an effect, does not lower the error of what is held out, or else left out.
-pub fn no_fall(ladder: &[StudyRung]) -> Option<String> {
+pub fn no_fall(ladder: &[StudyLadderStep]) -> Option<String> {
     let [.., before, after, _noise] = ladder else {
         return None;
     };

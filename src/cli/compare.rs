@@ -10,9 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::compare::{Comparison, Reading};
 use crate::export::collect::{Solved, summarize};
 use crate::export::comparison;
-use crate::export::html::document::Shown;
-use crate::export::html::table::HtmlTable;
-use crate::export::html::{self, Digits, Document, Page, REPORT, Wing};
+use crate::export::html::{self, Document, Page, REPORT, Wing};
 use crate::export::pictures::profile::StripRow;
 use crate::export::pictures::wing::figure as wing_figure;
 use crate::export::pictures::write::add_wing;
@@ -22,7 +20,8 @@ use crate::input::measurement::Channel;
 use crate::input::study::LoadedStudy;
 use crate::lift::{Ratios, StrokeMeans};
 use crate::origin::MadeOf;
-use crate::page::text::{Table, number};
+use crate::page::text::number;
+use crate::page::{Digits, Page as Answer, Part, Rows, Table};
 
 use super::design_arguments::{DesignArguments, beside, is_there};
 use super::study::{COMPARISON, listed, target};
@@ -98,6 +97,26 @@ pub struct NamedRatio {
     pub at_equal_rate: f64,
 }
 
+impl CompareReport {
+    /// What it says.
+    fn page(&self) -> Answer {
+        let mut page = comparison::page(&self.comparison);
+        page.sections.extend(self.page_of_ratios().sections);
+        page
+    }
+
+    /// What it says of the reference wing alone.
+    fn page_of_ratios(&self) -> Answer {
+        let mut page = Answer {
+            kind: "comparison",
+            ..Answer::default()
+        };
+        let tables = self.ratios.iter().map(|found| Part::Table(table(found)));
+        page.section("ratios", "Against the reference wing", tables.collect());
+        page
+    }
+}
+
 impl Compare {
     /// Solves and compares.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
@@ -141,8 +160,6 @@ impl Compare {
         let Some(comparison) = reading.measured else {
             return Err(wing.model.no_measurement().into());
         };
-        let mut page = comparison::page(&comparison);
-        page.extend(modelled.as_ref().map(|ratios| format!("\n{}", table(ratios))));
         add_wing(&mut folder, &comparison, &reading.profile)?;
         let report = CompareReport {
             comparison,
@@ -150,22 +167,17 @@ impl Compare {
             made_of: MadeOf::files(wing.model.loaded.files.iter().chain(&of_reference)),
             files: folder.listed_with(self.report),
         };
+        let ratios = report.page_of_ratios();
         if let Some(mut run) = run {
-            let document = Document::new("comparison", &report)?;
-            run.section(
-                "ratios",
-                "Against the reference wing",
-                ratios_table(&document, &report),
-            );
-            run.documents.push(document);
+            run.add(&ratios, Document::new(ratios.kind, &report)?)?;
             folder.add(REPORT, run.html().as_bytes())?;
         }
         folder.add_summary(&report)?;
         progress.check()?;
         let written = folder.commit()?;
-        page += &format!("\n{}", listed(&written, &report.files));
-        page += &console.sketch(&wing_figure(&report.comparison, Some(&reading.profile)));
-        console.result(&page, &report)
+        let sketch = console.sketch(&wing_figure(&report.comparison, Some(&reading.profile)));
+        let files = listed(&written, &report.files);
+        console.result(&format!("{}\n{files}{sketch}", report.page().text()), &report)
     }
 
     /// What the command line changes in every design of a study.
@@ -206,6 +218,7 @@ impl Compare {
 
     fn reference(&self, path: &std::path::Path, console: &Console) -> Result<WingModel, Failure> {
         let arguments = DesignArguments {
+            effect: Vec::new(),
             design: path.to_path_buf(),
             set: Vec::new(),
             refine: self.design.refine,
@@ -263,21 +276,25 @@ fn named(reference: String, found: &Ratios, case: &WingModel) -> Result<Modelled
     })
 }
 
-fn table(modelled: &ModelledRatios) -> String {
-    let mut table = Table::new(["ratio", "as_both_flap", "at_equal_stroke"]);
-    for ratio in &modelled.ratios {
-        table.row([
-            ratio.name.clone(),
-            number(ratio.as_solved, 3),
-            number(ratio.at_equal_rate, 3),
-        ]);
-    }
-    format!(
-        "Modelled ratios to {} (20/60/20 ramp; 2πfΦ {} times its)\n{}",
+/// The ratios; they stand at `ratios` in the document.
+fn table(modelled: &ModelledRatios) -> Table {
+    let caption = format!(
+        "Modelled ratios to {} (20/60/20 ramp; 2πfΦ {} times its)",
         modelled.reference,
-        number(modelled.rate_ratio, 4),
-        table.render()
-    )
+        number(modelled.rate_ratio, 4)
+    );
+    Rows::of("/ratios/ratios", &modelled.ratios)
+        .words("ratio", |row| row.name.as_str())
+        .number(["as_solved", "as both flap", ""], Digits::After(3), |row| {
+            row.as_solved
+        })
+        .number(
+            ["at_equal_rate", "at equal stroke", ""],
+            Digits::After(3),
+            |row| row.at_equal_rate,
+        )
+        .caption(&caption)
+        .table()
 }
 
 /// The report of the run behind a comparison.
@@ -296,37 +313,11 @@ fn run_page(wing: &SolvedWing, reading: &Reading, console: &Console) -> Result<P
 
 /// The report of a comparison whose run is not at hand.
 pub fn report_page(report: &CompareReport) -> Result<Page, Failure> {
-    let document = Document::new("comparison", report)?;
-    let found = &report.comparison;
+    let answer = report.page();
     let mut page = Page {
-        title: found.wing.clone(),
+        title: answer.title.clone(),
         ..Page::default()
     };
-    let twist = html::picture::picture(&wing_figure(found, None))?;
-    let measured = html::compared::comparison(&document, "/comparison", found)?;
-    page.section("measured", "Against the measurement", twist + &measured);
-    page.section(
-        "ratios",
-        "Against the reference wing",
-        ratios_table(&document, report),
-    );
-    page.documents.push(document);
+    page.add(&answer, Document::new(answer.kind, report)?)?;
     Ok(page)
-}
-
-fn ratios_table(document: &Document, report: &CompareReport) -> String {
-    let Some(modelled) = &report.ratios else {
-        return String::new();
-    };
-    let heads = ["ratio", "as both flap", "at equal stroke"];
-    let mut table = HtmlTable::new(&heads).caption(&format!("Modelled ratios to {}", modelled.reference));
-    for (index, ratio) in modelled.ratios.iter().enumerate() {
-        let at = |name: &str| document.number(&format!("/ratios/ratios/{index}/{name}"), Digits::After(3));
-        table.row(vec![
-            Shown::text(&ratio.name),
-            at("as_solved"),
-            at("at_equal_rate"),
-        ]);
-    }
-    table.html()
 }

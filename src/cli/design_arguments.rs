@@ -4,6 +4,7 @@ use std::path::{Component, Path, PathBuf};
 
 use clap::Args;
 
+use crate::effects::{instead_of, named};
 use crate::input::{Design, Loaded};
 use crate::wing::WingModel;
 
@@ -17,6 +18,9 @@ pub struct DesignArguments {
     /// Set a key of the design, e.g. flapping.frequency_hz=23; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// Switch an effect on, e.g. root-flexure=0.2; can be given many times
+    #[arg(long, value_name = "NAME=STRENGTH")]
+    pub effect: Vec<String>,
     /// Refine the mesh by this factor in both directions
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true)]
     pub refine: Option<f64>,
@@ -38,6 +42,7 @@ impl DesignArguments {
         DesignArguments {
             design: file.to_path_buf(),
             set: set.to_vec(),
+            effect: Vec::new(),
             refine,
             mesh: None,
         }
@@ -47,12 +52,40 @@ impl DesignArguments {
     pub fn load(&self, more: &[String]) -> Result<Loaded, Failure> {
         let mut sets = self.set.clone();
         sets.extend_from_slice(more);
+        for effect in &self.effect {
+            sets.push(strength(effect)?);
+        }
         sets.extend(self.refine.map(|factor| format!("mesh.refine={factor}")));
         if let Some(file) = &self.mesh {
             is_there("--mesh", file)?;
             sets.push(format!("mesh.file={}", beside(&self.design, file).display()));
         }
         Ok(Design::load(&self.design, &sets)?)
+    }
+}
+
+/// `NAME=STRENGTH` as a key of the design.
+fn strength(effect: &str) -> Result<String, Failure> {
+    let refuse = |reason: String| {
+        Err(Failure::Option {
+            option: "--effect",
+            reason,
+        })
+    };
+    let Some((name, strength)) = effect.split_once('=') else {
+        return refuse(format!(
+            "{effect}: give its strength, e.g. --effect {effect}=0.2 (washout effects {effect})"
+        ));
+    };
+    let (name, strength) = (name.trim(), strength.trim());
+    if named(name).is_none() {
+        return refuse(format!("there is no effect {name}; {}", instead_of(name)));
+    }
+    match strength.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(format!("effects.{name}.strength={number:?}")),
+        _ => refuse(format!(
+            "{name} = {strength}: its strength must be a number (washout effects {name})"
+        )),
     }
 }
 

@@ -19,6 +19,7 @@ use crate::study::{Campaign, Forward, Proposals};
 
 use super::candidates::{Candidates, candidates, known};
 use super::kept::{self, Prepared};
+use super::sheet::FromSheet;
 use super::study::{listed, target};
 use super::{Console, Failure, joining};
 
@@ -29,6 +30,7 @@ pub const DIAGNOSIS: &str = "diagnosis.json";
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout diagnose studies/pre-pazy-skin.toml
+  washout diagnose my-wing.toml --with sheet.csv         a design and a table of readings, long or wide, or .xlsx
   washout diagnose my-study.toml --effect root-flexure --effect tip-loss-prandtl       these two only
   washout diagnose my-study.toml --on repaired-wing      what that wing has and the others have not
   washout diagnose my-study.toml --plan                  before any measurement: what could be seen, what told apart
@@ -43,8 +45,15 @@ missing as pictures (SVG), with the numbers behind each (CSV); diagnosis.json. W
 How the model answers to every effect takes most of the time. It does not depend on what was measured, and is kept for the next
 question in the cache folder of the user: $XDG_CACHE_HOME/washout or ~/.cache/washout; WASHOUT_CACHE names another, and none if empty.")]
 pub struct Diagnose {
-    /// The study
+    /// The study; with --with the design
+    #[arg(value_name = "STUDY|DESIGN")]
     pub study: PathBuf,
+    /// A table of readings, measured on the design: .csv, .tsv, .xlsx or .ods; what was understood is printed first
+    #[arg(long, value_name = "TABLE", conflicts_with_all = ["plan", "on"])]
+    pub with: Option<PathBuf>,
+    /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
+    #[arg(long, value_name = "SIGMA", requires = "with")]
+    pub sigma: Option<f64>,
     /// Change a key in every design of the study; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
@@ -79,9 +88,18 @@ impl Diagnose {
     /// Diagnoses.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         known(&self.effect)?;
-        let mut study = match self.plan {
-            true => LoadedStudy::load_planned(&self.study, &self.set)?,
-            false => LoadedStudy::load(&self.study, &self.set)?,
+        let table = self
+            .with
+            .as_ref()
+            .map(|table| FromSheet::load(table, &self.study, self.sigma));
+        let table = table.transpose()?;
+        if let Some(table) = &table {
+            console.note(table.understood());
+        }
+        let mut study = match (&table, self.plan) {
+            (Some(table), _) => table.study(&self.set)?,
+            (None, true) => LoadedStudy::load_planned(&self.study, &self.set)?,
+            (None, false) => LoadedStudy::load(&self.study, &self.set)?,
         };
         joining::wings(&study, &self.on)?;
         if !self.on.is_empty() {
@@ -104,7 +122,7 @@ impl Diagnose {
         match folder {
             Some(folder) => {
                 let (campaign, report) = answered(&self.study, &study, &effects, settings, console)?;
-                self.written(&campaign, report, folder, console)
+                self.written(&campaign, report, folder, table.as_ref(), console)
             }
             None => planned(&self.study, &study, &effects.names, settings, console),
         }
@@ -115,6 +133,7 @@ impl Diagnose {
         campaign: &Campaign,
         mut report: DiagnosisReport,
         mut folder: RunFolder,
+        table: Option<&FromSheet>,
         console: &Console,
     ) -> Result<(), Failure> {
         let study = campaign.name.as_str();
@@ -126,12 +145,19 @@ impl Diagnose {
             screening.factorizations,
             report.work
         );
-        let text = match to_add(&self.study, &self.on, &report.diagnosis) {
+        let keep = table.map_or(String::new(), FromSheet::to_keep);
+        let path = table.map_or(self.study.clone(), |table| {
+            PathBuf::from(format!("{}.toml", table.name()))
+        });
+        let text = match to_add(&path, &self.on, &report.diagnosis) {
+            commands if commands.is_empty() && !keep.is_empty() => {
+                format!("{text}\nTo go on with a study, which can be changed\n{keep}")
+            }
             commands if commands.is_empty() => text,
             commands if report.diagnosis.verdict == Verdict::Set => {
-                format!("{text}\nTo try the most probable, which is not sure\n{commands}")
+                format!("{text}\nTo try the most probable, which is not sure\n{keep}{commands}")
             }
-            commands => format!("{text}\nTo take it into the model\n{commands}"),
+            commands => format!("{text}\nTo take it into the model\n{keep}{commands}"),
         };
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
         report.files = folder.listed_with(self.report);

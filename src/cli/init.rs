@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::export::file::{refuse_any, write_new};
 
+use super::sheet::FromSheet;
 use super::{Console, Failure};
 
 const TEMPLATE: &str = include_str!("init_design.toml");
@@ -28,13 +29,24 @@ chordwise = 6
   washout init my-wing --output designs         writes designs/my-wing.toml
   washout solve my-wing.toml                    solves it
   washout init my-study --study                 writes my-study.toml, my-study-wing.toml and my-study-measured.csv
-  washout compare my-study.toml                 compares them")]
+  washout compare my-study.toml                 compares them
+  washout init my-study --study --design my-wing.toml --readings sheet.csv
+                                                a study of your own wing and table, long or wide, .csv or .xlsx")]
 pub struct Init {
     /// Name of the wing or study: letters, digits, '-' and '_'
     pub name: String,
     /// Write a study, with its design and made-up readings, instead of a design
     #[arg(long)]
     pub study: bool,
+    /// The design of the study, instead of one to start from
+    #[arg(long, value_name = "DESIGN", requires_all = ["study", "readings"])]
+    pub design: Option<PathBuf>,
+    /// A table of readings that were measured on the design: .csv, .tsv, .xlsx or .ods
+    #[arg(long, value_name = "TABLE", requires_all = ["study", "design"])]
+    pub readings: Option<PathBuf>,
+    /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
+    #[arg(long, value_name = "SIGMA", requires = "readings")]
+    pub sigma: Option<f64>,
     /// Folder to write into [default: this one]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -55,10 +67,20 @@ impl Init {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let folder = self.output.clone().unwrap_or_default();
         let name = checked(&self.name)?;
-        let files = if self.study {
-            study(name)
-        } else {
-            vec![(format!("{name}.toml"), design(name))]
+        let table = match (&self.readings, &self.design) {
+            (Some(readings), Some(design)) => Some(FromSheet::load(readings, design, self.sigma)?),
+            _ => None,
+        };
+        let files = match &table {
+            Some(table) => {
+                let made = table.files(name, &folder)?;
+                vec![
+                    (format!("{name}.toml"), made.study),
+                    (format!("{name}-measured.csv"), made.readings),
+                ]
+            }
+            None if self.study => study(name),
+            None => vec![(format!("{name}.toml"), design(name))],
         };
         let files = files
             .into_iter()
@@ -73,7 +95,11 @@ impl Init {
         let mut names = files.iter().map(|(path, _)| path.display().to_string());
         let file = names.next().unwrap_or_default();
         let beside: Vec<String> = names.collect();
-        let page = if self.study {
+        let page = if let Some(table) = &table {
+            let with = beside.join(" and ");
+            let understood = table.understood();
+            format!("{understood}\n{file} written, with {with}; diagnose it with: washout diagnose {file}\n")
+        } else if self.study {
             let with = beside.join(" and ");
             format!("{file} written, with {with}; compare them with: washout compare {file}\n")
         } else {

@@ -58,7 +58,7 @@ pub fn prepared(
         note,
     } = on_coarser_mesh(study, candidates, progress)?;
     let settings = Settings {
-        slop: campaign.slop,
+        discrepancy: campaign.discrepancy,
         start: Some(campaign.start()),
         ..settings
     };

@@ -49,6 +49,8 @@ pub mod measure;
 
 pub mod init;
 
+pub mod sheet;
+
 pub mod schema;
 
 pub mod documents;
@@ -88,6 +90,8 @@ pub mod doctor;
 pub mod completions;
 
 pub mod man;
+
+pub mod misused;
 
 use std::process::ExitCode;
 
@@ -176,8 +180,7 @@ pub fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
-            // Nobody is left to tell if even this cannot be printed.
-            let _ = error.print();
+            misused::tell(&error);
             return ExitCode::from(error.exit_code() as u8);
         }
     };

@@ -23,6 +23,7 @@ use crate::wing::{SolvedWing, WingError, WingModel};
 
 use super::design_arguments::DesignArguments;
 use super::stroke::{self, StrokeRun};
+use super::study::listed;
 use super::{Console, Failure};
 
 /// Arguments of `washout solve`.
@@ -83,7 +84,11 @@ impl Solve {
         progress.check()?;
         let earlier = read_summary(&target).ok();
         let path = folder.commit()?;
-        let mut page = page(&summary, Some(&path.display().to_string()));
+        let mut page = format!(
+            "{}\n{}",
+            page(&summary, &[]).text(),
+            listed(&path, &summary.files)
+        );
         if earlier.is_some_and(|earlier| earlier.design != summary.design) {
             page += "They replace an earlier run with other inputs; --output DIR keeps both\n";
         }

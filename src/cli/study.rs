@@ -51,7 +51,7 @@ pub fn compare(
     let written = folder.commit()?;
     let page = format!(
         "{}\n{}{}",
-        page(&report.comparison),
+        page(&report.comparison).text(),
         listed(&written, &report.files),
         console.sketch(&compared_figure(&panels::Compared::of_study(&report.comparison)))
     );

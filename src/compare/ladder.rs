@@ -10,7 +10,7 @@ use super::study_comparison::{GroupMisfit, StudyComparison, StudyRow};
 
 /// A model on the ladder, and its errors.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct StudyRung {
+pub struct StudyLadderStep {
     /// `raw`, `calibrated`, `+ effect` for every one that was added, `− effect`, `effect anew` (it was there) or `effect fitted` (with a
     /// fixed strength), `noise`.
     pub name: String,
@@ -24,12 +24,12 @@ pub struct StudyRung {
     /// The same for what is held out.
     pub held_out_sigma: Option<f64>,
     /// Errors by wing and channel.
-    pub groups: Vec<RungGroup>,
+    pub groups: Vec<StepGroup>,
 }
 
 /// Errors of a channel of a wing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct RungGroup {
+pub struct StepGroup {
     /// The wing.
     pub wing: String,
     /// The channel.
@@ -46,8 +46,8 @@ pub struct RungGroup {
     pub chi_square_per_number: f64,
 }
 
-/// The rungs of models that were calibrated one after the other, each with its name, and of the same cases.
-pub fn ladder(calibrated: &[(String, StudyComparison)]) -> Vec<StudyRung> {
+/// The steps of models that were calibrated one after the other, each with its name, and of the same cases.
+pub fn ladder(calibrated: &[(String, StudyComparison)]) -> Vec<StudyLadderStep> {
     let Some((_, first)) = calibrated.first() else {
         return Vec::new();
     };
@@ -69,7 +69,7 @@ enum Step {
     Noise,
 }
 
-fn rung(name: &str, model: &StudyComparison, step: Step) -> StudyRung {
+fn rung(name: &str, model: &StudyComparison, step: Step) -> StudyLadderStep {
     let in_sigma = |is_held_out: bool, error: &dyn Fn(&StudyRow) -> Option<f64>| {
         let rows = model.rows.iter().filter(|row| row.is_held_out == is_held_out);
         root_mean_square(rows.filter_map(|row| Some(error(row)? / row.sigma)))
@@ -95,7 +95,7 @@ fn rung(name: &str, model: &StudyComparison, step: Step) -> StudyRung {
                 (sigma, group.left_out.map(|_| sigma), 1.0)
             }
         };
-        RungGroup {
+        StepGroup {
             wing: group.wing.clone(),
             channel: group.channel,
             unit: group.unit.clone(),
@@ -105,7 +105,7 @@ fn rung(name: &str, model: &StudyComparison, step: Step) -> StudyRung {
             chi_square_per_number,
         }
     };
-    StudyRung {
+    StudyLadderStep {
         name: name.to_string(),
         chi_square_per_number: match step {
             Step::Stated => Some(model.chi_square_per_row[0]),

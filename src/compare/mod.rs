@@ -27,7 +27,7 @@ pub mod verdict;
 pub mod wing;
 
 pub use comparison::Comparison;
-pub use ladder::{RungGroup, StudyRung};
+pub use ladder::{StepGroup, StudyLadderStep};
 pub use reading::Reading;
 pub use row::{ComparedRow, NotCompared};
 pub use span::{ComparedStation, ProfileOrigin, SpanComparison};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::input::measurement::Channel;
 use crate::lift::LiftReport;
-use crate::observation::TwistProfile;
+use crate::observation::{TwistProfile, TwistReading};
 use crate::wing::{SolvedWing, WingError};
 
 use super::comparison::Comparison;
@@ -14,8 +14,10 @@ use super::wing::compare;
 /// What is read from a solved wing.
 #[derive(Debug, Clone)]
 pub struct Reading {
-    /// Twist along the span.
+    /// Twist at the stations of the design.
     pub profile: TwistProfile,
+    /// The same with places evenly between, for a curve.
+    pub along_span: Vec<TwistReading>,
     /// Its stages, where it carries a fit.
     pub stages: Option<ModelledStages>,
     /// Lift, drag and power; none without flow.
@@ -47,6 +49,7 @@ impl Reading {
             stages: ModelledStages::of(&profile),
             measured: measurement.map(|measurement| compare(&observer, measurement, &whole_wing)),
             profile,
+            along_span: observer.along_span(),
             lift,
         })
     }

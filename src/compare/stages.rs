@@ -24,7 +24,8 @@ pub struct FittedStage {
     pub from_mm: f64,
     /// Where it ends.
     pub to_mm: f64,
-    /// Standard error of the break at its end; absent for the last stage and where the points do not fix it.
+    /// Standard error of the break at its end; absent for the last stage and where the points do not fix it: it would be larger than a stage
+    /// beside it.
     pub to_error_mm: Option<f64>,
     /// Twist rate.
     pub rate_deg_per_mm: f64,
@@ -41,15 +42,15 @@ impl ModelledStages {
 
     /// In millimetres and degrees.
     pub fn new(fit: &StageFit) -> ModelledStages {
+        let length = |k: usize| fit.stages.get(k).map_or(0.0, |stage| stage.to_m - stage.from_m);
+        let error_of_end = |k: usize| {
+            let error_m = fit.break_error_m.get(k).copied().flatten()?;
+            (error_m < length(k).min(length(k + 1))).then_some(error_m)
+        };
         let stages = fit.stages.iter().enumerate().map(|(k, stage)| FittedStage {
             from_mm: stage.from_m * 1e3,
             to_mm: stage.to_m * 1e3,
-            to_error_mm: fit
-                .break_error_m
-                .get(k)
-                .copied()
-                .flatten()
-                .map(|error_m| error_m * 1e3),
+            to_error_mm: error_of_end(k).map(|error_m| error_m * 1e3),
             rate_deg_per_mm: stage.rate_rad_per_m * DEG_PER_MM,
             rate_error_deg_per_mm: stage.rate_error_rad_per_m.map(|error| error * DEG_PER_MM),
         });

@@ -7,7 +7,7 @@ use crate::study::calibrate::misfit;
 use crate::study::case::PreparedCase;
 use crate::study::left_out::{Local, Others, by_condition};
 use crate::study::{
-    AdmittedError, Campaign, Condition, Fit, Forward, Linear, Noise, StudyError, Task, UnknownKind, best_fit,
+    Campaign, Condition, Discrepancy, Fit, Forward, Linear, Noise, StudyError, Task, UnknownKind, best_fit,
 };
 
 use super::study_comparison::{
@@ -26,7 +26,7 @@ const CORRELATED: f64 = 0.5;
 /// If a case has no solution, or the fit does not settle.
 pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison, StudyError> {
     let start = campaign.start();
-    let (before, footing) = campaign.linearize_from(None, &start, &|_| true)?;
+    let (before, warm_start) = campaign.linearize_from(None, &start, &|_| true)?;
     let (observables, conditions) = (campaign.observables(), campaign.conditions());
     let fitted = |row: &usize| !conditions[observables[*row].condition].is_held_out;
     let rows: Vec<usize> = (0..observables.len()).filter(fitted).collect();
@@ -34,7 +34,7 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
         observables,
         conditions,
         &rows,
-        &AdmittedError::of_predictions(campaign.slop, &before.value),
+        &Discrepancy::of_predictions(campaign.discrepancy, &before.value),
     )?;
     let free: Vec<usize> = (0..campaign.unknowns().len()).collect();
     let task = Task {
@@ -42,7 +42,7 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
         noise: &noise,
         free: &free,
         start: &start,
-        footing: footing.as_ref(),
+        warm_start: warm_start.as_ref(),
     };
     let fit = (!free.is_empty() && !rows.is_empty())
         .then(|| best_fit(campaign, &task))
@@ -60,7 +60,7 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
     let mut comparison = StudyComparison {
         study: campaign.name.clone(),
         title: title.to_string(),
-        groups: groups(&study_rows, campaign.slop),
+        groups: groups(&study_rows, campaign.discrepancy),
         unknowns: fit.as_ref().map_or_else(Vec::new, |fit| unknowns(campaign, fit)),
         correlations: fit
             .as_ref()
@@ -185,7 +185,7 @@ pub(super) fn root_mean_square(errors: impl Iterator<Item = f64>) -> Option<f64>
     (count > 0).then(|| (sum / count as f64).sqrt())
 }
 
-fn groups(rows: &[StudyRow], slop: f64) -> Vec<GroupMisfit> {
+fn groups(rows: &[StudyRow], discrepancy: f64) -> Vec<GroupMisfit> {
     let mut keys: Vec<(&str, Channel, bool)> = Vec::new();
     for row in rows {
         let key = (row.wing.as_str(), row.channel, row.is_held_out);
@@ -202,7 +202,7 @@ fn groups(rows: &[StudyRow], slop: f64) -> Vec<GroupMisfit> {
             members.iter().map(|row| of(row)).sum::<f64>() / members.len() as f64
         };
         let square = |k: usize| mean(&|row| row.errors()[k].powi(2));
-        let variance = |row: &StudyRow| row.sigma.powi(2) + (slop * row.before).powi(2);
+        let variance = |row: &StudyRow| row.sigma.powi(2) + (discrepancy * row.before).powi(2);
         let chi_square = |k: usize| mean(&|row| row.errors()[k].powi(2) / variance(row));
         let measurement = mean(&|row| row.sigma.powi(2));
         let inputs = mean(&|row| row.sigma_of_inputs.powi(2));

@@ -133,6 +133,21 @@ pub struct CalibratedUnknown {
     pub at_end: bool,
 }
 
+/// Prior standard deviations by which what is calibrated may move before it must be told.
+const FAR: f64 = 2.0;
+
+impl CalibratedUnknown {
+    /// Whether calibration has moved it farther than its prior lets expect.
+    pub fn has_moved_far(&self) -> bool {
+        self.pull.abs() > FAR
+    }
+
+    /// Whether it stands where its prior has it, and these data say little of it.
+    pub fn is_at_its_prior(&self) -> bool {
+        !self.is_identified && !self.has_moved_far()
+    }
+}
+
 /// Two unknowns that the data cannot move apart.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Correlation {

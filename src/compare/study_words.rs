@@ -30,7 +30,7 @@ pub(super) fn words(comparison: &StudyComparison) -> Vec<String> {
     let moved: Vec<&CalibratedUnknown> = comparison
         .unknowns
         .iter()
-        .filter(|u| u.pull.abs() > 2.0)
+        .filter(|unknown| unknown.has_moved_far())
         .collect();
     for unknown in moved {
         words.push(format!(
@@ -40,7 +40,7 @@ pub(super) fn words(comparison: &StudyComparison) -> Vec<String> {
         ));
     }
     let unseen: Vec<&str> = (comparison.unknowns.iter())
-        .filter(|unknown| !unknown.is_identified)
+        .filter(|unknown| unknown.is_at_its_prior())
         .map(|unknown| unknown.unknown.name.as_str())
         .collect();
     if !unseen.is_empty() {

@@ -4,7 +4,7 @@ use crate::input::design::{Accelerator, Design, Factorization};
 use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Tangent};
+use crate::structure::{Equilibrium, StructureError, Tangent};
 
 use super::air::Air;
 use super::error::CouplingError;
@@ -12,7 +12,7 @@ use super::fixed_point::Coupled;
 use super::near::{Care, Near};
 use super::solution::{Solution, SolveReport};
 use super::wing::Wing;
-use super::{cure, cure_near, fixed_point, newton};
+use super::{cure, cure_near, fixed_point, newton, pseudo_time};
 
 /// As [`super::solve_from`], of the wing of a design that is set up already. Besides, the structure's tangent at the solution,
 /// factorized.
@@ -59,7 +59,7 @@ pub fn solve_wing(
 }
 
 /// By Newton's method where the design asks for it, from nearby and from rest; else, and where it does not settle on a stable
-/// shape, by the fixed point.
+/// shape, by the fixed point; in pseudo-time where that does not settle either.
 fn couple(
     design: &Design,
     wing: &Wing,
@@ -102,9 +102,30 @@ fn couple(
             return Err(CouplingError::GivenUp { steps: lost });
         }
     }
-    let mut found = fixed_point::iterate(wing, equilibrium, rest, coupling, structure, progress)?;
+    let by_fixed_point = fixed_point::iterate(wing, equilibrium, rest, coupling, structure, progress);
+    let mut found = match by_fixed_point {
+        Err(told) if !wing.linear && is_unsettled(&told) => {
+            let settled = pseudo_time::settle(wing, equilibrium, rest, coupling, progress)?;
+            let settled = settled
+                .ok()
+                .map(|found| fixed_point::stable(wing, equilibrium, rest, found));
+            match settled {
+                Some(Ok(found)) => found,
+                _ => return Err(told),
+            }
+        }
+        found => found?,
+    };
     found.newton_steps += lost;
     Ok(found)
+}
+
+/// Whether nothing was found, as opposed to a verdict on what was.
+fn is_unsettled(error: &CouplingError) -> bool {
+    matches!(
+        error,
+        CouplingError::OutOfPatience { .. } | CouplingError::Structure(StructureError::NoEquilibrium { .. })
+    )
 }
 
 /// Residuals of what has converged that are larger are rounding: there is next to no load to set them beside.

@@ -50,6 +50,26 @@ impl Coupled {
             critical_ratio: None,
         }
     }
+
+    /// After a step of air and structure together, from where the strips had the shapes `from`; gives those that they have now. `rest_twist`: of the strips
+    /// without load, rad.
+    pub(super) fn step_to(
+        &mut self,
+        wing: &Wing,
+        state: State,
+        from: &[f64],
+        rest_twist: &[f64],
+    ) -> Vec<f64> {
+        self.state = state;
+        self.iterations += 1;
+        self.newton_steps += 1;
+        let moved = wing.strips.shapes(&self.state);
+        let (old, new) = (twists(from), twists(&moved));
+        self.twist_change_deg = largest_difference(&old, &new).to_degrees();
+        let from_rest = new.iter().zip(rest_twist).map(|(t, r)| (t - r).to_degrees());
+        self.twist_history_deg.push(from_rest.collect());
+        moved
+    }
 }
 
 /// Iterates from the shape `rest` (in equilibrium without load).

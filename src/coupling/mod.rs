@@ -44,6 +44,8 @@ pub mod near;
 
 pub mod periodic;
 
+mod pseudo_time;
+
 pub mod recycled;
 
 pub mod sensitivity;

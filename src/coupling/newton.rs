@@ -6,7 +6,7 @@
 
 use super::error::CouplingError;
 use super::feedback::Feedback;
-use super::fixed_point::{Coupled, largest_difference, twists};
+use super::fixed_point::{Coupled, twists};
 use super::recycled::Recycled;
 use super::wing::Wing;
 use crate::input::design::Coupling;
@@ -95,15 +95,8 @@ pub fn iterate(
         let Some(mut step) = found else {
             return Ok(Err(coupled.newton_steps));
         };
-        coupled.state = equilibrium.move_mixed(&coupled.state, &mut step, &mut way);
-        coupled.iterations += 1;
-        coupled.newton_steps += 1;
-        let moved = wing.strips.shapes(&coupled.state);
-        let (old, new) = (twists(&shapes), twists(&moved));
-        coupled.twist_change_deg = largest_difference(&old, &new).to_degrees();
-        let from_rest = new.iter().zip(&rest_twist).map(|(t, r)| (t - r).to_degrees());
-        coupled.twist_history_deg.push(from_rest.collect());
-        shapes = moved;
+        let state = equilibrium.move_mixed(&coupled.state, &mut step, &mut way);
+        shapes = coupled.step_to(wing, state, &shapes, &rest_twist);
     }
 }
 

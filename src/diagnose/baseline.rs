@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::progress::Progress;
 use crate::study::calibrate::misfit;
 use crate::study::left_out::Local;
-use crate::study::{Fit, Footing, Forward, Work};
+use crate::study::{Fit, Forward, WarmStart, Work};
 
 use super::data::{Data, Scatter, start};
 use super::error::{DiagnoseError, where_solved};
@@ -71,7 +71,7 @@ pub struct Baseline<'a> {
     /// What the derivatives with every effect took; nothing if another diagnosis found them.
     pub screening: Work,
     /// What the model left at the first fit.
-    pub footing: Option<Footing>,
+    pub warm_start: Option<WarmStart>,
 }
 
 /// What effects are weighed by: the first fit, and the errors about it.
@@ -91,7 +91,7 @@ pub struct Seen<'a> {
     /// What the model reads there.
     pub raw: &'a DVector<f64>,
     /// What the first fit left.
-    pub footing: Option<Footing>,
+    pub warm_start: Option<WarmStart>,
 }
 
 impl Seen<'_> {
@@ -106,7 +106,7 @@ impl Seen<'_> {
         }
         let found = self
             .forward
-            .linearize_from(self.footing.as_ref(), &there, &|_| false);
+            .linearize_from(self.warm_start.as_ref(), &there, &|_| false);
         let Some((with, _)) = where_solved(found)? else {
             return Ok(None);
         };
@@ -137,11 +137,11 @@ impl<'a> Baseline<'a> {
                 what: "its start".into(),
             });
         }
-        let typical = Size::typical(settings.slop, settings.noise_scale);
+        let typical = Size::typical(settings.discrepancy, settings.noise_scale);
         let stated = ModelError::new(forward, &data, &raw, &vec![1.0; count], &DMatrix::zeros(count, 0));
         let stated = Scatter::new(&stated, &typical, vec![1.0; count])?;
         let first = stated.fit(forward, &data, &data.model, &start, None)?;
-        let footing = first.footing.clone();
+        let warm_start = first.warm_start.clone();
         progress.check()?;
         let table = match table {
             Some(table) => table.clone(),
@@ -175,14 +175,14 @@ impl<'a> Baseline<'a> {
             fields: &fields,
             start: &start,
             raw: &raw,
-            footing: footing.as_ref().map(Footing::for_trials),
+            warm_start: warm_start.as_ref().map(WarmStart::for_trials),
         };
         let weighing = weigh(&seen, &responses, &families, settings)?;
         let size = size_of_fits([weighing.share, weighing.scale], count, settings);
         let error = seen.error;
         let scatter = Scatter::new(&error, &size, widening)?;
         progress.say("fitting the model with the errors that the data show");
-        let fit = scatter.fit(forward, &data, &data.model, &first.at, footing.as_ref())?;
+        let fit = scatter.fit(forward, &data, &data.model, &first.at, warm_start.as_ref())?;
         let local = Local::about(&fit, forward, &scatter.noise);
         let whitened = Whitened::new(&local, &scatter.noise)?;
         let kept = data.kept_bounds(forward, &first.predicted).len();
@@ -207,20 +207,20 @@ impl<'a> Baseline<'a> {
             fields,
             likelihood: Likelihood::of(count - kept, settings),
             screening,
-            footing,
+            warm_start,
             data,
         })
     }
 
-    /// What fits with effects start from; `footing`: what the model left at the fit.
-    pub fn refits<'b>(&'b self, footing: Option<&'b Footing>) -> Refits<'b> {
+    /// What fits with effects start from; `warm_start`: what the model left at the fit.
+    pub fn refits<'b>(&'b self, warm_start: Option<&'b WarmStart>) -> Refits<'b> {
         Refits {
             forward: self.forward,
             data: &self.data,
             scatter: &self.scatter,
             baseline: &self.fit,
             slopes: &self.slopes,
-            footing,
+            warm_start,
             likelihood: self.likelihood,
         }
     }

@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::input::measurement::Bound;
 use crate::study::calibrate::misfit;
 use crate::study::left_out::conditions_of;
-use crate::study::{Fit, Footing, Forward, Noise, Task, Unknown, UnknownKind, calibrate};
+use crate::study::{Fit, Forward, Noise, Task, Unknown, UnknownKind, WarmStart, calibrate};
 
 use super::error::DiagnoseError;
 use super::model_error::{ModelError, Size};
@@ -164,7 +164,7 @@ impl Scatter {
         })
     }
 
-    /// Fits `free` from `start`; `footing`: what the model left near there.
+    /// Fits `free` from `start`; `warm_start`: what the model left near there.
     ///
     /// # Errors
     /// If the model has no solution there or the search does not settle.
@@ -174,14 +174,14 @@ impl Scatter {
         data: &Data,
         free: &[usize],
         start: &[f64],
-        footing: Option<&Footing>,
+        warm_start: Option<&WarmStart>,
     ) -> Result<Fit, DiagnoseError> {
         let task = Task {
             rows: &data.rows,
             noise: &self.noise,
             free,
             start,
-            footing,
+            warm_start,
         };
         let fit = calibrate(forward, &task)?;
         if fit.q.is_finite() && fit.slopes.iter().all(|slope| slope.is_finite()) {

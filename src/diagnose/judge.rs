@@ -1,11 +1,11 @@
 //! Which explanations are in the running, and their fits in the whole model.
 
 use crate::progress::Progress;
-use crate::study::Footing;
+use crate::study::WarmStart;
 
 use super::baseline::Baseline;
+use super::bump::{Bump, Bumps, bumps};
 use super::error::DiagnoseError;
-use super::hump::{Hump, Humps, humps};
 use super::library::Trial;
 use super::posterior::{Belief, Case, Weight, beliefs};
 use super::refit::{Explanation, Refits};
@@ -26,7 +26,7 @@ pub struct Judgement {
     /// Trials whose fit settled nowhere.
     pub unsettled: Vec<usize>,
     /// Causes without a name that were fitted.
-    pub humps: Humps,
+    pub bumps: Bumps,
     /// Hypotheses with probabilities, most probable first.
     pub beliefs: Vec<Belief>,
 }
@@ -46,8 +46,8 @@ impl Judgement {
     }
 
     /// The cause without a name that does best.
-    pub fn best_hump(&self) -> Option<&Hump> {
-        let fitted = self.humps.fitted.iter();
+    pub fn best_bump(&self) -> Option<&Bump> {
+        let fitted = self.bumps.fitted.iter();
         fitted.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))
     }
 
@@ -120,14 +120,14 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         trials,
         refits: Vec::new(),
         unsettled: Vec::new(),
-        humps: Humps::default(),
+        bumps: Bumps::default(),
         beliefs: beliefs(&weights, baseline.settings.tempering),
     };
-    let footing = baseline.footing.as_ref().map(Footing::for_trials);
-    let refits = baseline.refits(footing.as_ref());
+    let warm_start = baseline.warm_start.as_ref().map(WarmStart::for_trials);
+    let refits = baseline.refits(warm_start.as_ref());
     refit(&mut judgement, baseline, &refits, progress)?;
     if judgement.probability(&Case::Unknown) > MAY_BE_UNKNOWN {
-        judgement.humps = humps(baseline, &refits, progress)?;
+        judgement.bumps = bumps(baseline, &refits, progress)?;
     }
     Ok(judgement)
 }

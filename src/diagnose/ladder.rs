@@ -11,9 +11,9 @@ use crate::study::left_out::{Local, Others, by_condition};
 
 use super::baseline::Baseline;
 
-/// One rung.
+/// One step.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Rung {
+pub struct LadderStep {
     /// `raw`, `calibrated`, `+ effect`, `noise`.
     pub name: String,
     /// Channel of the root mean squares: the one with the most numbers.
@@ -40,8 +40,8 @@ pub struct Explained<'a> {
     pub local: Option<&'a Local>,
 }
 
-/// The rungs; `explanations` are fitted with more and more effects.
-pub fn ladder(baseline: &Baseline, explanations: &[Explained]) -> Vec<Rung> {
+/// The steps; `explanations` are fitted with more and more effects.
+pub fn ladder(baseline: &Baseline, explanations: &[Explained]) -> Vec<LadderStep> {
     let (forward, data) = (baseline.forward, &baseline.data);
     let channel = main_channel(baseline);
     let rms = |rows: &[usize], predicted: &DVector<f64>| {
@@ -73,7 +73,7 @@ pub fn ladder(baseline: &Baseline, explanations: &[Explained]) -> Vec<Rung> {
         let errors = DVector::from_iterator(data.rows.len(), errors);
         baseline.scatter.noise.whiten(&errors).norm_squared() / data.rows.len().max(1) as f64
     };
-    let rung = |name: &str, predicted: &DVector<f64>, local: Option<&Local>| Rung {
+    let rung = |name: &str, predicted: &DVector<f64>, local: Option<&Local>| LadderStep {
         name: name.to_string(),
         channel,
         chi_square_per_number: Some(chi_square(predicted)),
@@ -96,7 +96,7 @@ pub fn ladder(baseline: &Baseline, explanations: &[Explained]) -> Vec<Rung> {
         });
         root_mean_square(sigmas.collect())
     };
-    rungs.push(Rung {
+    rungs.push(LadderStep {
         name: "noise".into(),
         channel,
         chi_square_per_number: None,

@@ -4,6 +4,10 @@ pub mod added_variable;
 
 pub mod baseline;
 
+pub mod bump;
+
+mod columns;
+
 pub mod data;
 
 pub mod error;
@@ -11,8 +15,6 @@ pub mod error;
 pub mod evidence;
 
 pub mod fields;
-
-pub mod hump;
 
 pub mod interpolate;
 
@@ -49,6 +51,7 @@ pub mod refit;
 pub mod report;
 
 pub mod responses;
+pub mod root;
 
 pub mod robust;
 

@@ -8,13 +8,12 @@
 //! The correlations were read off two models of one wing that share no code (geometrically exact beams with strain triangles against
 //! shells): calibrated, they differ by 0.06 to 0.24° rms of 5 to 24° of twist, alike in all conditions of a wing.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::{DMatrix, DVector};
 
 use crate::input::measurement::Channel;
 use crate::study::{Forward, MeshError};
 
 use super::data::Data;
-use super::error::DiagnoseError;
 
 /// How a smooth error goes together: length along the span over that of the wing, correlation between conditions of one wing, and
 /// between wings.
@@ -139,6 +138,10 @@ pub struct ModelError {
     local: DVector<f64>,
     /// The same with its sign.
     read: DVector<f64>,
+    /// How errors of effects' own formulas go together, those of effects that act through the film, and what the mesh leaves.
+    own: DMatrix<f64>,
+    own_in_film: DMatrix<f64>,
+    of_mesh: DMatrix<f64>,
 }
 
 /// Where a reading was taken.
@@ -151,11 +154,44 @@ struct Place {
     along: Option<f64>,
 }
 
+impl Kernel {
+    /// How a smooth error goes together at these places.
+    fn correlation(&self, places: &[Place]) -> DMatrix<f64> {
+        DMatrix::from_fn(places.len(), places.len(), |i, j| {
+            let (a, b) = (&places[i], &places[j]);
+            if a.channel != b.channel {
+                return 0.0;
+            }
+            let between = match (a.condition == b.condition, a.wing == b.wing) {
+                (true, _) => 1.0,
+                (false, true) => self.conditions,
+                (false, false) => self.wings,
+            };
+            let along = match (a.along, b.along) {
+                (Some(x), Some(y)) => (-0.5 * ((x - y) / self.length).powi(2)).exp(),
+                _ => 1.0,
+            };
+            between * along
+        })
+    }
+}
+
+/// Covariance of errors of these sizes that go together so.
+fn sized(correlation: &DMatrix<f64>, size: &DVector<f64>) -> DMatrix<f64> {
+    let mut covariance = correlation.clone();
+    for (mut column, of_column) in covariance.column_iter_mut().zip(size.iter()) {
+        for (own, of_row) in column.iter_mut().zip(size.iter()) {
+            *own *= of_row * of_column;
+        }
+    }
+    covariance
+}
+
 impl Size {
-    /// The median of the prior, for a typical share of `slop`.
-    pub fn typical(slop: f64, scale: Option<f64>) -> Size {
+    /// The median of the prior, for a typical share of `discrepancy`.
+    pub fn typical(discrepancy: f64, scale: Option<f64>) -> Size {
         Size {
-            share: MEDIAN_SHARE * slop,
+            share: MEDIAN_SHARE * discrepancy,
             scale: scale.unwrap_or(1.0),
             ln_prior: 0.0,
         }
@@ -200,12 +236,15 @@ impl ModelError {
             mesh: None,
             mesh_share: DVector::zeros(rows.len()),
             formulation: DMatrix::zeros(0, 0),
-            places,
             typical,
             read: DVector::from_fn(rows.len(), |i, _| local[i].copysign(value[rows[i]])),
             local,
+            own: OWN.correlation(&places),
+            own_in_film: OWN_IN_FILM.correlation(&places),
+            of_mesh: MESH.correlation(&places),
+            places,
         };
-        error.formulation = error.smooth(FORMULATION, &error.local);
+        error.formulation = sized(&FORMULATION.correlation(&error.places), &error.local);
         if let Some(MeshError { deviation, .. }) = forward.mesh_error() {
             let left = DVector::from_iterator(rows.len(), rows.iter().map(|&row| deviation[row]));
             let about = error.about(&left);
@@ -213,7 +252,7 @@ impl ModelError {
                 &error.local,
                 |left, read| if read > 0.0 { left / read } else { 0.0 },
             );
-            error.mesh = Some(error.smooth(MESH, &about));
+            error.mesh = Some(sized(&error.of_mesh, &about));
         }
         error
     }
@@ -239,30 +278,9 @@ impl ModelError {
         })
     }
 
-    /// Covariance of a smooth error of size `local`.
-    fn smooth(&self, kernel: Kernel, local: &DVector<f64>) -> DMatrix<f64> {
-        let size = self.places.len();
-        DMatrix::from_fn(size, size, |i, j| {
-            let (a, b) = (&self.places[i], &self.places[j]);
-            if a.channel != b.channel {
-                return 0.0;
-            }
-            let between = match (a.condition == b.condition, a.wing == b.wing) {
-                (true, _) => 1.0,
-                (false, true) => kernel.conditions,
-                (false, false) => kernel.wings,
-            };
-            let along = match (a.along, b.along) {
-                (Some(x), Some(y)) => (-0.5 * ((x - y) / kernel.length).powi(2)).exp(),
-                _ => 1.0,
-            };
-            local[i] * local[j] * between * along
-        })
-    }
-
-    /// The sizes that are summed over: shares for a typical one of `slop`; `scale`: that of the scatter, if it is known; `trust`: how many
+    /// The sizes that are summed over: shares for a typical one of `discrepancy`; `scale`: that of the scatter, if it is known; `trust`: how many
     /// numbers the statement of the scatter is worth.
-    pub fn sizes(slop: f64, scale: Option<f64>, trust: usize) -> Vec<Size> {
+    pub fn sizes(discrepancy: f64, scale: Option<f64>, trust: usize) -> Vec<Size> {
         let spread = (2.0 * trust as f64).sqrt().recip();
         let scales: Vec<(f64, f64)> = match scale {
             Some(known) => vec![(known, 0.0)],
@@ -276,7 +294,7 @@ impl ModelError {
             let off = (share / MEDIAN_SHARE).ln() / SHARE_SPREAD;
             for &(scale, ln_scale) in &scales {
                 sizes.push(Size {
-                    share: share * slop,
+                    share: share * discrepancy,
                     scale,
                     ln_prior: ln_scale - 0.5 * off * off,
                 });
@@ -301,22 +319,9 @@ impl ModelError {
         covariance
     }
 
-    /// Root of the covariance of everything, with `more` besides.
-    ///
-    /// # Errors
-    /// If it is not positive definite: something is not finite.
-    pub fn root(
-        &self,
-        size: &Size,
-        more: Option<&DMatrix<f64>>,
-    ) -> Result<Cholesky<f64, Dyn>, DiagnoseError> {
-        let mut covariance = self.of_readings(size) + &self.inputs;
-        if let Some(more) = more {
-            covariance += more;
-        }
-        Cholesky::new(covariance).ok_or_else(|| DiagnoseError::NotFinite {
-            what: "the uncertain inputs".into(),
-        })
+    /// Covariance of everything.
+    pub fn of_all(&self, size: &Size) -> DMatrix<f64> {
+        self.of_readings(size) + &self.inputs
     }
 
     /// What two changes make besides their sum, if one scales what the other makes.
@@ -330,7 +335,7 @@ impl ModelError {
 
     /// Error of taking two changes to add: what one scales, the other changes in proportion.
     pub fn interplay(&self, a: &DVector<f64>, b: &DVector<f64>) -> DMatrix<f64> {
-        self.smooth(OWN, &self.product(a, b))
+        sized(&self.own, &self.product(a, b))
     }
 
     /// Error of an effect's own formula, whose card says that it is known to `share` of the `change` that it makes, and which is known so many
@@ -348,9 +353,12 @@ impl ModelError {
             let typical = OWN_FLOOR * OWN_FLOOR * mean_square(own.condition, own.channel);
             worst * (change[i].powi(2) + typical).sqrt()
         });
-        let kernel = if share > BADLY_KNOWN { OWN_IN_FILM } else { OWN };
-        let of_mesh = change.component_mul(&self.mesh_share);
-        self.smooth(kernel, &local) + self.smooth(MESH, &of_mesh)
+        let together = if share > BADLY_KNOWN {
+            &self.own_in_film
+        } else {
+            &self.own
+        };
+        sized(together, &local) + sized(&self.of_mesh, &change.component_mul(&self.mesh_share))
     }
 
     /// Covariances of causes without a name: in all channels, and in each alone.
@@ -372,7 +380,8 @@ impl ModelError {
                         conditions,
                         wings,
                     };
-                    fields.extend(UNKNOWN_SIZES.map(|size| self.smooth(kernel, &(&typical * size))));
+                    let together = kernel.correlation(&self.places);
+                    fields.extend(UNKNOWN_SIZES.map(|size| sized(&together, &(&typical * size))));
                 }
             }
         }

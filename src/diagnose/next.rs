@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::progress::Progress;
-use crate::study::{Cost, Fit, Footing, Forward, Observable, Proposal, Proposals, Unknown, UnknownKind};
+use crate::study::{Cost, Fit, Forward, Observable, Proposal, Proposals, Unknown, UnknownKind, WarmStart};
 
 use super::error::DiagnoseError;
 
@@ -185,17 +185,17 @@ fn proposed(
     progress: &Progress,
 ) -> Result<Option<Candidate>, DiagnoseError> {
     let campaign = proposals.campaign(proposal, progress)?;
-    let (mut answers, mut footing): (Vec<Answer>, Option<Footing>) = (Vec::new(), None);
+    let (mut answers, mut warm_start): (Vec<Answer>, Option<WarmStart>) = (Vec::new(), None);
     for rival in rivals {
         progress.check()?;
-        let from = footing.as_ref().map(Footing::roughly);
+        let from = warm_start.as_ref().map(WarmStart::roughly);
         // what has no solution from there may have one from the case as it stands
         let (told, left) = match answer(forward, &campaign, rival, from.as_ref()) {
             Err(DiagnoseError::Study(_)) if from.is_some() => answer(forward, &campaign, rival, None)?,
             told => told?,
         };
         answers.push(told);
-        footing = left.or(footing);
+        warm_start = left.or(warm_start);
     }
     let observables = campaign.observables();
     let apart = |rows: &[&Observable]| Candidate {
@@ -250,13 +250,13 @@ fn separation(
     }
 }
 
-/// Prediction of a rival for the candidates, and its covariance; from a footing, if there is one, and what it leaves.
+/// Prediction of a rival for the candidates, and its covariance; from a warm start, if there is one, and what it leaves.
 fn answer(
     forward: &dyn Forward,
     candidates: &dyn Forward,
     rival: &Rival,
-    footing: Option<&Footing>,
-) -> Result<(Answer, Option<Footing>), DiagnoseError> {
+    warm_start: Option<&WarmStart>,
+) -> Result<(Answer, Option<WarmStart>), DiagnoseError> {
     let (known, own) = (forward.unknowns(), candidates.unknowns());
     // among experiments on one wing alone nothing is told by its wing
     let wings = candidates
@@ -300,7 +300,7 @@ fn answer(
         unknown.kind == UnknownKind::Ruler && !known.iter().any(|k| k.name == unknown.name)
     };
     let wanted = |unknown: &Unknown| is_free(&unknown.name) || is_new(unknown);
-    let (linear, left) = candidates.linearize_from(footing, &at, &wanted)?;
+    let (linear, left) = candidates.linearize_from(warm_start, &at, &wanted)?;
     let place = |i: usize| same.iter().position(|same| *same == Some(i));
     let slopes = DMatrix::from_fn(linear.value.len(), rival.fit.free.len(), |row, k| {
         place(rival.fit.free[k]).map_or(0.0, |column| linear.jacobian[(row, column)])

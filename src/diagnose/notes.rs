@@ -66,7 +66,7 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
             added.join(", ")
         ));
     }
-    let unnamed: Vec<&str> = judgement.humps.unsettled.iter().map(|kind| kind.name()).collect();
+    let unnamed: Vec<&str> = judgement.bumps.unsettled.iter().map(|kind| kind.name()).collect();
     if !unnamed.is_empty() {
         notes.push(format!(
             "No fit settled with an {}: weighed by smooth fields alone.",

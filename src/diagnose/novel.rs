@@ -1,4 +1,4 @@
-//! None that is known: the missing load or compliance along the span, with its error and how it scales.
+//! An unknown cause: the missing load or compliance along the span, with its error and how it scales.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 use schemars::JsonSchema;
@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 use crate::study::Forward;
 
 use super::baseline::Baseline;
+use super::bump::Around;
 use super::evidence::{Likelihood, Spectrum, ln_sum};
 use super::fields::{Field, Law};
-use super::hump::Around;
 use super::laws::growths;
 use super::places::channel;
 use super::scaling::{Scaling, scaling};
@@ -114,7 +114,7 @@ pub(super) fn share(law: Law, fields: &[Field]) -> f64 {
     group / rivals
 }
 
-/// The best field along the span, of all laws by which a load may grow, and of the others; about a hump that was fitted, if there is one.
+/// The best field along the span, of all laws by which a load may grow, and of the others; about a bump that was fitted, if there is one.
 /// None if there is no field.
 pub fn reconstruct(baseline: &Baseline, around: Option<&Around>) -> Option<Reconstruction> {
     let forward = baseline.forward;

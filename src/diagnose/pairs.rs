@@ -64,8 +64,8 @@ pub fn pairs(
         .iter()
         .map(|trial| trial.members[0])
         .filter(|&k| {
-            let seen = weights.whitened(&weights.typical, None, &members[k].changes);
-            seen.is_ok_and(|(_, seen)| seen.column_iter().any(|own| own.norm() > VISIBLE))
+            let seen = weights.whitened(&members[k].changes);
+            seen.column_iter().any(|own| own.norm() > VISIBLE)
         })
         .collect();
     let glances: Vec<(usize, usize)> = visible
@@ -202,7 +202,8 @@ fn best_of_all(
     let mut columns = whole;
     columns.set_column(count, weights.residual);
     for level in &weights.levels {
-        let (ln_size, whitened) = weights.whitened(level, None, &columns)?;
+        let root = level.root(None)?;
+        let (ln_size, whitened) = (level.ln_size(&root), root.whiten(&columns));
         let gram = whitened.transpose() * &whitened;
         let q0 = gram[(count, count)];
         for i in 0..count {
@@ -311,16 +312,14 @@ fn block(
     let mut sum: DMatrix<f64> = DMatrix::zeros(a.ncols(), b.ncols());
     let residuals = weights.less(a);
     for level in &weights.levels {
-        let (ln_size, left) = weights.whitened(level, more, &residuals)?;
-        let (_, other) = weights.whitened(level, more, b)?;
+        let root = level.root(more)?;
+        let ln_size = level.ln_size(&root);
+        let (left, other) = (root.whiten(&residuals), root.whiten(b));
         let besides = mixed.as_ref().map(|(change, shares)| {
-            let change = DMatrix::from_column_slice(change.len(), 1, change.as_slice());
-            weights.whitened(level, more, &change).map(|(_, own)| {
-                let own = own.column(0).into_owned();
-                (left.tr_mul(&own), other.tr_mul(&own), own.norm_squared(), shares)
-            })
+            let own = root.whiten(&DMatrix::from_column_slice(change.len(), 1, change.as_slice()));
+            let own = own.column(0).into_owned();
+            (left.tr_mul(&own), other.tr_mul(&own), own.norm_squared(), shares)
         });
-        let besides = besides.transpose()?;
         let cross = left.transpose() * &other;
         let q_left: Vec<f64> = left.column_iter().map(|own| own.norm_squared()).collect();
         let q_other: Vec<f64> = other.column_iter().map(|own| own.norm_squared()).collect();

@@ -117,7 +117,11 @@ impl Outlook {
         });
         let ones = vec![1.0; size];
         let error = ModelError::new(forward, &data, &linear.value, &ones, &own);
-        let scatter = Scatter::new(&error, &Size::typical(settings.slop, settings.noise_scale), ones)?;
+        let scatter = Scatter::new(
+            &error,
+            &Size::typical(settings.discrepancy, settings.noise_scale),
+            ones,
+        )?;
         let local = Local {
             at_means: DVector::zeros(size),
             slopes: own,

@@ -5,7 +5,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use crate::study::boxed::least_in_box;
 use crate::study::calibrate::misfit;
 use crate::study::left_out::Local;
-use crate::study::{Fit, Footing, Forward};
+use crate::study::{Fit, Forward, WarmStart};
 
 use super::baseline::Baseline;
 use super::data::{Data, Scatter};
@@ -49,7 +49,7 @@ pub struct Refits<'a> {
     /// Derivatives of all observables with the missing effects, per prior standard deviation.
     pub slopes: &'a DMatrix<f64>,
     /// What the model left where these hold.
-    pub footing: Option<&'a Footing>,
+    pub warm_start: Option<&'a WarmStart>,
     /// How the noise enters.
     pub likelihood: Likelihood,
 }
@@ -104,7 +104,7 @@ impl Refits<'_> {
             for &effect in &whole {
                 start[effect] = whole_strength(&unknowns[effect]).unwrap_or_default();
             }
-            let fit = match scatter.fit(self.forward, self.data, &free, &start, self.footing) {
+            let fit = match scatter.fit(self.forward, self.data, &free, &start, self.warm_start) {
                 Ok(fit) => fit,
                 Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),
                 Err(_) => continue,

@@ -7,8 +7,8 @@ use crate::study::Fit;
 
 use super::added_variable::added_variable;
 use super::baseline::Baseline;
+use super::bump::Around;
 use super::error::DiagnoseError;
-use super::hump::Around;
 use super::judge::Judgement;
 use super::ladder::{Explained, ladder};
 use super::misfit::{self, Pull};
@@ -105,19 +105,19 @@ fn best_known(judgement: &Judgement) -> Option<&Explanation> {
 
 /// The fit with what was found: the best known explanation, or the cause without a name where that is the verdict.
 fn found(judgement: &Judgement) -> Option<&Fit> {
-    match judgement.best_hump().filter(|_| judgement.is_unknown()) {
-        Some(hump) => Some(&hump.fit),
+    match judgement.best_bump().filter(|_| judgement.is_unknown()) {
+        Some(bump) => Some(&bump.fit),
         None => best_known(judgement).map(|known| &known.fit),
     }
 }
 
 /// The best single effect of the best known explanation, then that explanation; of a cause without a name, its fit.
 fn rungs<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<Explained<'a>> {
-    if let Some(hump) = judgement.best_hump().filter(|_| judgement.is_unknown()) {
+    if let Some(bump) = judgement.best_bump().filter(|_| judgement.is_unknown()) {
         return vec![Explained {
-            name: hump.kind.name().to_string(),
-            fit: &hump.fit,
-            local: Some(&hump.local),
+            name: bump.kind.name().to_string(),
+            fit: &bump.fit,
+            local: Some(&bump.local),
         }];
     }
     let Some(known) = judgement.best_known() else {
@@ -188,7 +188,7 @@ fn verdict(
     let of_first = hypotheses
         .first()
         .filter(|own| own.refitted && is_possible(baseline, own) && own.plausible);
-    let of_first = of_first.filter(|_| baseline.weighing.share <= LEFT_OVER * baseline.settings.slop);
+    let of_first = of_first.filter(|_| baseline.weighing.share <= LEFT_OVER * baseline.settings.discrepancy);
     let others = (0..baseline.families.len()).filter(|other| !families.contains(other));
     match (&first.case, of_first) {
         (Case::Unknown, _) if first.probability >= BELIEVED => Verdict::Novel,
@@ -231,8 +231,8 @@ fn noise_found(baseline: &Baseline) -> NoiseFound {
 
 fn novel(baseline: &Baseline, judgement: &Judgement) -> Result<Novel, DiagnoseError> {
     let around = judgement
-        .best_hump()
-        .map(|hump| Around::new(baseline, hump))
+        .best_bump()
+        .map(|bump| Around::new(baseline, bump))
         .transpose()?;
     let is_wanted = judgement.is_unknown();
     let reconstruction = is_wanted
@@ -315,7 +315,7 @@ fn next(
     for belief in judgement.beliefs.iter().filter(|belief| belief.in_set) {
         let fit = match belief.case {
             Case::Nothing => Some(&baseline.fit),
-            Case::Unknown => judgement.best_hump().map(|hump| &hump.fit),
+            Case::Unknown => judgement.best_bump().map(|bump| &bump.fit),
             _ => judgement
                 .best_of(&belief.case.families())
                 .and_then(|(_, explanation)| Some(&explanation?.fit)),

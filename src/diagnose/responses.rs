@@ -9,14 +9,13 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::{Deserialize, Serialize};
 
 use crate::progress::Progress;
-use crate::study::{Footing, Forward, Unknown, UnknownKind};
+use crate::study::{Forward, Unknown, UnknownKind, WarmStart};
 
 use super::data::Data;
 use super::error::DiagnoseError;
 use super::evidence::place_of_largest;
-use super::interpolate::{Measure, interpolate};
+use super::interpolate::Curve;
 use super::steps::Steps;
-use super::table::columns::of_strengths;
 
 /// Strengths between none and the largest that was solved, to either side.
 const NODES: usize = 16;
@@ -37,11 +36,8 @@ pub struct Responses {
 /// The steps of one effect.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Response {
-    /// Strengths in ascending order, none among them, with the change of every observable.
-    #[serde(with = "of_strengths")]
-    knots: Vec<(f64, DVector<f64>)>,
-    /// How far they are apart.
-    measure: Measure,
+    /// Between the strengths that were solved.
+    curve: Curve,
     /// Strengths at which the model has no solution.
     pub unsolved: Vec<f64>,
 }
@@ -70,12 +66,12 @@ impl Responses {
         forward: &dyn Forward,
         data: &Data,
         at: &[f64],
-        (slopes, footing): (&DMatrix<f64>, Option<&Footing>),
+        (slopes, warm_start): (&DMatrix<f64>, Option<&WarmStart>),
         progress: &Progress,
     ) -> Result<Responses, DiagnoseError> {
-        let (here, left) = forward.linearize_from(footing, at, &|_| false)?;
-        let left = left.as_ref().map(Footing::roughly);
-        let steps = Steps::new(forward, data, at, &here.value, footing.or(left.as_ref()));
+        let (here, left) = forward.linearize_from(warm_start, at, &|_| false)?;
+        let left = left.as_ref().map(WarmStart::roughly);
+        let steps = Steps::new(forward, data, at, &here.value, warm_start.or(left.as_ref()));
         let unknowns = forward.unknowns();
         let missing = &data.missing;
         let everywhere = |k: usize| {
@@ -91,13 +87,8 @@ impl Responses {
                 let begun = 1 + begun.fetch_add(1, Ordering::Relaxed);
                 progress.say(format_args!("effect {begun} of {}", asked.len()));
                 let slope = slopes.column(k) / unknowns[missing[k]].sigma;
-                let (knots, unsolved) = steps.of(missing[k], &slope)?;
-                let measure = Measure::within(unknowns[missing[k]].range);
-                Ok(Response {
-                    knots,
-                    measure,
-                    unsolved,
-                })
+                let (curve, unsolved) = steps.of(missing[k], &slope)?;
+                Ok(Response { curve, unsolved })
             })
             .collect::<Result<_, DiagnoseError>>()?;
         let mut each = vec![Response::default(); missing.len()];
@@ -126,11 +117,12 @@ impl Response {
         else {
             return Vec::new();
         };
-        let (Some((least, _)), Some((most, _))) = (self.knots.first(), self.knots.last()) else {
+        let (Some((least, _)), Some((most, _))) = (self.curve.knots.first(), self.curve.knots.last()) else {
             return Vec::new();
         };
         let mut strengths: Vec<f64> = match all_or_none {
             true => self
+                .curve
                 .knots
                 .iter()
                 .map(|knot| knot.0)
@@ -208,20 +200,22 @@ impl Response {
         nodes
     }
 
-    /// Changes at the strengths that were solved.
-    pub fn changes(&self) -> impl Iterator<Item = &DVector<f64>> {
-        self.knots.iter().map(|knot| &knot.1)
+    /// Whether it is one of so many observables.
+    pub fn is_of(&self, observables: usize) -> bool {
+        let Curve { knots, slope, .. } = &self.curve;
+        knots.iter().all(|knot| knot.1.len() == observables)
+            && (slope.is_empty() || slope.len() == observables)
     }
 
     /// Whether the model was asked at a strength, or beyond.
     pub fn has(&self, strength: f64) -> bool {
-        let ends = (self.knots.first(), self.knots.last());
+        let ends = (self.curve.knots.first(), self.curve.knots.last());
         matches!(ends, (Some((low, _)), Some((high, _))) if strength != 0.0 && (*low..=*high).contains(&strength))
     }
 
     /// Change of every observable at a strength within the steps.
     pub fn at(&self, strength: f64) -> DVector<f64> {
-        interpolate(&self.knots, strength, self.measure)
+        self.curve.at(strength)
     }
 }
 
@@ -299,10 +293,11 @@ fn of_wing(forward: &dyn Forward, all: &Response, unknowns: &[Unknown], own: usi
         Some(condition.wing.as_str()) == wing
     };
     let mut response = all.clone();
-    for (_, change) in &mut response.knots {
-        for row in (0..change.len()).filter(|&row| !is_its(row)) {
-            change[row] = 0.0;
-        }
+    let Curve { knots, slope, .. } = &mut response.curve;
+    let changes = knots.iter_mut().map(|knot| knot.1.as_mut_slice());
+    for change in changes.chain([slope.as_mut_slice()]) {
+        let others = change.iter_mut().enumerate().filter(|(row, _)| !is_its(*row));
+        others.for_each(|(_, value)| *value = 0.0);
     }
     response
 }

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, Normal};
 
-use crate::study::{Footing, Forward, Unknown, UnknownKind};
+use crate::study::{Forward, Unknown, UnknownKind, WarmStart};
 
 use super::data::Data;
 use super::error::DiagnoseError;
@@ -105,12 +105,12 @@ pub struct Slopes {
     /// To the missing effects, one column each, per prior standard deviation.
     pub missing: DMatrix<f64>,
     /// What the model left there.
-    pub footing: Option<Footing>,
+    pub warm_start: Option<WarmStart>,
 }
 
 /// Derivatives of all observables with the missing effects at `at`, one column each, per prior standard deviation.
 ///
-/// An effect with a kink at zero is seen from a step. `footing`: what the model left nearby.
+/// An effect with a kink at zero is seen from a step. `warm_start`: what the model left nearby.
 ///
 /// # Errors
 /// If the model has no solution there, or a derivative is not finite.
@@ -119,12 +119,12 @@ pub fn slopes_of_missing(
     data: &Data,
     at: &[f64],
     settings: &Settings,
-    footing: Option<&Footing>,
+    warm_start: Option<&WarmStart>,
 ) -> Result<Slopes, DiagnoseError> {
     let unknowns = forward.unknowns();
     let names: Vec<&str> = data.missing.iter().map(|&i| unknowns[i].name.as_str()).collect();
     let wanted = |unknown: &Unknown| names.contains(&unknown.name.as_str());
-    let (linear, left) = forward.linearize_from(footing, at, &wanted)?;
+    let (linear, left) = forward.linearize_from(warm_start, at, &wanted)?;
     let mut slopes = linear.jacobian.select_columns(data.missing.iter());
     for (k, &i) in data.missing.iter().enumerate() {
         let switch = matches!(unknowns[i].kind, UnknownKind::Effect { has_switch: true, .. });
@@ -149,7 +149,7 @@ pub fn slopes_of_missing(
     }
     Ok(Slopes {
         missing: slopes,
-        footing: left,
+        warm_start: left,
     })
 }
 

@@ -10,7 +10,7 @@ use super::error::DiagnoseError;
 #[serde(default, deny_unknown_fields)]
 pub struct Settings {
     /// Admitted error of the model as a share of what it predicts.
-    pub slop: f64,
+    pub discrepancy: f64,
     /// Probability of a false alarm that is accepted where nothing is missing.
     pub significance: f64,
     /// How many numbers the stated standard deviations are worth when the noise is estimated from the data.
@@ -61,7 +61,7 @@ impl Default for PriorOdds {
 impl Default for Settings {
     fn default() -> Self {
         Settings {
-            slop: 0.01,
+            discrepancy: 0.01,
             significance: 0.01,
             noise_trust: 5,
             start: None,
@@ -84,8 +84,8 @@ impl Settings {
         let positive = "give a number larger than 0";
         let ranges = [
             (
-                "slop",
-                self.slop,
+                "discrepancy",
+                self.discrepancy,
                 0.0,
                 0.5,
                 "give a share from 0 to 0.5, such as 0.01",

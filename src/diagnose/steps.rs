@@ -3,11 +3,11 @@
 
 use nalgebra::DVector;
 
-use crate::study::{Footing, Forward, Unknown, UnknownKind};
+use crate::study::{Forward, Unknown, UnknownKind, WarmStart};
 
 use super::data::Data;
 use super::error::{DiagnoseError, where_solved};
-use super::interpolate::{Measure, interpolate};
+use super::interpolate::{Curve, Knots, Measure};
 
 /// How far beyond a plausible end an effect is looked at, if its range reaches at least so far.
 const BEYOND: f64 = 1.5;
@@ -23,16 +23,13 @@ const FAINT: f64 = 0.002;
 /// Readings near zero count like this share of the root mean square of all.
 const FLOOR: f64 = 0.25;
 
-/// Strengths in ascending order with the change of every observable.
-pub type Knots = Vec<(f64, DVector<f64>)>;
-
 /// The model about a point, with every missing effect off.
 pub struct Steps<'a> {
     forward: &'a dyn Forward,
     data: &'a Data,
     at: &'a [f64],
     here: &'a DVector<f64>,
-    footing: Option<&'a Footing>,
+    warm_start: Option<&'a WarmStart>,
     /// By observable: one over what a reading is, typically; 0 for held-out ones.
     weights: DVector<f64>,
 }
@@ -44,7 +41,7 @@ impl<'a> Steps<'a> {
         data: &'a Data,
         at: &'a [f64],
         here: &'a DVector<f64>,
-        footing: Option<&'a Footing>,
+        warm_start: Option<&'a WarmStart>,
     ) -> Steps<'a> {
         let observables = forward.observables();
         let mut weights = DVector::zeros(here.len());
@@ -65,7 +62,7 @@ impl<'a> Steps<'a> {
             data,
             at,
             here,
-            footing,
+            warm_start,
             weights,
         }
     }
@@ -74,27 +71,35 @@ impl<'a> Steps<'a> {
     ///
     /// # Errors
     /// If the user asked to stop.
-    pub fn of(&self, i: usize, slope: &DVector<f64>) -> Result<(Knots, Vec<f64>), DiagnoseError> {
+    pub fn of(&self, i: usize, slope: &DVector<f64>) -> Result<(Curve, Vec<f64>), DiagnoseError> {
         let unknown = &self.forward.unknowns()[i];
+        let has_slope = !is_all_or_none(unknown) && slope.iter().any(|own| *own != 0.0);
+        let slope = has_slope.then_some(slope);
         let mut knots: Knots = vec![(0.0, DVector::zeros(self.here.len()))];
         let mut unsolved: Vec<f64> = Vec::new();
         for end in ends(unknown) {
             let mut side = Side {
                 steps: self,
                 i,
+                slope,
                 solved: vec![Solved {
                     strength: 0.0,
                     change: DVector::zeros(self.here.len()),
-                    footing: self.footing.cloned(),
+                    warm_start: self.warm_start.cloned(),
                 }],
                 unsolved: Vec::new(),
             };
-            side.explore(end, slope)?;
+            side.explore(end)?;
             knots.extend(side.solved.drain(1..).map(|own| (own.strength, own.change)));
             unsolved.append(&mut side.unsolved);
         }
         knots.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Ok((knots, unsolved))
+        let curve = Curve {
+            knots,
+            slope: slope.map_or_else(Vec::new, |slope| slope.as_slice().to_vec()),
+            measure: Measure::within(unknown.range),
+        };
+        Ok((curve, unsolved))
     }
 
     /// Whether an error of a change does not count beside that of the effect's own formula.
@@ -109,6 +114,8 @@ impl<'a> Steps<'a> {
 struct Side<'a> {
     steps: &'a Steps<'a>,
     i: usize,
+    /// Derivative at none, where it has one.
+    slope: Option<&'a DVector<f64>>,
     /// None first, then in the order in which they were solved.
     solved: Vec<Solved>,
     unsolved: Vec<f64>,
@@ -118,12 +125,12 @@ struct Side<'a> {
 struct Solved {
     strength: f64,
     change: DVector<f64>,
-    footing: Option<Footing>,
+    warm_start: Option<WarmStart>,
 }
 
 impl Side<'_> {
     /// Steps to a plausible end, or as far as there are solutions, and beyond.
-    fn explore(&mut self, end: f64, slope: &DVector<f64>) -> Result<(), DiagnoseError> {
+    fn explore(&mut self, end: f64) -> Result<(), DiagnoseError> {
         let steps = self.steps;
         let unknown = &steps.forward.unknowns()[self.i];
         let reached = self.reach(end)?;
@@ -133,26 +140,27 @@ impl Side<'_> {
         let last = self.at(reached);
         // a straight line is off a parabola by a quarter of the bend
         let far = self.measure().of(reached);
-        let bend = &last - slope * far;
-        let has_slope = slope.iter().any(|own| *own != 0.0);
-        let is_straight = has_slope && steps.is_faint(&(&bend * 0.25), &last, unknown);
-        if !is_straight {
-            self.between(0.0, reached, has_slope.then_some(&bend), 0)?;
+        let bend = self.slope.map(|slope| &last - slope * far);
+        let straight = bend
+            .as_ref()
+            .filter(|bend| steps.is_faint(&(*bend * 0.25), &last, unknown));
+        if straight.is_none() {
+            self.between(0.0, reached, bend.as_ref(), 0)?;
         }
         let [low, high] = unknown.range;
         let beyond = (BEYOND * end).clamp(low, high);
         if reached != end || beyond.abs() < end.abs() * WORTHWHILE {
             return Ok(());
         }
-        if !is_straight {
+        let (Some(bend), Some(slope)) = (straight, self.slope) else {
             self.ask(beyond)?;
             return Ok(());
-        }
+        };
         let far_beyond = self.measure().of(beyond);
         self.solved.push(Solved {
             strength: beyond,
-            change: slope * far_beyond + &bend * (far_beyond / far).powi(2),
-            footing: None,
+            change: slope * far_beyond + bend * (far_beyond / far).powi(2),
+            warm_start: None,
         });
         Ok(())
     }
@@ -212,7 +220,14 @@ impl Side<'_> {
             .map(|own| (own.strength, own.change.clone()))
             .collect();
         knots.sort_by(|a, b| a.0.total_cmp(&b.0));
-        interpolate(&knots, strength, self.measure())
+        let curve = Curve {
+            knots,
+            slope: self
+                .slope
+                .map_or_else(Vec::new, |slope| slope.as_slice().to_vec()),
+            measure: self.measure(),
+        };
+        curve.at(strength)
     }
 
     fn measure(&self) -> Measure {
@@ -236,10 +251,10 @@ impl Side<'_> {
         let measure = self.measure();
         let off = |own: &&Solved| (measure.of(own.strength) - measure.of(strength)).abs();
         let nearest = self.solved.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
-        let footing = nearest.and_then(|own| own.footing.as_ref());
+        let warm_start = nearest.and_then(|own| own.warm_start.as_ref());
         let mut there = at.to_vec();
         there[self.i] = strength;
-        let found = where_solved(forward.linearize_from(footing, &there, &|_| false))?;
+        let found = where_solved(forward.linearize_from(warm_start, &there, &|_| false))?;
         let found = found.filter(|(moved, _)| moved.value.iter().all(|own| own.is_finite()));
         let Some((moved, left)) = found else {
             self.unsolved.push(strength);
@@ -252,7 +267,7 @@ impl Side<'_> {
         self.solved.push(Solved {
             strength,
             change,
-            footing: left.as_ref().map(Footing::roughly),
+            warm_start: left.as_ref().map(WarmStart::roughly),
         });
         Ok(true)
     }

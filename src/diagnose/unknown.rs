@@ -81,9 +81,10 @@ fn of_fields(
         let size = DVector::from_iterator(field.columns.nrows(), size);
         for amplitude in AMPLITUDES {
             let error = weights.error.own(&(&size * amplitude), OWN_ERROR, 1.0);
-            let (ln_size, whitened) = weights.whitened(level, Some(&error), &columns)?;
+            let root = level.root(Some(&error))?;
+            let whitened = root.whiten(&columns);
             let residual = whitened.column(0).into_owned();
-            let ln_plain = ln_size - 0.5 * residual.norm_squared();
+            let ln_plain = level.ln_size(&root) - 0.5 * residual.norm_squared();
             let smooth = whitened.columns(1, width);
             let ln = ln_gain(&smooth.tr_mul(&smooth), &smooth.tr_mul(&residual), amplitude)?;
             found.push(ln_plain + (SMOOTH * own).ln() + ln);

@@ -9,7 +9,7 @@ use crate::input::measurement::Channel;
 use crate::study::Work;
 
 use super::added_variable::AddedVariable;
-use super::ladder::Rung;
+use super::ladder::LadderStep;
 use super::misfit::Misfit;
 use super::next::NextExperiment;
 use super::novel::Reconstruction;
@@ -46,7 +46,7 @@ pub struct Diagnosis {
     pub noise: NoiseFound,
     /// What may be the case, most probable first; the tail below one in a thousand is left out.
     pub hypotheses: Vec<Hypothesis>,
-    /// None that is known.
+    /// An unknown cause.
     pub novel: Novel,
     /// Every effect that the model lacks.
     pub effects: Vec<EffectRow>,
@@ -57,7 +57,7 @@ pub struct Diagnosis {
     /// The best explanations against the residual.
     pub added_variables: Vec<AddedVariable>,
     /// The error from the model as it is to the noise.
-    pub ladder: Vec<Rung>,
+    pub ladder: Vec<LadderStep>,
     /// What the best known explanation, or a cause without a name where that is the verdict, predicts for the held-out observables.
     pub predictions: Vec<Prediction>,
     /// What to measure next; none if that is not known, or the answer needs nothing more.
@@ -97,7 +97,7 @@ pub struct Outlier {
 /// What may be the case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Hypothesis {
-    /// Effects that are missing: none (nothing is), one, two; `novel` for none that is known.
+    /// Effects that are missing: none (nothing is), one, two; `novel` for an unknown cause.
     pub effects: Vec<String>,
     /// Their families.
     pub families: Vec<String>,
@@ -159,7 +159,7 @@ pub struct PlaceFound {
     pub wing: Option<String>,
 }
 
-/// None that is known.
+/// An unknown cause.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Novel {
     /// Probability.

@@ -5,7 +5,9 @@
 //! formula stand. An unknown cause is a smooth error of reading larger than any formulation should have. Probabilities are priors times
 //! sums over strengths and sizes; there is no further test.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use std::borrow::Cow;
+
+use nalgebra::{DMatrix, DVector};
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 use super::baseline::Seen;
@@ -15,6 +17,7 @@ use super::library::{Family, Trial};
 use super::model_error::{ModelError, OWN_SIZES, OwnSize, Size};
 use super::pairs::{pairs, together};
 use super::responses::{Node, Response, Responses, beside};
+use super::root::Root;
 use super::screening::effect_of;
 use super::settings::Settings;
 use super::unknown::unknown;
@@ -64,8 +67,37 @@ pub struct Weights<'a> {
 pub struct Level {
     /// The size.
     pub size: Size,
-    /// Root of the covariance.
-    root: Cholesky<f64, Dyn>,
+    /// Covariance of everything that is expected.
+    covariance: DMatrix<f64>,
+    root: Root,
+}
+
+impl Level {
+    fn new(error: &ModelError, size: Size) -> Result<Level, DiagnoseError> {
+        let covariance = error.of_all(&size);
+        let root = Root::of(covariance.clone())?;
+        Ok(Level {
+            size,
+            covariance,
+            root,
+        })
+    }
+
+    /// Root of the covariance, with `more` besides.
+    ///
+    /// # Errors
+    /// If it is not positive definite.
+    pub fn root(&self, more: Option<&DMatrix<f64>>) -> Result<Cow<'_, Root>, DiagnoseError> {
+        match more {
+            None => Ok(Cow::Borrowed(&self.root)),
+            Some(more) => Root::of(&self.covariance + more).map(Cow::Owned),
+        }
+    }
+
+    /// ln of the prior of the size over the root of the determinant.
+    pub fn ln_size(&self, root: &Root) -> f64 {
+        self.size.ln_prior - root.ln_determinant
+    }
 }
 
 /// One missing effect and the strengths at which it is weighed.
@@ -106,20 +138,16 @@ impl<'a> Weights<'a> {
         residual: &'a DVector<f64>,
         settings: &Settings,
     ) -> Result<Weights<'a>, DiagnoseError> {
-        let level = |size: Size| {
-            let root = error.root(&size, None)?;
-            Ok(Level { size, root })
-        };
-        let sizes = ModelError::sizes(settings.slop, settings.noise_scale, settings.noise_trust);
+        let sizes = ModelError::sizes(settings.discrepancy, settings.noise_scale, settings.noise_trust);
         let most = |a: &&Size, b: &&Size| a.ln_prior.total_cmp(&b.ln_prior);
         let typical = *sizes.iter().max_by(most).unwrap_or(&sizes[0]);
         Ok(Weights {
             error,
             levels: sizes
                 .into_iter()
-                .map(level)
+                .map(|size| Level::new(error, size))
                 .collect::<Result<_, DiagnoseError>>()?,
-            typical: level(typical)?,
+            typical: Level::new(error, typical)?,
             residual,
         })
     }
@@ -135,34 +163,17 @@ impl<'a> Weights<'a> {
     ) -> Result<DMatrix<f64>, DiagnoseError> {
         let mut found = DMatrix::zeros(self.levels.len(), residuals.ncols());
         for (row, level) in self.levels.iter().enumerate() {
-            let (ln_size, whitened) = self.whitened(level, more, residuals)?;
-            for (column, own) in whitened.column_iter().enumerate() {
-                found[(row, column)] = ln_size - 0.5 * own.norm_squared();
+            let root = level.root(more)?;
+            for (column, own) in root.whiten(residuals).column_iter().enumerate() {
+                found[(row, column)] = level.ln_size(&root) - 0.5 * own.norm_squared();
             }
         }
         Ok(found)
     }
 
-    /// ln of the prior of a size over the root of the determinant, and columns brought to unit covariance.
-    ///
-    /// # Errors
-    /// As [`Weights::of`].
-    pub fn whitened(
-        &self,
-        level: &Level,
-        more: Option<&DMatrix<f64>>,
-        columns: &DMatrix<f64>,
-    ) -> Result<(f64, DMatrix<f64>), DiagnoseError> {
-        let own = more
-            .map(|more| self.error.root(&level.size, Some(more)))
-            .transpose()?;
-        let lower = own.as_ref().unwrap_or(&level.root).l_dirty();
-        let ln_determinant: f64 = lower.diagonal().iter().map(|d| d.ln()).sum();
-        let whitened = lower.solve_lower_triangular(columns);
-        let whitened = whitened.ok_or_else(|| DiagnoseError::NotFinite {
-            what: "the readings".into(),
-        })?;
-        Ok((level.size.ln_prior - ln_determinant, whitened))
+    /// Columns brought to unit covariance at the typical size.
+    pub fn whitened(&self, columns: &DMatrix<f64>) -> DMatrix<f64> {
+        self.typical.root.whiten(columns)
     }
 
     /// The readings less each of these changes.
@@ -187,7 +198,7 @@ pub fn weigh(
 ) -> Result<Weighing, DiagnoseError> {
     let mut weights = Weights::new(&seen.error, &seen.residual, settings)?;
     let shares = shares_of_families(seen, families);
-    let members = members(&weights, (seen, responses), families, &shares)?;
+    let members = members(&weights, (seen, responses), families, &shares);
     let prior = settings.prior;
     let mut of_sizes = vec![f64::NEG_INFINITY; weights.levels.len()];
     let plain = weights.less(&DMatrix::zeros(seen.residual.len(), 1));
@@ -287,7 +298,7 @@ fn members(
     (seen, responses): (&Seen, &Responses),
     families: &[Family],
     shares: &[f64],
-) -> Result<Vec<Member>, DiagnoseError> {
+) -> Vec<Member> {
     let unknowns = seen.forward.unknowns();
     let missing = &seen.data.missing;
     let effect = |k: usize| effect_of(&unknowns[missing[k]]).map(|(effect, ..)| effect);
@@ -295,25 +306,14 @@ fn members(
     let rows = &seen.data.rows;
     let changes =
         |nodes: &[Node]| DMatrix::from_fn(rows.len(), nodes.len(), |i, node| nodes[node].change[rows[i]]);
-    let left = weights
-        .whitened(
-            &weights.typical,
-            None,
-            &weights.less(&DMatrix::zeros(rows.len(), 1)),
-        )?
-        .1;
+    let left = weights.whitened(&weights.less(&DMatrix::zeros(rows.len(), 1)));
     let likely = |nodes: &[Node]| -> Vec<f64> {
-        let seen = weights.whitened(&weights.typical, None, &changes(nodes));
-        seen.map_or_else(
-            |_| Vec::new(),
-            |(_, seen)| {
-                seen.column_iter()
-                    .map(|own| -(left.column(0) - own).norm_squared())
-                    .collect()
-            },
-        )
+        let seen = weights.whitened(&changes(nodes));
+        seen.column_iter()
+            .map(|own| -(left.column(0) - own).norm_squared())
+            .collect()
     };
-    Ok((0..missing.len())
+    (0..missing.len())
         .into_par_iter()
         .map(|k| {
             let unknown = &unknowns[missing[k]];
@@ -345,7 +345,7 @@ fn members(
                 family,
             }
         })
-        .collect())
+        .collect()
 }
 
 /// [`single`] of every effect that the data can see. What is hopeless at the size of errors that is most probable, its own formula known as
@@ -403,7 +403,7 @@ fn single(
     let mut found = DMatrix::from_element(weights.levels.len(), count, f64::NEG_INFINITY);
     let anchors: Vec<usize> = (0..ANCHORS).map(|a| a * (count - 1) / (ANCHORS - 1)).collect();
     let nearest = |node: usize| anchors.iter().min_by_key(|anchor| anchor.abs_diff(node)).copied();
-    let (_, largest) = weights.whitened(&weights.typical, None, &member.changes)?;
+    let largest = weights.whitened(&member.changes);
     let mut done: Vec<usize> = Vec::new();
     for &anchor in &anchors {
         if done.contains(&anchor) {
@@ -419,9 +419,10 @@ fn single(
         for size in sizes {
             let more = matters.then(|| weights.error.own(&change, member.own_error, size.factor));
             for &row in looked_at {
-                let (ln_size, whitened) =
-                    weights.whitened(&weights.levels[row], more.as_ref(), &residuals)?;
-                for (&node, left) in own.iter().zip(whitened.column_iter()) {
+                let level = &weights.levels[row];
+                let root = level.root(more.as_ref())?;
+                let ln_size = level.ln_size(&root);
+                for (&node, left) in own.iter().zip(root.whiten(&residuals).column_iter()) {
                     let ln =
                         size.ln_prior + member.nodes[node].ln_prior + ln_size - 0.5 * left.norm_squared();
                     found[(row, node)] = ln_sum([found[(row, node)], ln].into_iter());

@@ -189,7 +189,7 @@ fn novel(diagnosis: &Diagnosis) -> String {
     format!("Something is missing that no known effect explains: {what}{nearest}.")
 }
 
-/// The effects of a hypothesis, or that it is none that is known.
+/// The effects of a hypothesis, or that it is an unknown cause.
 fn name(hypothesis: &Hypothesis) -> String {
     if hypothesis.families.is_empty() {
         return "an unknown cause".into();

@@ -133,7 +133,13 @@ pub fn is_applicable(card: &Card, design: &Design) -> bool {
 /// What to say where no effect has this name: the nearest, or all that there are.
 pub fn instead_of(name: &str) -> String {
     let names: Vec<&str> = all().map(|effect| effect.card().name).collect();
-    match nearest(name, names.iter().copied()) {
+    // the beginning of a name, or a part of it
+    let starts = names.iter().copied().find(|known| known.starts_with(name));
+    let holds = || names.iter().copied().find(|known| known.contains(name));
+    let near = starts
+        .filter(|_| !name.is_empty())
+        .or_else(|| nearest(name, names.iter().copied()));
+    match near.or_else(|| holds().filter(|_| name.len() > 2)) {
         Some(near) => format!("did you mean {near}? (washout effects)"),
         None => format!("there are {} (washout effects)", names.join(", ")),
     }

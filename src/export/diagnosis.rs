@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::diagnose::ladder::Rung;
+use crate::diagnose::ladder::LadderStep;
 use crate::diagnose::misfit::Misfit;
 use crate::diagnose::screening::Sight;
 use crate::diagnose::verdict::{Draft, EffectRow, Hypothesis, LookAlike, NoiseFound, Prediction, Strength};
@@ -42,7 +42,7 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
     let mut page = Page {
         title: study.to_string(),
         kind: "diagnosis",
-        lead: vec![Part::Sentence(found.sentence.clone())],
+        lead: vec![Part::Sentence(found.sentence.clone()), Part::Text(tried(found))],
         sections: Vec::new(),
     };
     page.section("hypotheses", "Hypotheses", hypotheses(found));
@@ -67,6 +67,15 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
     page.section("next", "What to measure next", next(found));
     page.section("notes", "Noise and notes", notes(found));
     page
+}
+
+/// How many effects of all were tried.
+fn tried(found: &Diagnosis) -> String {
+    format!(
+        "{} of the {} known effects were tried.",
+        found.tried,
+        crate::effects::all().count()
+    )
 }
 
 fn hypotheses(found: &Diagnosis) -> Vec<Part> {
@@ -286,7 +295,7 @@ fn errors(study: &str, found: &Diagnosis) -> Vec<Part> {
 }
 
 /// The error, step by step: the list `ladder` of a document.
-pub fn steps(rungs: &[Rung]) -> Table {
+pub fn steps(rungs: &[LadderStep]) -> Table {
     Rows::of("/ladder", rungs)
         .words("model", |row| row.name.as_str())
         .words("channel", |row| row.channel.name().replace('_', " "))

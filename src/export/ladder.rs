@@ -1,11 +1,11 @@
 //! The ladder of a study as text: the error falling from the model as stated to the noise.
 
-use crate::compare::{RungGroup, StudyRung};
+use crate::compare::{StepGroup, StudyLadderStep};
 
 use crate::page::text::{Table, significant};
 
-/// A line for each rung: errors of all channels in stated σ, fitted, left out and held out, and χ² per number.
-pub fn steps(ladder: &[StudyRung]) -> String {
+/// A line for each step: errors of all channels in stated σ, fitted, left out and held out, and χ² per number.
+pub fn steps(ladder: &[StudyLadderStep]) -> String {
     let mut table = Table::new(["model", "in_sample", "left_out", "held_out", "chi2"]);
     for rung in ladder {
         let shown = |value: Option<f64>| value.map_or(String::new(), |value| significant(value, 3));
@@ -20,13 +20,13 @@ pub fn steps(ladder: &[StudyRung]) -> String {
     table.render()
 }
 
-/// A line for each wing, channel and use of the data; a column for each rung.
-pub fn groups(ladder: &[StudyRung]) -> String {
+/// A line for each wing, channel and use of the data; a column for each step.
+pub fn groups(ladder: &[StudyLadderStep]) -> String {
     let head = ["wing", "channel", "use", "of", "unit"].into_iter();
     let mut table = Table::new(head.chain(ladder.iter().map(|rung| rung.name.as_str())));
     let count = ladder.first().map_or(0, |rung| rung.groups.len());
     for index in 0..count {
-        let mut line = |used: &str, of: &str, unit: &str, value: &dyn Fn(&RungGroup) -> Option<f64>| {
+        let mut line = |used: &str, of: &str, unit: &str, value: &dyn Fn(&StepGroup) -> Option<f64>| {
             let values = ladder.iter().map(|rung| value(&rung.groups[index]));
             let values: Vec<Option<f64>> = values.collect();
             if values.iter().all(Option::is_none) {

@@ -42,6 +42,8 @@ pub mod pvd;
 
 pub mod csv;
 
+mod band;
+
 pub mod blind;
 
 pub mod calculix;
@@ -56,7 +58,7 @@ pub mod tasks;
 
 pub mod summary;
 
-pub mod builder;
+pub mod engineering;
 
 pub mod collect;
 

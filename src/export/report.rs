@@ -1,77 +1,176 @@
-//! The summary of a run as a page of text for the person who builds the wing.
+//! A solved wing, for people: what it twists by first, then what that rests on.
 
-use std::fmt::Write;
-
-use super::builder::{engineering, line};
-use super::comparison::{rows, sign, stages};
+use crate::compare::ModelledStages;
 use crate::input::design::FilmCompression;
 use crate::lift::{Forces, LiftReport};
-use crate::study::{Output, Uncertainty};
+use crate::page::Digits::{After, Significant};
+use crate::page::text::{number, significant};
+use crate::page::{Digits, Fact, Page, Part, Rows, Table};
 use crate::wing::stroke::{StrokeKind, StrokeSummary};
 
-use super::summary::{FlowSummary, RunSummary};
-use crate::page::text::{Table, number, significant, wrapped};
+use super::band::band;
+use super::comparison::{against, left, said, sign, stages};
+use super::engineering::engineering;
+use super::pictures::profile::{self, StripRow};
+use super::summary::{AssumedInput, FlowSummary, RunSummary};
 
-/// The page; `folder` is where the files of the run are, if any were written.
-pub fn page(summary: &RunSummary, folder: Option<&str>) -> String {
-    let mut sections = vec![solved(summary), assumed(summary), twist(summary)];
-    sections.extend(summary.uncertainty.as_ref().map(uncertainty));
-    sections.extend(summary.lift.as_ref().map(lift));
-    sections.extend(summary.stroke.as_ref().map(stroke));
+/// What `washout solve` says; `strips`: the air along the span, for its figure.
+pub fn page(summary: &RunSummary, strips: &[StripRow]) -> Page {
+    let mut page = Page {
+        title: summary.name.clone(),
+        kind: "summary",
+        lead: vec![headline(summary), Part::Notes(summary.warnings.clone())],
+        sections: Vec::new(),
+    };
+    page.section("solved", "What was solved", vec![Part::Named(solved(summary))]);
+    page.section("twist", "Twist (positive: washout)", twist(summary));
+    if let Some(found) = &summary.measured {
+        let parts = [said(found), against("/measured", found), left(found)].concat();
+        page.section("measured", "Against the measurement", parts);
+    }
+    if let Some(lift) = &summary.lift {
+        let mut parts = vec![Part::Table(forces(lift))];
+        if !strips.is_empty() {
+            parts.push(Part::Figure(profile::strips(&summary.name, strips)));
+        }
+        page.section("air", "Lift, drag, power", parts);
+    }
+    if let Some(found) = &summary.stroke {
+        let mut parts = stroke(found);
+        parts.insert(0, Part::Figure(profile::stroke(summary)));
+        page.section("stroke", "Over the stroke", parts);
+    }
     let film = summary.design.film.as_ref();
     let film_carries = film.is_some_and(|film| film.compression == FilmCompression::Carries);
-    sections.push(engineering(&summary.engineering, film_carries));
-    if !summary.warnings.is_empty() {
-        sections.push(list("Notes", &summary.warnings));
+    let lines = engineering(&summary.engineering, film_carries);
+    if !lines.is_empty() {
+        page.section(
+            "engineering",
+            "Mass, frequencies, stresses",
+            vec![Part::Named(lines)],
+        );
     }
-    sections.extend(folder.map(|folder| files(summary, folder)));
-    sections.retain(|section| !section.is_empty());
-    sections.join("\n")
+    page.section("assumed", "Assumed, not known", assumed(summary));
+    if let Some(found) = &summary.uncertainty {
+        page.section("band", "How far the assumed ranges move it", band(found));
+    }
+    page
 }
 
-fn solved(summary: &RunSummary) -> String {
+fn headline(summary: &RunSummary) -> Part {
+    let mut facts = Vec::new();
+    let mut fact = |place: &str, label, value: Option<f64>, unit, digits: Digits| {
+        facts.push(Fact {
+            place: place.to_string(),
+            label,
+            value,
+            unit,
+            digits,
+        });
+    };
+    let (tip, lift) = (&summary.tip, summary.lift.as_ref());
+    let mean = lift.and_then(|lift| lift.stroke_mean.as_ref());
+    let span = summary.measured.as_ref().and_then(|found| found.span.first());
+    let engineering = &summary.engineering;
+    fact(
+        "/tip/twist_deg",
+        "Tip twist, washout positive",
+        tip.twist_deg,
+        "°",
+        After(2),
+    );
+    fact(
+        "/tip/alpha_deg",
+        "Angle of attack at the tip",
+        tip.alpha_deg,
+        "°",
+        After(2),
+    );
+    fact(
+        "/measured/span/0/rmse_along_span_deg",
+        "Error along the span, root mean square",
+        span.map(|span| span.rmse_along_span_deg),
+        "°",
+        After(1),
+    );
+    fact(
+        "/lift/solved/lift_mn",
+        "Lift, one wing, as solved",
+        lift.map(|lift| lift.solved.lift_mn),
+        "mN",
+        After(2),
+    );
+    fact(
+        "/lift/stroke_mean/lift_mn",
+        "Mean lift over the stroke",
+        mean.map(|mean| mean.lift_mn),
+        "mN",
+        After(2),
+    );
+    fact(
+        "/lift/stroke_mean/power_mw",
+        "Mean power",
+        mean.map(|mean| mean.power_mw),
+        "mW",
+        After(1),
+    );
+    fact(
+        "/engineering/mass_mg",
+        "Mass",
+        engineering.mass_mg,
+        "mg",
+        Significant(4),
+    );
+    fact(
+        "/engineering/natural_frequencies_in_air_hz/0",
+        "Lowest frequency, with air",
+        engineering.natural_frequencies_in_air_hz.first().copied(),
+        "Hz",
+        After(1),
+    );
+    Part::Headline(facts)
+}
+
+fn solved(summary: &RunSummary) -> Vec<(&'static str, String)> {
     let (wing, mesh, solve) = (&summary.wing, &summary.mesh, &summary.solve);
-    let mut text = format!("{}\n", summary.name);
-    line(
-        &mut text,
-        "wing",
-        &format!(
-            "{} mm long, mean chord {} mm, area {} mm², r1 {}, r2 {} as built (tip cut at {} mm)",
-            number(wing.length_mm, 1),
-            number(wing.mean_chord_mm, 2),
-            number(wing.area_mm2, 0),
-            number(wing.r1_hat, 4),
-            number(wing.r2_hat, 4),
-            number(wing.tip_mm, 1)
-        ),
-    );
-    line(&mut text, "air", &air(summary.flow.as_ref()));
     let source = mesh.file.as_ref().map(|file| format!(", from {file}"));
-    line(
-        &mut text,
-        "mesh",
-        &format!(
-            "{} nodes, {} triangles, {} beam elements; {} degrees of freedom{}",
-            mesh.nodes,
-            mesh.triangles,
-            mesh.beams,
-            solve.dof,
-            source.unwrap_or_default()
+    let residual = solve.residual.map(|residual| format!("{residual:.1e}"));
+    let mut lines = vec![
+        (
+            "wing",
+            format!(
+                "{} mm long, mean chord {} mm, area {} mm², r1 {}, r2 {} as built (tip cut at {} mm)",
+                number(wing.length_mm, 1),
+                number(wing.mean_chord_mm, 2),
+                number(wing.area_mm2, 0),
+                number(wing.r1_hat, 4),
+                number(wing.r2_hat, 4),
+                number(wing.tip_mm, 1)
+            ),
         ),
-    );
-    line(
-        &mut text,
-        "solved",
-        &format!(
-            "{} iterations, {} Newton steps; residual {}, last change of twist {} deg",
-            solve.iterations,
-            solve.newton_steps,
-            solve
-                .residual
-                .map_or("–, for there is no load".to_string(), exponent),
-            exponent(solve.twist_change_deg)
+        ("air", air(summary.flow.as_ref())),
+        (
+            "mesh",
+            format!(
+                "{} nodes, {} triangles, {} beam elements; {} degrees of freedom{}",
+                mesh.nodes,
+                mesh.triangles,
+                mesh.beams,
+                solve.dof,
+                source.unwrap_or_default()
+            ),
         ),
-    );
+        (
+            "solved",
+            format!(
+                "{} iterations, {} Newton steps; residual {}, last change of twist {:.1e} deg",
+                solve.iterations,
+                solve.newton_steps,
+                residual.unwrap_or_else(|| "–, for there is no load".to_string()),
+                solve.twist_change_deg
+            ),
+        ),
+    ];
     let branch = match solve.negative_pivots {
         0 => "stable (no negative pivot)".to_string(),
         count => format!("NOT stable: {count} negative pivots of the tangent"),
@@ -84,12 +183,10 @@ fn solved(summary: &RunSummary) -> String {
             significant(ratio, 3)
         ),
     };
-    line(&mut text, "branch", &format!("{branch}; {divergence}"));
-    if let Some(moment_mn_mm) = stop_moment_mn_mm(summary) {
-        let carries = format!("carries {} mN mm in pitch", significant(moment_mn_mm, 4));
-        line(&mut text, "stop", &carries);
-    }
-    text
+    lines.push(("branch", format!("{branch}; {divergence}")));
+    let stop = stop_moment_mn_mm(summary).map(|moment| significant(moment, 4));
+    lines.extend(stop.map(|moment| ("stop", format!("carries {moment} mN mm in pitch"))));
+    lines
 }
 
 /// What the pitch stop carries, positive as it pushes; none where a flexure stands between, or nothing flaps.
@@ -99,6 +196,7 @@ fn stop_moment_mn_mm(summary: &RunSummary) -> Option<f64> {
     (is_rigid && flaps).then(|| -summary.solve.reaction_moment_mn_mm[0])
 }
 
+/// The air in a line.
 fn air(flow: Option<&FlowSummary>) -> String {
     match flow {
         None => "none; bench loads only".to_string(),
@@ -110,10 +208,9 @@ fn air(flow: Option<&FlowSummary>) -> String {
             tip_speed_m_s,
             density_kg_m3,
         }) => {
-            let phase = if *phase_deg == 0.0 {
-                "at mid-stroke".to_string()
-            } else {
-                format!("at phase {}°", number(*phase_deg, 1))
+            let phase = match *phase_deg {
+                0.0 => "at mid-stroke".to_string(),
+                phase => format!("at phase {}°", number(phase, 1)),
             };
             format!(
                 "flapping at {} Hz, ±{}°, {phase}: tip at {} m/s; root held at {}°; density {} kg/m³",
@@ -137,74 +234,50 @@ fn air(flow: Option<&FlowSummary>) -> String {
     }
 }
 
-fn assumed(summary: &RunSummary) -> String {
-    if summary.assumed.is_empty() && summary.assumed_choices.is_empty() {
-        return "Every input is stated as a fact; none is assumed.\n".to_string();
-    }
-    let mut table = Table::new(["input", "value", "from", "to", "why"]);
-    let mut said = "";
-    for input in &summary.assumed {
-        let [value, low, high] =
-            [input.value, input.range[0], input.range[1]].map(|number| number.to_string());
-        // A reason that holds for many inputs in a row is said once.
-        let why = if input.why == said { "" } else { &input.why };
-        said = &input.why;
-        table.row([input.key.clone(), value, low, high, why.to_string()]);
-    }
-    let mut text = "Assumed, not known (--uncertainty says how far these move the result)\n".to_string();
-    text.push_str(&table.render());
-    let mut table = Table::new(["choice", "value", "why"]);
-    for choice in &summary.assumed_choices {
-        table.row([choice.key.clone(), choice.value.clone(), choice.why.clone()]);
-    }
-    if !table.is_empty() {
-        let _ = write!(text, "\n{}", table.render());
-    }
-    text
-}
-
-fn twist(summary: &RunSummary) -> String {
-    let mut table = Table::new([
-        "at",
-        "r_mm",
-        "chord_mm",
-        "twist_deg",
-        "alpha_deg",
-        "le_deflection_mm",
-    ]);
-    for row in &summary.profile {
-        table.row([
-            row.place.clone(),
-            number(row.r_mm, 2),
-            number(row.chord_mm, 2),
-            format!("{}{}", sign(row.bound), number(row.twist_deg, 2)),
-            row.alpha_deg.map_or(String::new(), |alpha| number(alpha, 2)),
-            number(row.le_deflection_mm, 3),
-        ]);
-    }
-    let mut text = format!("Twist (positive: washout)\n{}", table.render());
+fn twist(summary: &RunSummary) -> Vec<Part> {
+    let profile = Rows::of("/profile", &summary.profile)
+        .words("at", |row| row.place.as_str())
+        .number(["r_mm", "r", "mm"], After(2), |row| row.r_mm)
+        .number(["chord_mm", "chord", "mm"], After(2), |row| row.chord_mm)
+        .bounded(["twist_deg", "twist", "deg"], After(2), |row| {
+            (sign(row.bound), row.twist_deg)
+        })
+        .number(["sigma_deg", "σ of reading", "deg"], After(2), |row| {
+            row.sigma_deg
+        })
+        .number(["alpha_deg", "alpha", "deg"], After(2), |row| row.alpha_deg)
+        .number(["le_deflection_mm", "deflection", "mm"], After(3), |row| {
+            row.le_deflection_mm
+        })
+        .number(["le_sweep_mm", "sweep", "mm"], After(3), |row| row.le_sweep_mm)
+        .table();
     let tip = &summary.tip;
     let at = number(tip.r_mm, 1);
-    let read = match (tip.twist_deg, tip.alpha_deg) {
-        (Some(twist), Some(alpha)) => {
-            format!(
-                "{}° at {at} mm, angle of attack {}°",
-                number(twist, 2),
-                number(alpha, 2)
-            )
-        }
-        (Some(twist), None) => format!("{}° at {at} mm", number(twist, 2)),
-        (None, _) => format!("not readable at {at} mm: the chord is too short there"),
-    };
-    let _ = writeln!(text, "  tip twist {read}");
-    text.extend(free_film(summary));
-    for skipped in &summary.skipped {
-        let _ = writeln!(text, "  not read: {skipped}");
-    }
-    text.extend(summary.stages.as_ref().map(|fit| format!("\n{}", stages(fit))));
-    let measured = summary.measured.as_ref();
-    text.extend(measured.map(|comparison| format!("\n{}", rows(comparison))));
-    text
+    let mut parts = vec![
+        Part::Figure(profile::twist(summary)),
+        Part::Table(profile),
+        Part::Text(
+            "As the instrument of the design reads it; alpha: angle of attack of the chord; deflection and sweep: of the leading \
+             edge, across and in the wing plane."
+                .to_string(),
+        ),
+    ];
+    parts.extend(tip.twist_deg.is_none().then(|| {
+        Part::Text(format!(
+            "Tip twist is not readable at {at} mm: the chord is too short there."
+        ))
+    }));
+    parts.extend(free_film(summary).map(Part::Text));
+    parts.push(Part::List(
+        summary
+            .skipped
+            .iter()
+            .map(|skipped| format!("not read: {skipped}"))
+            .collect(),
+    ));
+    let fit: Option<&ModelledStages> = summary.stages.as_ref();
+    parts.extend(fit.into_iter().flat_map(|fit| stages("/stages", fit)));
+    parts
 }
 
 /// A tip far outboard of the last spar reads the film, not the rod.
@@ -214,160 +287,121 @@ fn free_film(summary: &RunSummary) -> Option<String> {
     let is_far = summary.tip.r_mm - spar.r_mm > 0.1 * summary.wing.length_mm;
     (is_far && summary.tip.twist_deg.is_some()).then(|| {
         format!(
-            "  outboard of the last spar ({} mm, {}°) the film alone holds the chord\n",
+            "Outboard of the last spar ({} mm, {}°) the film alone holds the chord.",
             number(spar.r_mm, 1),
             number(spar.twist_deg, 2)
         )
     })
 }
 
-fn uncertainty(band: &Uncertainty) -> String {
-    let solved = band.samples - band.failures.len();
-    let mut text = format!(
-        "Band from the assumed ranges ({solved} solves; {}): 5 to 95 %\n",
-        band.distribution
-    );
-    let mut table = Table::new(["result", "as_solved", "5_%", "median", "95_%"]);
-    for output in &band.outputs {
-        let [nominal, low, median, high] =
-            [output.nominal, output.q05, output.median, output.q95].map(|value| significant(value, 3));
-        table.row([output.name.clone(), nominal, low, median, high]);
-    }
-    text.push_str(&table.render());
-    if let Some(failure) = band.failures.first() {
-        let left_out = format!(
-            "{} of {} samples gave no result and are left out; the first because: {}",
-            band.failures.len(),
-            band.samples,
-            failure.reason
-        );
-        text.push_str(&wrapped(&left_out, 2));
-    }
-    let outermost = band
-        .outputs
-        .iter()
-        .rfind(|output| matches!(output.output, Output::Twist { .. }));
-    if let Some(output) = outermost {
-        let mut table = Table::new(["input", "alone_%", "with_others_%"]);
-        for share in &output.shares {
-            table.row([
-                share.key.clone(),
-                number(100.0 * share.first_order, 1),
-                number(100.0 * share.total, 1),
-            ]);
-        }
-        if !table.is_empty() {
-            let _ = write!(
-                text,
-                "\nInputs by their share in the variance of the {}\n{}",
-                output.name,
-                table.render()
-            );
-        }
-        if let Some(quality) = &output.surrogate {
-            let [explains, predicts] = [quality.r_squared, quality.predictive_r_squared];
-            let _ = writeln!(
-                text,
-                "  (from a polynomial of {} terms: R² {}, and {} for samples left out)",
-                quality.terms,
-                number(explains, 3),
-                number(predicts, 3)
-            );
-        }
-    }
-    text
-}
-
 /// A drag below this is rounding (as at a reversal, where the wing stands still), and a ratio to it says nothing.
 const ROUNDING_MN: f64 = 1e-6;
 
-fn lift(report: &LiftReport) -> String {
-    let mut table = Table::new(["one wing", "lift_mn", "drag_mn", "power_mw", "lift/drag"]);
-    for forces in [&report.solved].into_iter().chain(&report.stroke_mean) {
-        table.row([
-            forces.name.clone(),
-            number(forces.lift_mn, 2),
-            number(forces.drag_mn, 2),
-            number(forces.power_mw, 2),
-            forces
-                .lift_to_drag
-                .filter(|_| forces.drag_mn > ROUNDING_MN)
-                .map_or("–".to_string(), |ratio| number(ratio, 3)),
-        ]);
-    }
-    format!("Lift, drag, power\n{}", table.render())
+fn forces(report: &LiftReport) -> Table {
+    let mean = report.stroke_mean.as_ref().map(|mean| ("stroke_mean", mean));
+    let above_rounding = |row: &Forces| row.lift_to_drag.filter(|_| row.drag_mn > ROUNDING_MN);
+    Rows::keyed("/lift", [("solved", &report.solved)].into_iter().chain(mean))
+        .words("one wing", |row| row.name.as_str())
+        .number(["lift_mn", "lift", "mN"], After(2), |row| row.lift_mn)
+        .number(["drag_mn", "drag", "mN"], After(2), |row| row.drag_mn)
+        .number(["power_mw", "power", "mW"], After(2), |row| row.power_mw)
+        .number(["lift_to_drag", "lift over drag", ""], After(3), above_rounding)
+        .number(
+            ["lift_per_power_n_per_w", "lift per power", "N/W"],
+            After(3),
+            |row| row.lift_per_power_n_per_w,
+        )
+        .table()
 }
 
-fn stroke(stroke: &StrokeSummary) -> String {
-    let mut table = Table::new([
-        "phase_deg",
-        "tip_twist_deg",
-        "standing_deg",
-        "lift_mn",
-        "drag_mn",
-        "power_mw",
-        "stop_mn_mm",
-    ]);
-    let shown = |value: Option<f64>, digits| value.map_or(String::new(), |value| number(value, digits));
-    for row in &stroke.phases {
-        let force = |pick: fn(&Forces) -> f64| shown(row.forces.as_ref().map(pick), 2);
-        let moving = row.moving.as_ref();
-        let flips = if moving.is_some_and(|moving| moving.is_flipping) {
-            " flips"
-        } else {
-            ""
-        };
-        table.row([
-            number(row.phase_deg, 1),
-            shown(row.tip_twist_deg, 2),
-            shown(
-                moving.map_or(row.tip_twist_deg, |moving| moving.standing_tip_twist_deg),
-                2,
-            ),
-            force(|forces| forces.lift_mn),
-            force(|forces| forces.drag_mn),
-            force(|forces| forces.power_mw),
-            shown(row.stop_moment_mn_mm, 1) + flips,
-        ]);
-    }
+fn stroke(stroke: &StrokeSummary) -> Vec<Part> {
     let head = match stroke.kind {
-        StrokeKind::Periodic => {
-            "Over the stroke, in motion (standing: if it stood still under the load of the phase)"
-        }
-        StrokeKind::QuasiStatic => "Over the stroke, each phase as if it stood still",
+        StrokeKind::Periodic => "In motion; standing: if it stood still under the load of the phase",
+        StrokeKind::QuasiStatic => "Each phase as if it stood still",
     };
-    let mut text = format!("{head}\n{}", table.render());
-    if let Some(mean) = &stroke.mean {
+    let table = Rows::of("/stroke/phases", &stroke.phases)
+        .number(["phase_deg", "phase", "deg"], After(1), |row| row.phase_deg)
+        .number(["tip_twist_deg", "tip twist", "deg"], After(2), |row| {
+            row.tip_twist_deg
+        })
+        .number(
+            ["moving/standing_tip_twist_deg", "standing", "deg"],
+            After(2),
+            |row| {
+                row.moving
+                    .as_ref()
+                    .and_then(|moving| moving.standing_tip_twist_deg)
+            },
+        )
+        .number(["forces/lift_mn", "lift", "mN"], After(2), |row| {
+            row.forces.as_ref().map(|forces| forces.lift_mn)
+        })
+        .number(["forces/drag_mn", "drag", "mN"], After(2), |row| {
+            row.forces.as_ref().map(|forces| forces.drag_mn)
+        })
+        .number(["forces/power_mw", "power", "mW"], After(2), |row| {
+            row.forces.as_ref().map(|forces| forces.power_mw)
+        })
+        .number(["stop_moment_mn_mm", "stop carries", "mN mm"], After(1), |row| {
+            row.stop_moment_mn_mm
+        })
+        .words("", |row| {
+            match row.moving.as_ref().is_some_and(|moving| moving.is_flipping) {
+                true => "flips",
+                false => "",
+            }
+        })
+        .caption(head)
+        .folded(12, "Phases")
+        .table();
+    let mut parts = vec![Part::Table(table)];
+    parts.extend(stroke.mean.as_ref().map(|mean| {
         let [lift, drag, power] = [mean.lift_mn, mean.drag_mn, mean.power_mw].map(|value| number(value, 2));
-        let _ = writeln!(
-            text,
-            "  {}: lift {lift} mN, drag {drag} mN, power {power} mW",
+        Part::Text(format!(
+            "{}: lift {lift} mN, drag {drag} mN, power {power} mW",
             mean.name
-        );
-    }
-    if let Some(periodic) = &stroke.periodic {
+        ))
+    }));
+    parts.extend(stroke.periodic.as_ref().map(|periodic| {
         let modes: Vec<String> = periodic.mode_hz.iter().map(|hz| number(*hz, 0)).collect();
-        let _ = writeln!(
-            text,
-            "  made of modes at {} Hz; assumed: {} % of critical damping, flips that take {} % of the stroke each",
+        Part::Text(format!(
+            "Made of modes at {} Hz; assumed: {} % of critical damping, flips that take {} % of the stroke each.",
             modes.join(", "),
             number(1e2 * periodic.damping_ratio, 1),
             number(1e2 * periodic.flip_share, 0)
-        );
+        ))
+    }));
+    parts
+}
+
+fn assumed(summary: &RunSummary) -> Vec<Part> {
+    if summary.assumed.is_empty() && summary.assumed_choices.is_empty() {
+        return vec![Part::Text(
+            "Every input is stated as a fact; none is assumed.".to_string(),
+        )];
     }
-    text
-}
-
-fn files(summary: &RunSummary, folder: &str) -> String {
-    format!("Files in {folder}: {}\n", summary.files.join(" "))
-}
-
-fn list(head: &str, lines: &[String]) -> String {
-    lines
+    // a reason that holds for many inputs in a row is said once
+    let before = [""]
+        .into_iter()
+        .chain(summary.assumed.iter().map(|input| input.why.as_str()));
+    let inputs: Vec<(&AssumedInput, &str)> = summary
+        .assumed
         .iter()
-        .fold(format!("{head}\n"), |text, line| text + "  " + line + "\n")
-}
-
-fn exponent(value: f64) -> String {
-    format!("{value:.1e}")
+        .zip(before)
+        .map(|(input, said)| (input, if input.why == said { "" } else { input.why.as_str() }))
+        .collect();
+    let table = Rows::of("/assumed", &inputs)
+        .words("input", |(input, _)| input.key.as_str())
+        .words("value", |(input, _)| input.value.to_string())
+        .words("from", |(input, _)| input.range[0].to_string())
+        .words("to", |(input, _)| input.range[1].to_string())
+        .words("why", |(_, why)| *why)
+        .caption("--uncertainty says how far these move the result")
+        .table();
+    let choices = Rows::of("/assumed_choices", &summary.assumed_choices)
+        .words("choice", |choice| choice.key.as_str())
+        .words("value", |choice| choice.value.as_str())
+        .words("why", |choice| choice.why.as_str())
+        .table();
+    vec![Part::Table(table), Part::Table(choices)]
 }

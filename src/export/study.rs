@@ -1,13 +1,17 @@
-//! A study compared with its measurements, as text.
+//! A study compared with its measurements, for people: what it says in words first, then what it rests on.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::compare::{StudyComparison, StudyRow};
-use crate::input::measurement::Bound;
+use crate::compare::StudyComparison;
 use crate::origin::MadeOf;
+use crate::page::Digits::{After, Significant};
+use crate::page::text::number;
+use crate::page::{Fact, Page, Part, Rows, Table};
 
-use crate::page::text::{Table, number, significant, wrapped};
+use super::comparison::sign;
+use super::pictures::panels::Compared;
+use super::pictures::{compared, in_sigma, residuals};
 
 /// What `washout compare STUDY` gives; `comparison.json` of its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -21,152 +25,170 @@ pub struct StudyReport {
     pub files: Vec<String>,
 }
 
-/// The page of `washout compare STUDY`.
-pub fn page(comparison: &StudyComparison) -> String {
+/// Measured numbers that text shows when there are more.
+const SHOWN: usize = 12;
+
+/// What `washout compare STUDY` says.
+pub fn page(comparison: &StudyComparison) -> Page {
     let title = match comparison.title.as_str() {
         "" => String::new(),
-        title => format!(": {title}"),
+        title => format!("{title}: "),
     };
-    let mut sections = vec![format!("{}{title}\n", comparison.study)];
-    sections.push(format!("Measured minus modelled\n{}", rows(comparison)));
-    sections.push(format!(
-        "By wing and channel (explained: share of the mean square error, as stated, that sigma of measurement and inputs would give)\n{}",
-        groups(comparison)
-    ));
-    if !comparison.unknowns.is_empty() {
-        sections.push(format!("What was calibrated\n{}", unknowns(comparison)));
+    let counts = format!(
+        "{title}{} cases, {} measured numbers",
+        comparison.cases.len(),
+        comparison.rows.len()
+    );
+    let mut page = Page {
+        title: comparison.study.clone(),
+        kind: "comparison",
+        lead: vec![Part::Text(counts), chi_square(comparison)],
+        sections: Vec::new(),
+    };
+    let found = Compared::of_study(comparison);
+    let figures =
+        |figures: Vec<crate::plot::Figure>| figures.into_iter().map(Part::Figure).collect::<Vec<_>>();
+    let (mut over, mut residual) = (Vec::new(), Vec::new());
+    if !found.rows.is_empty() {
+        over = figures(vec![compared::figure(&found)]);
+        residual = figures(vec![in_sigma::figure(&found), residuals::figure(&found)]);
     }
-    if !comparison.correlations.is_empty() {
-        let mut table = Table::new(["one", "other", "correlation"]);
-        for pair in comparison.correlations.iter().take(12) {
-            table.row([pair.a.clone(), pair.b.clone(), number(pair.value, 2)]);
-        }
-        sections.push(format!("Unknowns that stand for each other\n{}", table.render()));
-    }
-    if !comparison.not_compared.is_empty() {
-        let lines: String = comparison
-            .not_compared
-            .iter()
-            .map(|line| format!("  {line}\n"))
-            .collect();
-        sections.push(format!("Not compared\n{lines}"));
-    }
-    let [before, after] = comparison.chi_square_per_row;
-    let words: String = comparison.words.iter().map(|line| wrapped(line, 2)).collect();
-    sections.push(format!(
-        "In words (chi-square per fitted row {} as stated, {} calibrated)\n{words}",
-        significant(before, 3),
-        significant(after, 3)
-    ));
-    sections.join("\n")
-}
-
-fn rows(comparison: &StudyComparison) -> String {
-    let mut table = Table::new([
-        "case",
-        "channel",
-        "r_mm",
-        "to_mm",
-        "measured",
-        "sigma",
-        "as_stated",
-        "of_inputs",
+    let mut said = vec![
+        Part::List(comparison.words.clone()),
+        Part::Table(groups(comparison)),
+    ];
+    said.append(&mut over);
+    page.section("compared", "Model against measurement", said);
+    page.section("residuals", "Where it misses", residual);
+    page.section(
         "calibrated",
-        "error",
-        "in_sigma",
-        "use",
-    ]);
-    for row in &comparison.rows {
-        let place = |place: Option<f64>| place.map_or(String::new(), |r_mm| number(r_mm, 1));
-        let digits = decimals(row);
-        let sign = match row.bound {
-            Bound::None => "",
-            Bound::Upper => "<",
-            Bound::Lower => ">",
-        };
-        let [_, error] = row.errors();
-        table.row([
-            row.case.clone(),
-            row.channel.name().to_string(),
-            place(row.r_mm),
-            place(row.r_to_mm),
-            format!("{sign}{}", number(row.measured, digits)),
-            number(row.sigma, digits),
-            number(row.before, digits),
-            number(row.sigma_of_inputs, digits),
-            number(row.after, digits),
-            number(error, digits),
-            number(error / row.sigma, 1),
-            if row.is_held_out { "held out" } else { "fit" }.to_string(),
-        ]);
-    }
-    table.render()
-}
-
-/// Digits after the point that show the measurement's sigma to two figures.
-fn decimals(row: &StudyRow) -> usize {
-    (1.0 - row.sigma.log10().floor()).clamp(0.0, 6.0) as usize
-}
-
-fn groups(comparison: &StudyComparison) -> String {
-    let mut table = Table::new([
-        "wing",
-        "channel",
+        "What was calibrated",
+        vec![
+            Part::Table(unknowns(comparison)),
+            Part::Table(correlations(comparison)),
+        ],
+    );
+    page.section(
         "rows",
-        "rmse_stated",
-        "rmse_calibrated",
-        "bias_stated",
-        "bias_calibrated",
-        "sigma_measured",
-        "sigma_inputs",
-        "explained",
-        "unit",
-        "use",
-    ]);
-    for group in &comparison.groups {
-        table.row([
-            group.wing.clone(),
-            group.channel.name().to_string(),
-            group.count.to_string(),
-            significant(group.rmse[0], 3),
-            significant(group.rmse[1], 3),
-            significant(group.bias[0], 3),
-            significant(group.bias[1], 3),
-            significant(group.sigma_of_measurement, 3),
-            significant(group.sigma_of_inputs, 3),
-            format!("{:.0} %", (100.0 * group.explained).min(999.0)),
-            group.unit.clone(),
-            if group.is_held_out { "held out" } else { "fit" }.to_string(),
-        ]);
-    }
-    table.render()
+        "Every measured number",
+        vec![Part::Table(rows(comparison))],
+    );
+    page.section(
+        "left",
+        "Not compared",
+        vec![Part::List(comparison.not_compared.clone())],
+    );
+    page
 }
 
-fn unknowns(comparison: &StudyComparison) -> String {
-    let mut table = Table::new([
-        "name", "prior", "sigma", "value", "error", "pull", "unit", "known",
-    ]);
-    for unknown in &comparison.unknowns {
-        let known = match (unknown.at_end, unknown.is_identified) {
+fn chi_square(comparison: &StudyComparison) -> Part {
+    let labels = [
+        "χ² per fitted number, as stated",
+        "χ² per fitted number, calibrated",
+    ];
+    let facts = labels.into_iter().zip(comparison.chi_square_per_row).enumerate();
+    let fact = |(index, (label, value))| Fact {
+        place: format!("/chi_square_per_row/{index}"),
+        label,
+        value: Some(value),
+        unit: "",
+        digits: Significant(3),
+    };
+    Part::Headline(facts.map(fact).collect())
+}
+
+fn groups(comparison: &StudyComparison) -> Table {
+    Rows::of("/groups", &comparison.groups)
+        .words("wing", |row| row.wing.as_str())
+        .words("channel", |row| row.channel.name().replace('_', " "))
+        .words("use", |row| used(row.is_held_out))
+        .number(["count", "numbers", ""], After(0), |row| row.count as f64)
+        .number(["rmse/0", "rms, as stated", ""], Significant(3), |row| row.rmse[0])
+        .number(["rmse/1", "calibrated", ""], Significant(3), |row| row.rmse[1])
+        .number(["bias/0", "mean, as stated", ""], Significant(3), |row| row.bias[0])
+        .number(["bias/1", "calibrated", ""], Significant(3), |row| row.bias[1])
+        .number(["sigma_of_measurement", "σ of measurement", ""], Significant(3), |row| {
+            row.sigma_of_measurement
+        })
+        .number(["sigma_of_inputs", "σ of inputs", ""], Significant(3), |row| {
+            row.sigma_of_inputs
+        })
+        .number(["explained", "explained", ""], Significant(3), |row| row.explained)
+        .words("unit", |row| row.unit.as_str())
+        .caption(
+            "Error by wing and channel, root mean square and mean. Explained: share of the mean square error, as stated, that σ of \
+             measurement and inputs would give; above 1, the error is smaller than they let expect.",
+        )
+        .table()
+}
+
+fn used(is_held_out: bool) -> &'static str {
+    if is_held_out { "held out" } else { "fitted" }
+}
+
+fn unknowns(comparison: &StudyComparison) -> Table {
+    Rows::of("/unknowns", &comparison.unknowns)
+        .words("input", |row| row.unknown.name.as_str())
+        .number(["unknown/mean", "prior", ""], Significant(4), |row| {
+            row.unknown.mean
+        })
+        .number(["unknown/sigma", "σ of prior", ""], Significant(3), |row| {
+            row.unknown.sigma
+        })
+        .number(["value", "value", ""], Significant(4), |row| row.value)
+        .number(["standard_error", "standard error", ""], Significant(3), |row| {
+            row.standard_error
+        })
+        .number(["pull", "moved by", "σ"], After(2), |row| row.pull)
+        .words("unit", |row| match row.unknown.unit.as_str() {
+            "1" => "",
+            unit => unit,
+        })
+        .words("known", |row| match (row.at_end, row.is_identified) {
             (true, _) => "at the end of its range",
             (_, true) => "by these data",
-            _ => "not: at its prior",
-        };
-        table.row([
-            unknown.unknown.name.clone(),
-            significant(unknown.unknown.mean, 4),
-            significant(unknown.unknown.sigma, 3),
-            significant(unknown.value, 4),
-            significant(unknown.standard_error, 3),
-            number(unknown.pull, 2),
-            if unknown.unknown.unit == "1" {
-                ""
-            } else {
-                &unknown.unknown.unit
-            }
-            .to_string(),
-            known.to_string(),
-        ]);
-    }
-    table.render()
+            _ if row.is_at_its_prior() => "not: at its prior",
+            _ => "no better than before",
+        })
+        .table()
+}
+
+fn correlations(comparison: &StudyComparison) -> Table {
+    let title = "Unknowns that stand for each other";
+    Rows::of("/correlations", &comparison.correlations)
+        .words("one", |row| row.a.as_str())
+        .words("other", |row| row.b.as_str())
+        .number(["value", "correlation", ""], After(2), |row| row.value)
+        .caption(title)
+        .most_in_text(SHOWN)
+        .folded(12, title)
+        .table()
+}
+
+fn rows(comparison: &StudyComparison) -> Table {
+    Rows::of("/rows", &comparison.rows)
+        .words("case", |row| row.case.as_str())
+        .words("wing", |row| row.wing.as_str())
+        .words("channel", |row| row.channel.name().replace('_', " "))
+        .words("run", |row| row.run.as_str())
+        .number(["r_mm", "r", "mm"], After(1), |row| row.r_mm)
+        .number(["r_to_mm", "to", "mm"], After(1), |row| row.r_to_mm)
+        .number(["chord_fraction", "chord fraction", ""], Significant(3), |row| {
+            row.chord_fraction
+        })
+        .bounded(["measured", "measured", ""], Significant(4), |row| {
+            (sign(row.bound), row.measured)
+        })
+        .number(["sigma", "σ", ""], Significant(2), |row| row.sigma)
+        .number(["before", "as stated", ""], Significant(4), |row| row.before)
+        .number(["sigma_of_inputs", "σ of inputs", ""], Significant(2), |row| {
+            row.sigma_of_inputs
+        })
+        .number(["after", "calibrated", ""], Significant(4), |row| row.after)
+        // Follows from measured, calibrated and σ of its row; the document does not repeat it.
+        .words("error in σ", |row| number(row.errors()[1] / row.sigma, 1))
+        .words("use", |row| used(row.is_held_out))
+        .most_in_text(SHOWN)
+        .folded(40, "All rows")
+        .table()
 }

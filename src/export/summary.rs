@@ -40,8 +40,11 @@ pub struct RunSummary {
     pub mesh: MeshSummary,
     /// What was solved, and how well the equations are met.
     pub solve: SolveSummary,
-    /// Twist along the span.
+    /// Twist at the stations of the design.
     pub profile: Vec<ProfileRow>,
+    /// The same with 50 places evenly from base to tip, where it can be read; the rows of `profile.csv`.
+    #[serde(default)]
+    pub along_span: Vec<ProfileRow>,
     /// Stations that were not read, and why.
     pub skipped: Vec<String>,
     /// Piecewise-linear stages of the profile; absent where the profile does not carry a fit.

@@ -16,6 +16,8 @@ pub mod measurement;
 
 pub mod study;
 
+pub mod sheet;
+
 pub mod video;
 
 pub mod stock;

@@ -29,7 +29,7 @@ impl Design {
         let name = |key: &&str| root.at(&KeyPath::parse(key).unwrap_or_default())?.text();
         let read = |name: &str| {
             let path = file::beside(path, name);
-            let bytes = std::fs::read(&path).ok()?;
+            let bytes = path.is_file().then(|| std::fs::read(&path).ok())??;
             Some(InputFile::new(file::shown(&path), &bytes))
         };
         KEYS.iter().filter_map(name).filter_map(read).collect()
@@ -67,6 +67,14 @@ pub(super) fn named_file(root: &Node, design_path: &Path, key: &str) -> Result<O
 /// Name and bytes of a mesh file.
 pub(super) fn read_mesh(path: &Path) -> Result<(String, Arc<[u8]>), InputError> {
     let name = file::shown(path);
+    if path.exists() && !path.is_file() {
+        let cure = "Name a mesh file; a mesh that a program writes goes into a file first";
+        return Err(InputError::about_file(
+            &name,
+            "is a folder, a pipe or a device",
+            cure,
+        ));
+    }
     match std::fs::read(path) {
         Ok(bytes) => Ok((name, bytes.into())),
         Err(error) => {

@@ -155,7 +155,7 @@ impl Record {
 }
 
 /// The line of the row that starts at or after a position, which may lie before comments and blank lines.
-fn line_of_row(text: &str, position: Option<&csv::Position>) -> usize {
+pub(super) fn line_of_row(text: &str, position: Option<&csv::Position>) -> usize {
     let start = position.map_or(0, |position| position.byte() as usize);
     let line = position.map_or(1, |position| position.line() as usize);
     let lines = text.get(start..).unwrap_or_default().lines();

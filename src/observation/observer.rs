@@ -16,6 +16,9 @@ use super::picture::Picture;
 use super::profile::{TwistProfile, TwistReading};
 use super::station::{Place, SkipReason, SkippedStation, Station, readable, stations};
 
+/// Places evenly along the span at which a wing is read besides the stations of its design.
+const ALONG_SPAN: usize = 50;
+
 /// A solved wing ready to be read at any station.
 #[derive(Debug)]
 pub struct Observer<'a> {
@@ -102,6 +105,24 @@ impl<'a> Observer<'a> {
             camera_axis: self.camera.map(|camera| camera.axis),
             root_angle_rad: self.root_angle_rad,
         }
+    }
+
+    /// Twist at the stations of the design and at 50 places evenly from base to tip, r rising, where it can be read: also what the film does
+    /// between spars.
+    pub fn along_span(&self) -> Vec<TwistReading> {
+        let step_m = self.planform.tip_m() / (ALONG_SPAN - 1) as f64;
+        let mut places = stations(self.design, self.planform);
+        for r_m in (0..ALONG_SPAN).map(|k| k as f64 * step_m) {
+            if places.iter().all(|other| (other.r_m - r_m).abs() > 1e-6) {
+                let place = Place::OnRequest;
+                places.push(Station { place, r_m });
+            }
+        }
+        places.sort_by(|a, b| a.r_m.total_cmp(&b.r_m));
+        places
+            .into_iter()
+            .filter_map(|station| self.read(station).ok())
+            .collect()
     }
 
     /// Twist at `r_m`.

@@ -30,7 +30,15 @@ impl Part {
         match self {
             Part::Headline(facts) => facts.iter().filter_map(|fact| fact.text(indent)).collect(),
             Part::Sentence(words) | Part::Text(words) | Part::Subtitle(words) => wrapped(words, indent),
-            Part::List(lines) | Part::Notes(lines) => all(lines),
+            Part::List(lines) => all(lines),
+            Part::Notes(lines) => lines
+                .iter()
+                .map(|line| wrapped(&format!("Note: {line}"), indent))
+                .collect(),
+            Part::Named(entries) => {
+                let line = |(name, words): &(&str, String)| format!("{:indent$}{name:<12}{words}\n", "");
+                entries.iter().map(line).collect()
+            }
             Part::Code(code) => code.lines().map(|line| format!("  {line}\n")).collect(),
             Part::Table(table) => table.text(indent),
             Part::Figure(_) | Part::Folded(..) => String::new(),
@@ -74,6 +82,7 @@ impl Table {
         let cells = self.columns.iter().zip(&row.cells);
         cells.map(|(column, cell)| match cell {
             Cell::Words(words) => words.clone(),
+            Cell::Bounded(sign, value) => format!("{sign}{}", column.digits.show(*value)),
             cell if cell.is_blank() => String::new(),
             Cell::Numbers(numbers) => {
                 let shown = numbers

@@ -49,6 +49,8 @@ pub enum Part {
     List(Vec<String>),
     /// What a reader must keep in mind.
     Notes(Vec<String>),
+    /// Names, and what each is in words.
+    Named(Vec<(&'static str, String)>),
     /// A title within the section.
     Subtitle(String),
     /// Text of a file, as it is.

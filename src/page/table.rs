@@ -45,13 +45,15 @@ pub enum Cell {
     Words(String),
     /// A number, or those of a list; of which any may not be known.
     Numbers(Vec<Option<f64>>),
+    /// A number that may be a bound: the sign before it (`<`, `>` or nothing), and the number.
+    Bounded(&'static str, f64),
 }
 
 /// A row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// Its place in the list of the document.
-    pub index: usize,
+    /// Its place in the list of the document, or its name where the rows are entries of a table.
+    pub key: String,
     /// What stands in it, one for each column.
     pub cells: Vec<Cell>,
 }
@@ -85,15 +87,19 @@ pub struct Rows<'a, T> {
 impl<'a, T> Rows<'a, T> {
     /// A table with a row for each of a list; `place` is where the document has the list.
     pub fn of(place: &str, list: &'a [T]) -> Self {
-        let empty = |index| Row {
-            index,
+        Rows::keyed(place, list.iter().enumerate())
+    }
+
+    /// A table with a row for each of these entries, by their keys below `place`.
+    pub fn keyed<K: ToString>(place: &str, entries: impl IntoIterator<Item = (K, &'a T)>) -> Self {
+        let empty = |key: K| Row {
+            key: key.to_string(),
             cells: Vec::new(),
         };
         Rows {
-            rows: list
-                .iter()
-                .enumerate()
-                .map(|(index, item)| (item, empty(index)))
+            rows: entries
+                .into_iter()
+                .map(|(key, item)| (item, empty(key)))
                 .collect(),
             table: Table {
                 caption: String::new(),
@@ -148,6 +154,20 @@ impl<'a, T> Rows<'a, T> {
         self
     }
 
+    /// With a column of numbers of which any may be a bound, with its sign.
+    pub fn bounded(
+        mut self,
+        head: [&'static str; 3],
+        digits: Digits,
+        of: impl Fn(&'a T) -> (&'static str, f64),
+    ) -> Self {
+        self.add(head, digits, |row| {
+            let (sign, value) = of(row);
+            Cell::Bounded(sign, value)
+        });
+        self
+    }
+
     /// With a caption.
     pub fn caption(mut self, text: &str) -> Self {
         self.table.caption = text.to_string();
@@ -199,6 +219,7 @@ impl Cell {
         match self {
             Cell::Words(words) => words.is_empty(),
             Cell::Numbers(numbers) => numbers.iter().all(Option::is_none),
+            Cell::Bounded(..) => false,
         }
     }
 }
@@ -217,7 +238,7 @@ impl Table {
     /// Where the document has a number: the one at `item` of the list in a column of a row.
     pub fn place_of(&self, row: &Row, column: &Column, item: usize) -> String {
         let key = column.key.replace('*', &item.to_string());
-        format!("{}/{}/{key}", self.place, row.index)
+        format!("{}/{}/{key}", self.place, row.key)
     }
 
     /// All numbers in it, with where each stands.
@@ -225,11 +246,14 @@ impl Table {
         let mut all = Vec::new();
         for row in &self.rows {
             for (column, cell) in self.columns.iter().zip(&row.cells) {
-                if let Cell::Numbers(numbers) = cell {
-                    let known = numbers.iter().enumerate();
-                    let known = known.filter_map(|(item, value)| Some((item, (*value)?)));
-                    all.extend(known.map(|(item, value)| (self.place_of(row, column, item), value)));
-                }
+                let numbers: &[Option<f64>] = match cell {
+                    Cell::Words(_) => &[],
+                    Cell::Numbers(numbers) => numbers,
+                    Cell::Bounded(_, value) => &[Some(*value)],
+                };
+                let known = numbers.iter().enumerate();
+                let known = known.filter_map(|(item, value)| Some((item, (*value)?)));
+                all.extend(known.map(|(item, value)| (self.place_of(row, column, item), value)));
             }
         }
         all

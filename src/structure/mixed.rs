@@ -17,10 +17,10 @@ use super::largest::larger;
 use super::loads::Loads;
 use super::model::{Aid, Guess};
 use super::newton::TURN_OF_FILM;
+use super::regularisation::Regularisation;
 use super::sheet::{Compression, Sheet};
 use super::shell::Shell;
 use super::state::State;
-use super::taming::Taming;
 
 /// Way to equilibrium by mixed steps.
 #[derive(Debug, Clone, Default)]
@@ -94,7 +94,7 @@ impl Equilibrium<'_> {
     /// Tension that holds flat films of the structure against the first step under `loads`, N/m; 0 without films.
     pub fn starting_tension_n_per_m(&self, state: &State, loads: &Loads) -> f64 {
         let (force, moment) = loads.size(state);
-        Taming::new(self.model, larger(force, moment / self.extent_m)).tension_n_per_m()
+        Regularisation::new(self.model, larger(force, moment / self.extent_m)).tension_n_per_m()
     }
 }
 

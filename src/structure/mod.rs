@@ -8,6 +8,8 @@ pub mod change;
 
 pub mod corotational;
 
+pub mod damper;
+
 pub mod equilibrium;
 
 pub mod error;
@@ -56,12 +58,13 @@ pub mod state;
 
 pub mod strength;
 
-pub mod taming;
+pub mod regularisation;
 
 pub mod wing;
 
 pub use beam::Beam;
 pub use blend::Blend;
+pub use damper::Damper;
 pub use equilibrium::{Equilibrium, Tangent};
 pub use error::{NotFinite, StructureError};
 pub use finite::refuse_not_finite;

@@ -1,7 +1,7 @@
 //! Equilibrium under dead loads: Newton's method with an energy line search and load increments that adapt.
 //!
 //! Aids help on the way and vanish before the end, so none changes the answer: the tangent (never the residual) looks
-//! ahead to the forces that a step is expected to lead to, films are tamed (`taming`), and a tangent that is not positive
+//! ahead to the forces that a step is expected to lead to, films are regularised (`regularisation`), and a tangent that is not positive
 //! definite is raised until it is.
 
 use super::StructureError;
@@ -9,9 +9,9 @@ use super::equilibrium::Equilibrium;
 use super::largest::{larger, largest};
 use super::loads::Loads;
 use super::model::{Aid, Guess};
+use super::regularisation::Regularisation;
 use super::sheet::{Compression, Sheet};
 use super::state::State;
-use super::taming::Taming;
 use crate::progress::Progress;
 
 /// Largest turn of a node in a whole step of plates and rods, rad. With 0.5 a thin strip that bends by 1.1 rad took 110 steps on 30 × 10
@@ -134,12 +134,12 @@ impl Equilibrium<'_> {
         let mut state = start.clone();
         let scale = self.scale(&state, loads);
         let (force, moment) = loads.size(&state);
-        let mut taming = Taming::new(self.model, larger(force, moment / self.extent_m));
+        let mut regularisation = Regularisation::new(self.model, larger(force, moment / self.extent_m));
         let mut aid = Aid::default();
         let mut raise = 0.0;
         let (mut best, mut last) = (f64::INFINITY, f64::INFINITY);
         // plates and rods find equilibrium in a dozen whole steps or not at all; films wrinkle for longer
-        let (patience, turn) = if way == Way::Whole && !taming.is_needed() {
+        let (patience, turn) = if way == Way::Whole && !regularisation.is_needed() {
             (20, TURN)
         } else {
             (settings.max_steps, TURN_OF_FILM)
@@ -149,7 +149,7 @@ impl Equilibrium<'_> {
         for count in 0..=settings.max_steps {
             let is_last = count - cut >= patience || count == settings.max_steps;
             progress.check()?;
-            aid.carried = taming.carried();
+            aid.carried = regularisation.carried();
             self.values.fill(0.0);
             let residual = self
                 .model
@@ -169,12 +169,18 @@ impl Equilibrium<'_> {
                 return Ok(Err(best));
             }
             last = size;
-            let way = if taming.is_stuck(count, size) {
+            let way = if regularisation.is_stuck(count, size) {
                 Way::Searched
             } else {
                 way
             };
-            let step = match self.step(&state, &residual, taming.tension_n_per_m(), way, &mut raise) {
+            let step = match self.step(
+                &state,
+                &residual,
+                regularisation.tension_n_per_m(),
+                way,
+                &mut raise,
+            ) {
                 Err(StructureError::NotFinite(_)) => return Ok(Err(best)),
                 found => found?,
             };
@@ -186,14 +192,15 @@ impl Equilibrium<'_> {
                         cut += 1;
                     }
                     let before = aid.guess.take();
-                    aid.guess = Some(self.look_ahead(before, &state, &step, length, !taming.is_needed()));
+                    aid.guess =
+                        Some(self.look_ahead(before, &state, &step, length, !regularisation.is_needed()));
                     Some(self.moved(&state, &step, length))
                 }
                 Way::Searched => {
                     aid.guess = None;
                     self.search(&state, &step, &residual, loads)
                         .map(|(moved, length)| {
-                            taming.searched(length);
+                            regularisation.searched(length);
                             moved
                         })
                 }
@@ -339,8 +346,13 @@ impl Equilibrium<'_> {
 
     /// Longest share of a step to take: no node turns by more than `turn`, rad.
     pub(super) fn longest(&self, step: &[f64], turn: f64) -> f64 {
-        let square = |spin: &[f64]| spin[3..6].iter().map(|r| r * r).sum::<f64>();
-        let most = largest(step.chunks_exact(6).map(square)).sqrt();
+        let most = self.largest_turn(step);
         if most > turn { turn / most } else { 1.0 }
+    }
+
+    /// Largest turn of a node in a step, rad.
+    pub fn largest_turn(&self, step: &[f64]) -> f64 {
+        let square = |spin: &[f64]| spin[3..6].iter().map(|r| r * r).sum::<f64>();
+        largest(step.chunks_exact(6).map(square)).sqrt()
     }
 }

@@ -65,7 +65,7 @@ mod tests {
 
     use super::*;
     use crate::study::forward::toy::{condition, reading};
-    use crate::study::{AdmittedError, Condition, Linear, Noise, Observable, Unknown};
+    use crate::study::{Condition, Discrepancy, Linear, Noise, Observable, Unknown};
 
     /// y = s² for an effect of strength s, which has no derivative at none and either sign.
     struct Even {
@@ -101,14 +101,14 @@ mod tests {
         }
 
         fn fitted(&self, by: fn(&dyn Forward, &Task) -> Result<Fit, StudyError>) -> f64 {
-            let none = AdmittedError::of_predictions(0.0, &DVector::zeros(1));
+            let none = Discrepancy::of_predictions(0.0, &DVector::zeros(1));
             let noise = Noise::new(&self.observables, &self.conditions, &[0], &none).unwrap();
             let task = Task {
                 rows: &[0],
                 noise: &noise,
                 free: &[0],
                 start: &[0.0],
-                footing: None,
+                warm_start: None,
             };
             by(self, &task).unwrap().at[0]
         }

@@ -12,7 +12,7 @@ use crate::structure::{larger, smaller};
 
 use super::boxed::least_in_box;
 use super::error::StudyError;
-use super::forward::{Footing, Forward, Linear, Observable};
+use super::forward::{Forward, Linear, Observable, WarmStart};
 use super::noise::Noise;
 
 /// Steps allowed.
@@ -54,7 +54,7 @@ pub struct Fit {
     /// Steps taken.
     pub steps: usize,
     /// What the model left there.
-    pub footing: Option<Footing>,
+    pub warm_start: Option<WarmStart>,
 }
 
 /// What a fit is to do.
@@ -69,7 +69,7 @@ pub struct Task<'a> {
     /// Where to start.
     pub start: &'a [f64],
     /// What the model left where it was asked before, near the start. If it is for trials, all solves of the search are.
-    pub footing: Option<&'a Footing>,
+    pub warm_start: Option<&'a WarmStart>,
 }
 
 /// Measured minus modelled for one observable: nothing where it is a bound that the model keeps.
@@ -94,12 +94,12 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
     let free: Vec<usize> = task.free.to_vec();
     let wanted = |name: &str| free.iter().any(|&i| unknowns[i].name == name);
     let mut at = task.start.to_vec();
-    let care = task.footing.map_or(Care::Full, Footing::care);
-    let ask = |footing: Option<&Footing>, at: &[f64]| {
-        let footing = footing.map(|left| left.with(care));
-        forward.linearize_from(footing.as_ref(), at, &|unknown| wanted(&unknown.name))
+    let care = task.warm_start.map_or(Care::Full, WarmStart::care);
+    let ask = |warm_start: Option<&WarmStart>, at: &[f64]| {
+        let warm_start = warm_start.map(|left| left.with(care));
+        forward.linearize_from(warm_start.as_ref(), at, &|unknown| wanted(&unknown.name))
     };
-    let (mut linear, mut footing) = ask(task.footing, &at)?;
+    let (mut linear, mut warm_start) = ask(task.warm_start, &at)?;
     let mut damping = HELD_BACK;
     let mut fall = f64::INFINITY;
     // why a trial had no solution, until whole steps succeed again: a search held back by such trials has found nothing
@@ -112,7 +112,7 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
             return match unsolved {
                 Some(error) => Err(error),
                 None => Ok(Fit {
-                    footing,
+                    warm_start,
                     ..here.fit(forward, task, at, linear, step)
                 }),
             };
@@ -122,11 +122,11 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
         let promised = here.q() - there.q();
         if unsolved.is_none() && damping <= HELD_BACK && (0.0..LITTLE).contains(&promised) {
             return Ok(Fit {
-                footing,
+                warm_start,
                 ..there.fit(forward, task, moved.at, last, step + 1)
             });
         }
-        match ask(footing.as_ref(), &moved.at) {
+        match ask(warm_start.as_ref(), &moved.at) {
             Err(error) if failures + 1 == CLIFF => return Err(error),
             Err(cancelled @ StudyError::Cancelled(_)) => return Err(cancelled),
             Err(error) => {
@@ -141,7 +141,7 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
                 let q = Local::new(forward, task, &moved.at, &trial).q();
                 if q <= here.q() {
                     fall = here.q() - q;
-                    (at, linear, footing) = (moved.at, trial, left);
+                    (at, linear, warm_start) = (moved.at, trial, left);
                     damping = (damping * 0.1).max(1e-9);
                 } else {
                     damping *= 10.0;
@@ -251,7 +251,7 @@ impl Local {
             predicted: linear.value,
             at,
             steps,
-            footing: None,
+            warm_start: None,
         }
     }
 }
@@ -261,7 +261,7 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     use super::*;
-    use crate::study::AdmittedError;
+    use crate::study::Discrepancy;
     use crate::study::forward::toy::{condition, reading};
     use crate::study::forward::{Condition, Unknown, UnknownKind};
 
@@ -300,13 +300,13 @@ mod tests {
 
     fn search(forward: &dyn Forward) -> Result<Fit, StudyError> {
         let rows: Vec<usize> = (0..forward.observables().len()).collect();
-        let none = AdmittedError::of_predictions(0.0, &DVector::zeros(rows.len()));
+        let none = Discrepancy::of_predictions(0.0, &DVector::zeros(rows.len()));
         let task = Task {
             rows: &rows,
             noise: &Noise::new(forward.observables(), forward.conditions(), &rows, &none).unwrap(),
             free: &[0, 1],
             start: &[1.0, 0.1],
-            footing: None,
+            warm_start: None,
         };
         calibrate(forward, &task)
     }

@@ -9,10 +9,10 @@ use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterato
 
 use super::case::{Asked, PreparedCase, Solved};
 use super::error::StudyError;
-use super::footing::{Ground, Stand};
-use super::forward::{Condition, Footing, Forward, Linear, MeshError, Observable, Unknown};
+use super::forward::{Condition, Forward, Linear, MeshError, Observable, Unknown, WarmStart};
 use super::skipped::{SkippedRow, in_words};
 use super::unknowns::{Target, Targets};
+use super::warm_start::{SolvedPoint, Stand};
 use super::work::{Tally, Work};
 use crate::coupling::Care;
 use crate::input::study::{LoadedStudy, RulerKind, UnusedRows};
@@ -25,7 +25,7 @@ pub struct Campaign {
     /// Name of the study.
     pub name: String,
     /// Share of its own prediction by which the model may miss.
-    pub slop: f64,
+    pub discrepancy: f64,
     /// Measured rows that the model cannot be asked for, and why not.
     pub skipped: Vec<SkippedRow>,
     /// Rows of the measurement files that no case uses.
@@ -106,7 +106,7 @@ impl Campaign {
         let targets = Targets::new(study, &cases, &observables, candidates)?;
         Ok(Campaign {
             name: study.study.name.clone(),
-            slop: study.study.slop,
+            discrepancy: study.study.discrepancy,
             skipped,
             unused: study.unused.clone(),
             cases,
@@ -186,10 +186,10 @@ impl Campaign {
         Ok(Arc::new(solved))
     }
 
-    /// What each case gives, side by side, solved from `footing` if there is one; before the ruler.
+    /// What each case gives, side by side, solved from `warm_start` if there is one; before the ruler.
     fn each<T: Send>(
         &self,
-        footing: Option<&Footing>,
+        warm_start: Option<&WarmStart>,
         at: &[f64],
         give: impl Fn(usize, Stand, Option<Tangent>) -> Result<T, StudyError> + Sync,
     ) -> Result<Vec<T>, StudyError> {
@@ -202,22 +202,22 @@ impl Campaign {
         (0..self.cases.len())
             .into_par_iter()
             .map(|index| {
-                let (stand, tangent) = self.stand(index, footing, at)?;
+                let (stand, tangent) = self.stand(index, warm_start, at)?;
                 give(index, stand, tangent)
             })
             .collect()
     }
 
-    /// A case solved: as it was on the footing if nothing that acts on it has moved, else from there.
+    /// A case solved: as it was at the warm start if nothing that acts on it has moved, else from there.
     fn stand(
         &self,
         index: usize,
-        footing: Option<&Footing>,
+        warm_start: Option<&WarmStart>,
         at: &[f64],
     ) -> Result<(Stand, Option<Tangent>), StudyError> {
-        let ground = footing.and_then(Footing::get::<Ground>);
+        let ground = warm_start.and_then(WarmStart::get::<SolvedPoint>);
         let touches = |unknown: usize| self.targets.targets[unknown].touches(index, at);
-        let care = footing.map_or(Care::Full, Footing::care);
+        let care = warm_start.map_or(Care::Full, WarmStart::care);
         let is_left = care == Care::Rough && self.conditions[index].is_held_out;
         if let Some(ground) = ground.filter(|ground| is_left || ground.is_same(at, touches)) {
             return Ok((ground.cases[index].clone(), None));
@@ -329,12 +329,12 @@ impl Forward for Campaign {
 
     fn linearize_from(
         &self,
-        footing: Option<&Footing>,
+        warm_start: Option<&WarmStart>,
         at: &[f64],
         wanted: &dyn Fn(&Unknown) -> bool,
-    ) -> Result<(Linear, Option<Footing>), StudyError> {
+    ) -> Result<(Linear, Option<WarmStart>), StudyError> {
         let wanted: Vec<bool> = self.targets.unknowns.iter().map(wanted).collect();
-        let stands = self.each(footing, at, |index, stand, tangent| {
+        let stands = self.each(warm_start, at, |index, stand, tangent| {
             self.with_columns(index, stand, tangent, at, &wanted)
         })?;
         let size = self.observables.len();
@@ -361,11 +361,11 @@ impl Forward for Campaign {
                 }
             }
         }
-        let ground = Ground {
+        let ground = SolvedPoint {
             at: at.to_vec(),
             cases: stands,
         };
-        Ok((Linear { value, jacobian }, Some(Footing::new(ground))))
+        Ok((Linear { value, jacobian }, Some(WarmStart::new(ground))))
     }
 
     fn moment_response(&self, at: &[f64], stations: usize) -> Result<DMatrix<f64>, StudyError> {
@@ -374,11 +374,11 @@ impl Forward for Campaign {
 
     fn moment_response_from(
         &self,
-        footing: Option<&Footing>,
+        warm_start: Option<&WarmStart>,
         at: &[f64],
         stations: usize,
     ) -> Result<DMatrix<f64>, StudyError> {
-        let parts = self.each(footing, at, |index, stand, _| {
+        let parts = self.each(warm_start, at, |index, stand, _| {
             self.cases[index].moment_response(&stand.solved, stations)
         })?;
         let mut response = DMatrix::zeros(self.observables.len(), stations);

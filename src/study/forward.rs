@@ -176,15 +176,15 @@ pub struct MeshError {
 
 /// What an answer of a model leaves for its next ones; only the model that left it can read it.
 #[derive(Clone)]
-pub struct Footing {
+pub struct WarmStart {
     kept: Arc<dyn Any + Send + Sync>,
     care: Care,
 }
 
-impl Footing {
+impl WarmStart {
     /// Of what a model wants to keep.
-    pub fn new<T: Any + Send + Sync>(kept: T) -> Footing {
-        Footing {
+    pub fn new<T: Any + Send + Sync>(kept: T) -> WarmStart {
+        WarmStart {
             kept: Arc::new(kept),
             care: Care::Full,
         }
@@ -192,19 +192,19 @@ impl Footing {
 
     /// The same, with how much is asked of answers from there. What they leave asks for all.
     #[must_use]
-    pub fn with(&self, care: Care) -> Footing {
-        Footing { care, ..self.clone() }
+    pub fn with(&self, care: Care) -> WarmStart {
+        WarmStart { care, ..self.clone() }
     }
 
     /// The same for trials: answers from there may give up where a solution is hard to find.
     #[must_use]
-    pub fn for_trials(&self) -> Footing {
+    pub fn for_trials(&self) -> WarmStart {
         self.with(Care::Trial)
     }
 
     /// The same for rough answers.
     #[must_use]
-    pub fn roughly(&self) -> Footing {
+    pub fn roughly(&self) -> WarmStart {
         self.with(Care::Rough)
     }
 
@@ -219,9 +219,9 @@ impl Footing {
     }
 }
 
-impl fmt::Debug for Footing {
+impl fmt::Debug for WarmStart {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Footing")
+        f.write_str("WarmStart")
     }
 }
 
@@ -252,27 +252,27 @@ pub trait Forward: Sync {
     /// As [`Forward::predict`].
     fn linearize(&self, at: &[f64], wanted: &dyn Fn(&Unknown) -> bool) -> Result<Linear, StudyError>;
 
-    /// As [`Forward::linearize`], from the footing of an earlier answer, if there is one: the same but for the tolerance of
-    /// the solves, and sooner. It leaves a footing of its own.
+    /// As [`Forward::linearize`], from the warm start of an earlier answer, if there is one: the same but for the tolerance of
+    /// the solves, and sooner. It leaves a warm start of its own.
     ///
     /// # Errors
     /// As [`Forward::predict`].
     fn linearize_from(
         &self,
-        _footing: Option<&Footing>,
+        _warm_start: Option<&WarmStart>,
         at: &[f64],
         wanted: &dyn Fn(&Unknown) -> bool,
-    ) -> Result<(Linear, Option<Footing>), StudyError> {
+    ) -> Result<(Linear, Option<WarmStart>), StudyError> {
         Ok((self.linearize(at, wanted)?, None))
     }
 
-    /// As [`Forward::moment_response`], from a footing.
+    /// As [`Forward::moment_response`], from a warm start.
     ///
     /// # Errors
     /// As [`Forward::predict`].
     fn moment_response_from(
         &self,
-        _footing: Option<&Footing>,
+        _warm_start: Option<&WarmStart>,
         at: &[f64],
         stations: usize,
     ) -> Result<DMatrix<f64>, StudyError> {

@@ -198,7 +198,7 @@ pub fn by_wing(forward: &dyn Forward, rows: &[usize]) -> Vec<Vec<usize>> {
 mod tests {
     use super::*;
     use crate::study::forward::toy::{condition, reading};
-    use crate::study::{AdmittedError, Observable};
+    use crate::study::{Discrepancy, Observable};
 
     fn noise(size: usize, sigma: f64, admitted: f64) -> Noise {
         let observables: Vec<Observable> = (0..size).map(|_| reading(1, 0.0, sigma)).collect();
@@ -207,7 +207,7 @@ mod tests {
             &observables,
             &[condition()],
             &rows,
-            &AdmittedError::of_predictions(admitted, &DVector::from_element(size, 1.0)),
+            &Discrepancy::of_predictions(admitted, &DVector::from_element(size, 1.0)),
         )
         .unwrap()
     }

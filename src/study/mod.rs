@@ -24,7 +24,7 @@ pub mod error;
 
 mod experiments;
 
-mod footing;
+mod warm_start;
 
 pub mod forward;
 
@@ -63,8 +63,8 @@ pub use best_fit::best_fit;
 pub use calibrate::{Fit, Task, calibrate};
 pub use campaign::Campaign;
 pub use error::StudyError;
-pub use forward::{Condition, Footing, Forward, Linear, MeshError, Observable, Unknown, UnknownKind};
-pub use noise::{AdmittedError, Noise};
+pub use forward::{Condition, Forward, Linear, MeshError, Observable, Unknown, UnknownKind, WarmStart};
+pub use noise::{Discrepancy, Noise};
 pub use output::{Output, ProfileOutputs};
 pub use proposed::{Cost, Proposal, Proposals};
 pub use shares::Share;

@@ -21,17 +21,17 @@ pub struct Noise {
 
 /// The error of the model that is admitted.
 #[derive(Debug, Clone, PartialEq)]
-pub struct AdmittedError {
+pub struct Discrepancy {
     /// Share τ of every prediction.
     pub share: f64,
     /// Predictions of all observables.
     pub value: DVector<f64>,
 }
 
-impl AdmittedError {
+impl Discrepancy {
     /// A share of the predictions `value`, and nothing else.
-    pub fn of_predictions(share: f64, value: &DVector<f64>) -> AdmittedError {
-        AdmittedError {
+    pub fn of_predictions(share: f64, value: &DVector<f64>) -> Discrepancy {
+        Discrepancy {
             share,
             value: value.clone(),
         }
@@ -47,10 +47,10 @@ impl Noise {
         observables: &[Observable],
         conditions: &[Condition],
         rows: &[usize],
-        admitted: &AdmittedError,
+        admitted: &Discrepancy,
     ) -> Result<Noise, StudyError> {
         let size = rows.len();
-        let AdmittedError { share, value } = admitted;
+        let Discrepancy { share, value } = admitted;
         let covariance = DMatrix::from_fn(size, size, |i, j| {
             let (a, b) = (&observables[rows[i]], &observables[rows[j]]);
             let measured = if i == j { a.sigma * a.sigma } else { 0.0 };
@@ -175,7 +175,7 @@ mod tests {
             &rows,
             &conditions,
             &[0, 1, 2, 3],
-            &AdmittedError::of_predictions(0.05, &value),
+            &Discrepancy::of_predictions(0.05, &value),
         )
         .unwrap();
         let lower = DMatrix::from_fn(4, 4, |i, j| {

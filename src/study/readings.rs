@@ -46,7 +46,7 @@ impl Campaign {
     fn read_anew(&self, cases: Vec<PreparedCase>, observables: Vec<Observable>) -> Campaign {
         Campaign {
             name: self.name.clone(),
-            slop: self.slop,
+            discrepancy: self.discrepancy,
             skipped: self.skipped.clone(),
             unused: self.unused.clone(),
             cases,

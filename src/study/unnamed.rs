@@ -1,4 +1,4 @@
-//! Causes without a name as a fit may try them: one hump somewhere along the span, of a moment, a spring or a softer stretch.
+//! Causes without a name as a fit may try them: one bump somewhere along the span, of a moment, a spring or a softer stretch.
 //!
 //! They are off, and no part of the model nor of what it is known to lack; only where nothing with a name explains the readings are they
 //! fitted together with the rest. They are tried in air only, whose pressure tells how large a load may be: on the bench linear fields

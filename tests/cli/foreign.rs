@@ -7,27 +7,43 @@ use serde_json::Value;
 use crate::{folder, washout};
 
 /// What is missing in a case, by the effects that may be named for it; none: no effect knows it.
-const CASES: [(&str, Option<&[&str]>); 12] = [
+type Case = (&'static str, Option<&'static [&'static str]>);
+
+const CASES: [Case; 7] = [
     ("c000", Some(&[])),
     ("c007", Some(&[])),
-    ("c014", Some(&[])),
-    ("c030", Some(&[])),
     ("c005", Some(&["inflow-uniform", "inflow-momentum"])),
     ("c012", Some(&["root-flexure"])),
     ("c018", Some(&["centre-of-pressure-shift"])),
-    ("c022", Some(&["centre-of-pressure-shift"])),
     ("c028", Some(&["rod-shear-modulus"])),
-    ("c041", Some(&["root-flexure"])),
     ("c006", None),
+];
+
+const MORE: [Case; 5] = [
+    ("c014", Some(&[])),
+    ("c030", Some(&[])),
+    ("c022", Some(&["centre-of-pressure-shift"])),
+    ("c041", Some(&["root-flexure"])),
     ("c026", None),
 ];
 
-/// Four wings that lack nothing raise no alarm, six effects lead and nothing wrong is named, two causes that no effect knows are told so.
+/// Two wings that lack nothing raise no alarm, four effects lead and nothing wrong is named, a cause that no effect knows is told so.
 #[test]
-fn of_twelve_wings_of_another_model_none_is_diagnosed_wrongly() {
+fn of_seven_wings_of_another_model_none_is_diagnosed_wrongly() {
+    none_is_diagnosed_wrongly(&CASES);
+}
+
+/// Two that lack nothing, two effects, one unknown cause.
+#[test]
+#[ignore = "five more wings: half a minute"]
+fn of_five_more_wings_of_another_model_none_is_diagnosed_wrongly() {
+    none_is_diagnosed_wrongly(&MORE);
+}
+
+fn none_is_diagnosed_wrongly(cases: &[Case]) {
     let here = folder();
     let wings = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/foreign");
-    for (case, truth) in CASES {
+    for &(case, truth) in cases {
         let study = wings.join(format!("{case}.toml"));
         let said = washout(
             here.path(),

@@ -1,4 +1,4 @@
-//! Two effects hidden, one added after the other: the error falls rung by rung, fitted, left out and held out.
+//! Two effects hidden, one added after the other: the error falls step by step, fitted, left out and held out.
 
 use std::fs;
 use std::path::Path;

@@ -101,7 +101,7 @@ fn what_is_all_or_none_is_added_whole_has_its_rung_and_goes_again() {
         table.contains("strength = 1.0") && !table.contains("sigma"),
         "{table}"
     );
-    // once more: it has a rung of its own now
+    // once more: it has a step of its own now
     let again = json(&washout(here.path(), &add));
     let rungs: Vec<&str> = again["ladder"]
         .as_array()

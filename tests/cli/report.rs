@@ -55,6 +55,41 @@ fn a_run_is_reported_in_one_file_with_its_summary_and_reported_again_to_the_same
 }
 
 #[test]
+fn every_number_of_the_page_of_a_run_and_of_a_comparison_stands_in_its_document() {
+    let here = folder();
+    let v2 = design("twist-v2.toml");
+    let run = |arguments: &[&str]| washout(here.path(), arguments).document();
+    let solved = run(&[
+        "solve",
+        &v2,
+        "--refine",
+        "0.5",
+        "--stroke",
+        "8",
+        "--uncertainty",
+        "16",
+        "--json",
+    ]);
+    let summary = serde_json::from_value(solved.clone()).expect("a summary");
+    assert_eq!(
+        washout::export::report::page(&summary, &[]).astray(&solved),
+        Vec::<String>::new()
+    );
+    let compared = run(&["compare", &v2, "--refine", "0.5", "--json"]);
+    let found = serde_json::from_value(compared["comparison"].clone()).expect("a comparison");
+    assert_eq!(
+        washout::export::comparison::page(&found).astray(&compared),
+        Vec::<String>::new()
+    );
+    let elsewhere = &compared["comparison"];
+    assert!(
+        !washout::export::comparison::page(&found)
+            .astray(elsewhere)
+            .is_empty()
+    );
+}
+
+#[test]
 fn every_verb_that_writes_a_folder_reports_it_in_words_pictures_tables_and_numbers() {
     let here = folder();
     let (rigid, v2) = (design("rigid.toml"), design("twist-v2.toml"));

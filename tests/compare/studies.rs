@@ -4,6 +4,8 @@ use std::path::Path;
 
 use washout::compare::StudyComparison;
 use washout::compare::study::compare_study;
+use washout::export::json;
+use washout::export::study::page;
 use washout::input::measurement::Channel;
 use washout::input::study::LoadedStudy;
 use washout::progress::Progress;
@@ -27,6 +29,20 @@ fn rmse(comparison: &StudyComparison, wing: &str, channel: Channel, is_held_out:
     let mut groups = comparison.groups.iter();
     let found = groups.find(|g| g.wing == wing && g.channel == channel && g.is_held_out == is_held_out);
     found.unwrap_or_else(|| panic!("no {wing}")).rmse
+}
+
+fn every_number_of_its_page_stands_in_its_document(comparison: &StudyComparison) {
+    let page = page(comparison);
+    let mut document = json::tree(comparison).unwrap();
+    assert_eq!(page.astray(&document), Vec::<String>::new());
+    document["rows"][0]["measured"] = 0.123.into();
+    document["chi_square_per_row"][1] = 0.123.into();
+    let astray = page.astray(&document);
+    assert_eq!(astray, ["/chi_square_per_row/1", "/rows/0/measured"]);
+    let text = page.text();
+    let [words, rows] =
+        ["Model against measurement\n", "Every measured number\n"].map(|part| text.find(part));
+    assert!(words.is_some() && words < rows, "the words stand first:\n{text}");
 }
 
 fn near(found: f64, expected: f64) {
@@ -79,6 +95,7 @@ fn tang_and_dowells_wing_under_its_own_weight_agrees_within_the_uncertainty_but_
     for group in &comparison.groups {
         assert!(group.explained > 0.4, "{group:?}");
     }
+    every_number_of_its_page_stands_in_its_document(&comparison);
     let [stated, calibrated] = rmse(&comparison, "tang-dowell", Channel::Twist, true);
     near(stated, 0.0178);
     near(calibrated, 0.0160);

@@ -4,6 +4,8 @@ mod film;
 mod independence;
 mod load_transfer;
 mod mesh_study;
+mod random_wing;
+mod reliability;
 mod sensitivity;
 mod support;
 mod tangent;

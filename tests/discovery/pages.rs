@@ -19,6 +19,7 @@ fn numbers(found: &Diagnosis) -> usize {
     });
     let counts = cells.map(|cell| match cell {
         Cell::Numbers(numbers) => numbers.iter().flatten().count(),
+        Cell::Bounded(..) => 1,
         Cell::Words(_) => 0,
     });
     counts.sum()

@@ -23,7 +23,9 @@ fn root() -> &'static Path {
 
 /// Every page of the book, as a path from the repository, in the order of the alphabet; README and changelog first.
 fn all_pages() -> Vec<String> {
-    let mut pages = vec!["README.md".to_string(), "CHANGELOG.md".to_string()];
+    let mut pages = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+        .map(str::to_string)
+        .to_vec();
     for folder in ["docs", "docs/reference"] {
         let entries = std::fs::read_dir(root().join(folder)).expect("a folder");
         let names = entries.map(|entry| entry.expect("an entry").file_name().into_string().expect("UTF-8"));

@@ -114,6 +114,7 @@ macro_rules! pages {
 pages! {
     first_wing "docs/first-wing.md"
     find_a_hidden_effect "docs/find-a-hidden-effect.md"
+    from_your_own_table "docs/from-your-own-table.md"
     from_video_to_twist "docs/from-video-to-twist.md"
     front "docs/front.md"
     lift "docs/lift.md"

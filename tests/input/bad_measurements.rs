@@ -278,6 +278,7 @@ fn text_that_is_no_table_is_refused() {
     assert_eq!(
         message("twist at 20 mm: 4.5 deg\n"),
         "m.csv:1: column \"twist at 20 mm: 4.5 deg\" is not known.\n  \
-         The columns are case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound, and if wanted chord_fraction"
+         The columns are case,channel,instrument,unit,sign,run,r_mm,r_to_mm,value,sigma,sigma_kind,bound, and if wanted chord_fraction. \
+         Tables of other forms: `washout diagnose DESIGN --with TABLE`, `washout init NAME --study --design DESIGN --readings TABLE`"
     );
 }

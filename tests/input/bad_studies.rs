@@ -99,3 +99,17 @@ fn bad_studies_are_refused_with_place_value_and_cure() {
         }
     }
 }
+
+#[test]
+fn the_earlier_name_of_the_discrepancy_is_read_on_but_not_beside_the_new_one() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/tang-dowell-wind.toml");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let with = |lines: &str| {
+        let text = text.replacen("format = 1\n", &format!("format = 1\n{lines}"), 1);
+        LoadedStudy::from_text(&path, &text, &[])
+    };
+    for key in ["slop", "discrepancy"] {
+        assert_eq!(with(&format!("{key} = 0.02\n")).unwrap().study.discrepancy, 0.02);
+    }
+    assert!(with("slop = 0.02\ndiscrepancy = 0.02\n").is_err());
+}

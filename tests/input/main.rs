@@ -14,4 +14,6 @@ mod ribs;
 
 mod settings;
 
+mod sheets;
+
 mod shipped;

@@ -133,7 +133,7 @@ fn bad_inputs_end_with_2_say_the_cure_and_write_nothing() {
     let good = file(here.path(), "good.csv", "r_mm,twist_deg\n0,0\n70,20\n");
     let bench = design("minguet-1");
     for (arguments, said) in [
-        (vec!["lift"], "required"),
+        (vec!["lift"], "is missing"),
         (vec!["lift", "none.toml"], "no such file"),
         (vec!["lift", &rigid, &empty], "no rows"),
         (vec!["lift", &rigid, &fallen], "Sort the rows"),

@@ -81,6 +81,6 @@ def what(hypothesis: Mapping[str, Sequence[str]]) -> str:
         case []:
             return "nothing"
         case ["novel"]:
-            return "none that is known"
+            return "unknown cause"
         case effects:
             return " + ".join(effects)

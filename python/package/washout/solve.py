@@ -142,8 +142,13 @@ class Run:
 
     @cached_property
     def profile(self) -> Columns:
-        """Twist along the span, with the columns of profile.csv."""
+        """Twist at the stations of the design."""
         return Columns(self.summary["profile"])
+
+    @cached_property
+    def along_span(self) -> Columns:
+        """The same with 50 places evenly from base to tip: the rows of profile.csv."""
+        return Columns(self.summary["along_span"])
 
     @property
     def r_mm(self) -> Numbers:

@@ -77,24 +77,6 @@ impl Document {
         }
     }
 
-    /// The words at a place; nothing where there are none.
-    pub fn words(&self, place: &str) -> Shown {
-        Shown::text(
-            self.value
-                .pointer(place)
-                .and_then(Value::as_str)
-                .unwrap_or_default(),
-        )
-    }
-
-    /// Entries of the list at a place.
-    pub fn count(&self, place: &str) -> usize {
-        self.value
-            .pointer(place)
-            .and_then(Value::as_array)
-            .map_or(0, Vec::len)
-    }
-
     /// The document as an element of the page.
     pub fn element(&self) -> String {
         format!(

@@ -7,9 +7,8 @@ use crate::input::assumption::Assumption;
 use super::document::{Document, Shown};
 use super::table::{HtmlTable, folded};
 
-/// The inputs of the design at a place of a document: those assumed first, then all.
+/// Every input of the design at a place of a document, those marked that are assumed.
 pub fn inputs(document: &Document, design: &str) -> String {
-    let mut assumed = HtmlTable::new(&["assumed input", "value", "from", "to", "why"]);
     let mut all = HtmlTable::new(&["input", "value", "", "why"]);
     let value = document.value.pointer(design).unwrap_or(&Value::Null);
     each(value, String::new(), design, &mut |key, place, value| {
@@ -20,35 +19,17 @@ pub fn inputs(document: &Document, design: &str) -> String {
             all.row(vec![Shown::text(key), shown(document, place, value)]);
             return;
         };
-        let [chosen, low, high] = ["assumed", "range/0", "range/1"].map(|part| format!("{place}/{part}"));
+        let chosen = shown(document, &format!("{place}/assumed"), &entries["assumed"]);
         let why = Shown::text(entries.get("why").and_then(Value::as_str).unwrap_or_default());
-        let chosen = shown(document, &chosen, &entries["assumed"]);
-        let mark = Shown::text("assumed");
         all.marked(
             "assumed",
-            vec![Shown::text(key), chosen.clone(), mark, why.clone()],
-        );
-        assumed.marked(
-            "assumed",
-            vec![
-                Shown::text(key),
-                chosen,
-                document.exact(&low),
-                document.exact(&high),
-                why,
-            ],
+            vec![Shown::text(key), chosen, Shown::text("assumed"), why],
         );
     });
-    let head = if assumed.is_empty() {
-        "<p>Every input is stated as a fact; none is assumed.</p>\n".to_string()
-    } else {
-        format!(
-            "<p>Marked ◆: assumed, not known; the range is what is thought possible. How far they move the result, \
-             <code>washout solve --uncertainty</code> says.</p>\n{}",
-            assumed.html()
-        )
-    };
-    head + &all.folded(0, "All inputs")
+    format!(
+        "<p>Marked ◆: assumed, not known.</p>\n{}",
+        all.folded(0, "All inputs")
+    )
 }
 
 /// What is assumed in the designs of a study.
@@ -142,7 +123,7 @@ mod tests {
     use serde_json::json;
 
     #[test]
-    fn assumed_inputs_are_marked_with_value_range_and_reason() {
+    fn assumed_inputs_are_marked_with_value_and_reason() {
         let design = json!({
             "name": "w<i>",
             "air": {"density_kg_m3": {"assumed": 1.2, "range": [1.15, 1.23], "why": "room & air"}},
@@ -155,8 +136,6 @@ mod tests {
             "◆",
             "air.density_kg_m3",
             "data-of=\"/design/air/density_kg_m3/assumed\">1.2<",
-            ">1.15<",
-            ">1.23<",
             "room &amp; air",
             "rod[0].section.diameter_mm",
             "data-of=\"/design/outline/1/0\">70.0<",

@@ -25,8 +25,6 @@ pub mod run;
 
 pub mod inputs;
 
-pub mod compared;
-
 pub mod study;
 
 pub mod diagnosis;

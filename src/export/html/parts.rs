@@ -25,7 +25,11 @@ impl Page {
     }
 }
 
-fn html(parts: &[Part], document: &Document) -> Result<String, ExportError> {
+/// Parts of an answer as HTML; their numbers come from the document.
+///
+/// # Errors
+/// If a number in a figure is not finite.
+pub fn html(parts: &[Part], document: &Document) -> Result<String, ExportError> {
     parts.iter().map(|part| part_html(part, document)).collect()
 }
 
@@ -40,12 +44,21 @@ fn part_html(part: &Part, document: &Document) -> Result<String, ExportError> {
         Part::Text(words) => paragraph(words),
         Part::List(lines) => list(lines),
         Part::Notes(lines) => mind(lines),
+        Part::Named(entries) => named(entries),
         Part::Subtitle(words) => format!("<h3>{}</h3>\n", escaped(words)),
         Part::Code(code) => format!("<pre>{}</pre>\n", escaped(code)),
         Part::Table(table) => table_html(table, document),
         Part::Figure(figure) => picture(figure)?,
         Part::Folded(title, figure) => folded(title, &picture(figure)?),
     })
+}
+
+fn named(entries: &[(&str, String)]) -> String {
+    let mut table = HtmlTable::new(&["", "what"]);
+    for (name, words) in entries {
+        table.row(vec![Shown::text(name), Shown::text(words)]);
+    }
+    table.html()
 }
 
 fn table_html(table: &Table, document: &Document) -> String {
@@ -66,6 +79,9 @@ fn table_html(table: &Table, document: &Document) -> String {
 fn shown(table: &Table, row: &Row, column: &Column, cell: &Cell, document: &Document) -> Shown {
     match cell {
         Cell::Words(words) => Shown::text(words),
+        Cell::Bounded(sign, _) => document
+            .number(&table.place_of(row, column, 0), column.digits)
+            .after(sign),
         cell if cell.is_blank() => Shown::default(),
         Cell::Numbers(numbers) => {
             let place = |item| table.place_of(row, column, item);

@@ -1,7 +1,7 @@
 //! The error falling from the model as stated to the noise: `ladder.svg`.
 
-use crate::compare::{self, StudyRung};
-use crate::diagnose::ladder::Rung;
+use crate::compare::{self, StudyLadderStep};
+use crate::diagnose::ladder::LadderStep;
 use crate::input::measurement::Channel;
 use crate::plot::{Figure, Ink, Key, Panel, Sample, Step, Waterfall};
 
@@ -34,16 +34,16 @@ pub struct Fall {
     pub steps: Vec<(String, Vec<Option<f64>>)>,
 }
 
-/// Name of a group of data, and its error at a rung.
-type RungGroup = (&'static str, fn(&Rung) -> Option<f64>);
+/// Name of a group of data, and its error at a step.
+type StepGroup = (&'static str, fn(&LadderStep) -> Option<f64>);
 
 impl Fall {
-    /// Of the ladder of a diagnosis; groups that no rung has are left out.
-    pub fn of_rungs(rungs: &[Rung]) -> Vec<Fall> {
+    /// Of the ladder of a diagnosis; groups that no step has are left out.
+    pub fn of_rungs(rungs: &[LadderStep]) -> Vec<Fall> {
         let Some(first) = rungs.first() else {
             return Vec::new();
         };
-        let all: [RungGroup; 3] = [
+        let all: [StepGroup; 3] = [
             (FITTED, |rung| Some(rung.in_sample)),
             (LEFT_OUT, |rung| rung.left_out),
             (HELD_OUT, |rung| rung.held_out),
@@ -69,8 +69,8 @@ impl Fall {
         }]
     }
 
-    /// Of the ladder of a study, of all channels, then wing by wing and channel by channel; groups that no rung has are left out.
-    pub fn of_study(rungs: &[StudyRung]) -> Vec<Fall> {
+    /// Of the ladder of a study, of all channels, then wing by wing and channel by channel; groups that no step has are left out.
+    pub fn of_study(rungs: &[StudyLadderStep]) -> Vec<Fall> {
         let Some(first) = rungs.first() else {
             return Vec::new();
         };
@@ -80,14 +80,14 @@ impl Fall {
             .filter(|of| groups().any(|group| of.error(group, Measure::RootMeanSquare).is_some()))
             .collect();
         let fall = |wing: &str, channel: Channel, measure: Measure| {
-            let level = |rung: &StudyRung, of: &StudyGroup| {
+            let level = |rung: &StudyLadderStep, of: &StudyGroup| {
                 let mut own = rung
                     .groups
                     .iter()
                     .filter(|group| group.wing == wing && group.channel == channel);
                 own.find_map(|group| of.error(group, measure))
             };
-            let step = |rung: &StudyRung| {
+            let step = |rung: &StudyLadderStep| {
                 let levels = kept.iter().map(|of| level(rung, of)).collect();
                 (step_words(&rung.name), levels)
             };
@@ -99,7 +99,7 @@ impl Fall {
                 steps: rungs.iter().map(step).collect(),
             }
         };
-        let all = |rung: &StudyRung| {
+        let all = |rung: &StudyLadderStep| {
             let levels = kept.iter().map(|of| (of.in_sigma)(rung)).collect();
             (step_words(&rung.name), levels)
         };
@@ -110,7 +110,7 @@ impl Fall {
             groups: kept.iter().map(|of| of.name.to_string()).collect(),
             steps: rungs.iter().map(all).collect(),
         }];
-        let key = |group: &compare::RungGroup| (group.wing.clone(), group.channel);
+        let key = |group: &compare::StepGroup| (group.wing.clone(), group.channel);
         for (wing, channel) in distinct(first.groups.iter().map(key)) {
             let measures = [Measure::RootMeanSquare, Measure::ChiSquare];
             falls.extend(measures.map(|measure| fall(&wing, channel, measure)));
@@ -128,9 +128,9 @@ const HELD_OUT: &str = "held out";
 struct StudyGroup {
     name: &'static str,
     is_held_out: bool,
-    root_mean_square: fn(&compare::RungGroup) -> Option<f64>,
-    chi_square: fn(&compare::RungGroup) -> Option<f64>,
-    in_sigma: fn(&StudyRung) -> Option<f64>,
+    root_mean_square: fn(&compare::StepGroup) -> Option<f64>,
+    chi_square: fn(&compare::StepGroup) -> Option<f64>,
+    in_sigma: fn(&StudyLadderStep) -> Option<f64>,
 }
 
 const STUDY_GROUPS: [StudyGroup; 3] = [
@@ -158,7 +158,7 @@ const STUDY_GROUPS: [StudyGroup; 3] = [
 ];
 
 impl StudyGroup {
-    fn error(&self, group: &compare::RungGroup, measure: Measure) -> Option<f64> {
+    fn error(&self, group: &compare::StepGroup, measure: Measure) -> Option<f64> {
         let error = match measure {
             Measure::RootMeanSquare => self.root_mean_square,
             Measure::ChiSquare => self.chi_square,

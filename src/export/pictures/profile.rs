@@ -40,7 +40,7 @@ pub fn twist(summary: &RunSummary) -> Figure {
         });
     }
     key("model", Sample::Line(Ink::Curve(0), Weight::Thick));
-    let read = summary.profile.iter().filter(|row| row.bound == Bound::None);
+    let read = summary.along_span.iter().filter(|row| row.bound == Bound::None);
     marks.push(Mark::Line {
         points: read.map(|row| [row.r_mm, row.twist_deg]).collect(),
         ink: Ink::Curve(0),

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
-use super::record::Record;
+use super::record::{NEW_RECORD, Record};
 
 /// A new folder, not seen by `ls`, beside a place; removed when dropped.
 pub fn hidden_folder(parent: &Path, place: &Path, kind: Kind) -> io::Result<TempDir> {
@@ -96,15 +96,19 @@ pub fn tidy(parent: &Path, place: &Path) {
     }
 }
 
-/// Hidden folders of a place that washout made: empty ones, and those with a record.
+/// Hidden folders of a place that washout made: those with a record, and those in which the first one was still to be written.
 fn left(parent: &Path, place: &Path, kind: Kind) -> Vec<PathBuf> {
     let prefix = prefix(place, kind);
     let entries = fs::read_dir(parent).into_iter().flatten().flatten();
     let is_left = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let is_folder = fs::symlink_metadata(path).is_ok_and(|entry| entry.is_dir());
-        let is_empty = || fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none());
-        name.starts_with(&prefix) && is_folder && (Record::read(path).is_some() || is_empty())
+        let is_new = || {
+            let names =
+                |entry: io::Result<fs::DirEntry>| entry.is_ok_and(|entry| entry.file_name() == NEW_RECORD);
+            fs::read_dir(path).is_ok_and(|mut entries| entries.all(names))
+        };
+        name.starts_with(&prefix) && is_folder && (Record::read(path).is_some() || is_new())
     };
     let mut found: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_left).collect();
     found.sort();
@@ -180,6 +184,8 @@ mod tests {
         folder_with(&path(".run.earlier-a1"), "earlier");
         folder_with(&path(".run.partial-b2"), "partial");
         fs::create_dir(path(".run.partial-c3")).expect("a folder");
+        fs::create_dir(path(".run.partial-d4")).expect("a folder");
+        fs::write(path(".run.partial-d4").join(NEW_RECORD), "{\"note").expect("written");
         for others in [".run.partial-mine", ".runner.partial-d4"] {
             fs::create_dir(path(others)).expect("a folder");
             fs::write(path(others).join("file"), "mine").expect("written");

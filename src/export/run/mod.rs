@@ -24,7 +24,7 @@ use super::lock::Lock;
 use super::summary::RunSummary;
 use super::{ExportError, json, place};
 use exchange::{Kind, hidden_folder, put_in_place, tidy};
-use record::{RECORD, Record, refuse_foreign};
+use record::{NEW_RECORD, RECORD, Record, refuse_foreign};
 
 /// Name of the file that lists the files of a run.
 pub const SUMMARY: &str = "summary.json";
@@ -74,7 +74,7 @@ impl RunFolder {
             _lock: lock,
         };
         // by which it is known, should this program be killed
-        folder.put(RECORD, folder.record.text()?.as_bytes())?;
+        folder.put_record()?;
         Ok(folder)
     }
 
@@ -104,6 +104,13 @@ impl RunFolder {
         };
         // The user knows the target, not the hidden folder.
         write().map_err(ExportError::file("write", self.target.join(name)))
+    }
+
+    /// Writes the record beside the one that stands there, and renames it: at no instant does the folder hold files and half a record.
+    fn put_record(&self) -> Result<(), ExportError> {
+        self.put(NEW_RECORD, self.record.text()?.as_bytes())?;
+        let [new, record] = [NEW_RECORD, RECORD].map(|name| self.partial.path().join(name));
+        fs::rename(new, record).map_err(ExportError::file("write", self.target.join(RECORD)))
     }
 
     /// Where the folder will stand.
@@ -145,7 +152,7 @@ impl RunFolder {
 
     /// Puts the folder in place of an earlier run; gives its path.
     pub fn commit(self) -> Result<PathBuf, ExportError> {
-        self.put(RECORD, self.record.text()?.as_bytes())?;
+        self.put_record()?;
         let RunFolder {
             target,
             place,

@@ -19,6 +19,9 @@ use crate::origin::sha256;
 /// Name of the record in its folder.
 pub const RECORD: &str = ".washout.json";
 
+/// The same while it is written.
+pub const NEW_RECORD: &str = ".washout.json.new";
+
 /// The verb whose folders go with the run in which they stand: they can be had again from it in a moment.
 const DECK: &str = "export";
 

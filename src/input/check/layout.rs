@@ -12,6 +12,9 @@ const NEAREST_MM: f64 = 0.2;
 /// A rod nearer to the leading edge than this share of the chord lies on it.
 const NEAREST_FRACTION: f64 = 0.01;
 
+/// Largest thickness of a film over the chord: the elements are those of thin plates.
+const THICKEST: f64 = 0.1;
+
 pub(super) fn check_rod(design: &Design, root: &Node) -> Result<(), InputError> {
     let length = design.planform.length_mm.value();
     if design.rod.is_empty() {
@@ -69,6 +72,26 @@ fn joint(number: usize, from: f64, end: f64) -> (String, String) {
     }
 }
 
+/// A film is thin beside the chord: what is thicker is a block, and most likely a slip of the unit.
+pub(super) fn check_film(design: &Design, root: &Node) -> Result<(), InputError> {
+    let Some(film) = &design.film else {
+        return Ok(());
+    };
+    let planform = &design.planform;
+    let mean = planform.mean_chord_mm.as_ref().map(|chord| chord.value());
+    let widest = planform.outline.iter().flatten().map(|[_, chord]| *chord);
+    let chord = mean.unwrap_or_else(|| widest.fold(0.0, f64::max));
+    if chord > 0.0 && film.thickness_mm.value() > THICKEST * chord {
+        let message = format!(
+            "is more than {THICKEST} of the chord of {} mm",
+            Number(round(chord))
+        );
+        let cure = "Give the thickness in mm: 6 micrometres are 0.006";
+        return refuse(root, "film.thickness_mm", message, &["planform"], cure);
+    }
+    Ok(())
+}
+
 /// Ribs hold the chord of a wing that is a beam: no film, no spars, a rod up to the tip.
 pub(super) fn check_ribs(design: &Design, root: &Node) -> Result<(), InputError> {
     let Some(ribs) = &design.ribs else {
@@ -113,12 +136,25 @@ pub(super) fn check_ribs(design: &Design, root: &Node) -> Result<(), InputError>
 
 pub(super) fn check_spars(design: &Design, root: &Node) -> Result<(), InputError> {
     let tip = design.planform.length_mm.value() * design.planform.tip_cut.value();
+    let rod_end = design.rod.last().map_or(0.0, |rod| rod.to_mm.value());
     let mut ends: Vec<[f64; 2]> = Vec::new();
     for (number, spar) in design.spar.iter().enumerate() {
         let at = spar.at_mm.value();
         let trailing = spar.trailing_edge_at_mm.as_ref().map_or(at, |at| at.value());
         for (name, place) in [("at_mm", at), ("trailing_edge_at_mm", trailing)] {
             off_the_wing(root, &format!("spar[{number}].{name}"), place, tip)?;
+        }
+        if at > rod_end * (1.0 + 1e-9) {
+            let message = format!(
+                "stands beyond the end of the rod at {} mm: the spar hangs on the film alone",
+                Number(rod_end)
+            );
+            let cure = format!(
+                "Let the last rod end at {} mm or beyond, or move the spar inboard",
+                Number(at)
+            );
+            let with = format!("rod[{}].to_mm", design.rod.len().saturating_sub(1));
+            return refuse(root, &format!("spar[{number}].at_mm"), message, &[&with], cure);
         }
         for (other, [other_at, other_trailing]) in ends.iter().enumerate() {
             apart(

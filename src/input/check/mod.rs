@@ -28,6 +28,7 @@ pub(crate) fn check(design: &Design, root: &Node) -> Result<(), InputError> {
     layout::check_rod(design, root)?;
     layout::check_spars(design, root)?;
     layout::check_ribs(design, root)?;
+    layout::check_film(design, root)?;
     if let Some(film) = &design.film {
         material_is_known(design, root, &film.material, "film.material")?;
     }

@@ -295,6 +295,18 @@ impl Node {
         }
     }
 
+    /// Calls the key `earlier` of this table by its name of today, unless that stands there too.
+    pub fn rename(&mut self, earlier: &str, today: &str) {
+        if self.get(today).is_some() {
+            return;
+        }
+        if let NodeValue::Table(entries) = &mut self.value
+            && let Some(entry) = entries.iter_mut().find(|entry| entry.key == earlier)
+        {
+            entry.key = today.to_string();
+        }
+    }
+
     /// Adds an entry of another table, which keeps its place. Nothing if this is no table.
     pub fn add(&mut self, entry: Entry) {
         if let NodeValue::Table(entries) = &mut self.value {

@@ -102,7 +102,7 @@ impl Made {
     }
 
     /// How the file of this text was made; none if no comment line says so.
-    pub(super) fn of_file(text: &str, file: &str) -> Result<Option<Made>, InputError> {
+    pub(in crate::input) fn of_file(text: &str, file: &str) -> Result<Option<Made>, InputError> {
         let mut found: Option<(usize, Made)> = None;
         for (index, line) in text.lines().enumerate() {
             let Some(comment) = line.trim_start().strip_prefix('#') else {

@@ -201,7 +201,7 @@ impl Channel {
     }
 
     /// Range of values that are no slip of the pen.
-    fn range(self) -> Range {
+    pub(in crate::input) fn range(self) -> Range {
         let (low, high) = match self {
             Channel::Twist => (-180.0, 180.0),
             Channel::TwistRate => (-1000.0, 1000.0),

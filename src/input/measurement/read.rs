@@ -52,7 +52,10 @@ impl Measurement {
 
     /// Reads a measurement from its text.
     pub fn from_csv(text: &str, file_name: &str) -> Result<Measurement, InputError> {
-        let table = Table::parse(file_name, text, &COLUMNS, &OPTIONAL_COLUMNS)?;
+        let table = Table::parse(file_name, text, &COLUMNS, &OPTIONAL_COLUMNS);
+        // a column that every measurement file has, and no other table
+        let is_own = text.contains("instrument");
+        let table = table.map_err(|error| if is_own { error } else { other_form(error) })?;
         let mut rows: Vec<Row> = Vec::new();
         let mut seen = HashMap::new();
         for record in &table.records {
@@ -77,4 +80,23 @@ impl Measurement {
             rows,
         })
     }
+}
+
+/// Says of a head that is not that of a measurement file which commands take tables of other forms.
+fn other_form(error: InputError) -> InputError {
+    if !error.key.starts_with("column") {
+        return error;
+    }
+    let cure = format!(
+        "{}. Tables of other forms: `washout diagnose DESIGN --with TABLE`, `washout init NAME --study --design DESIGN \
+         --readings TABLE`",
+        error.cure
+    );
+    InputError::new(
+        error.place.clone(),
+        &error.key,
+        &error.value,
+        error.problem.clone(),
+        cure,
+    )
 }

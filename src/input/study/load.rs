@@ -85,13 +85,27 @@ impl LoadedStudy {
         LoadedStudy::of_measured(path, text, sets, input)
     }
 
+    /// Reads a study from its text, with readings that are at hand: they stand for the file of their name.
+    ///
+    /// # Errors
+    /// As [`LoadedStudy::load`].
+    pub fn with_readings(
+        path: &Path,
+        text: &str,
+        sets: &[String],
+        readings: &Measurement,
+    ) -> Result<LoadedStudy, InputError> {
+        let input = InputFile::new(file::shown(path), text.as_bytes());
+        LoadedStudy::from_planned(path, text, sets, input, Some(readings))
+    }
+
     fn of_measured(
         path: &Path,
         text: &str,
         sets: &[String],
         input: InputFile,
     ) -> Result<LoadedStudy, InputError> {
-        let study = LoadedStudy::from_planned(path, text, sets, input)?;
+        let study = LoadedStudy::from_planned(path, text, sets, input, None)?;
         for case in &study.cases {
             refuse_planned(&case.measurement, &case.rows)?;
         }
@@ -104,7 +118,7 @@ impl LoadedStudy {
     /// As [`LoadedStudy::load`].
     pub fn load_planned(path: &Path, sets: &[String]) -> Result<LoadedStudy, InputError> {
         let (text, input) = file::read_input(path, "study file")?;
-        LoadedStudy::from_planned(path, &text, sets, input)
+        LoadedStudy::from_planned(path, &text, sets, input, None)
     }
 
     fn from_planned(
@@ -112,8 +126,10 @@ impl LoadedStudy {
         text: &str,
         sets: &[String],
         input: InputFile,
+        readings: Option<&Measurement>,
     ) -> Result<LoadedStudy, InputError> {
-        let root = Node::parse_file(&file::shown(path), text)?;
+        let mut root = Node::parse_file(&file::shown(path), text)?;
+        root.rename("slop", "discrepancy");
         if root.get("planform").is_some() && root.get("case").is_none() {
             return Err(InputError::about_file(
                 &file::shown(path),
@@ -134,7 +150,13 @@ impl LoadedStudy {
             let mut cases = Vec::new();
             for (index, case) in tables.iter().enumerate() {
                 let table = format!("{word}[{index}]");
-                measured.push(family(case, &table, path, &root, sets, &mut cases)?);
+                let from = Origin {
+                    path,
+                    root: &root,
+                    sets,
+                    readings,
+                };
+                measured.push(family(case, &table, &from, &mut cases)?);
             }
             Ok(cases)
         };
@@ -217,18 +239,25 @@ fn check(study: &Study, root: &Node) -> Result<(), InputError> {
     Ok(())
 }
 
+/// What the tables of a study are read from.
+struct Origin<'a> {
+    path: &'a Path,
+    root: &'a Node,
+    sets: &'a [String],
+    readings: Option<&'a Measurement>,
+}
+
 /// Adds the cases of one table; gives all that its measurement file holds.
 fn family(
     case: &Case,
     table: &str,
-    study_path: &Path,
-    root: &Node,
-    sets: &[String],
+    from: &Origin,
     cases: &mut Vec<LoadedCase>,
 ) -> Result<Measurement, InputError> {
+    let (root, sets) = (from.root, from.sets);
     let key = |name: &str| format!("{table}.{name}");
     let beside = |name: &str, value: &str| {
-        let path = file::beside(study_path, value);
+        let path = file::beside(from.path, value);
         if path.is_file() {
             return Ok(path);
         }
@@ -239,8 +268,10 @@ fn family(
         refuse(root, &key(name), "no such file", &[], cure)
     };
     let design_path = beside("design", &case.design)?;
-    let measurement_path = beside("measurement", &case.measurement)?;
-    let all = Measurement::load(&measurement_path)?;
+    let all = match from.readings.filter(|readings| readings.file == case.measurement) {
+        Some(readings) => readings.clone(),
+        None => Measurement::load(&beside("measurement", &case.measurement)?)?,
+    };
     let form = match Form::parse(&case.measured) {
         Ok(form) => form,
         Err(message) => {

@@ -33,10 +33,11 @@ pub struct Study {
     #[schemars(extend("examples" = ["Static tests of wing 1 on the bench"]))]
     pub title: String,
     /// The share by which the model may be wrong without anything being missing: of its predictions, and, where a diagnosis tries
-    /// effects, of every wing's chord and stiffness, twice that of its air load, half of it in chords of its centre of pressure.
-    #[serde(default = "slop")]
+    /// effects, of every wing's chord and stiffness, twice that of its air load, half of it in chords of its centre of pressure. Its
+    /// earlier name, `slop`, is read on.
+    #[serde(default = "discrepancy")]
     #[schemars(extend("minimum" = 0.0, "maximum" = 0.5, "examples" = [0.01]))]
-    pub slop: f64,
+    pub discrepancy: f64,
     /// The cases, one `[[case]]` table each, or one for each family of measured cases.
     pub case: Vec<Case>,
     /// The experiments that could be made next, one `[[experiment]]` table each: as cases, but with measurement files whose
@@ -200,6 +201,6 @@ pub struct StudyEffect {
     pub designs: Option<Vec<String>>,
 }
 
-fn slop() -> f64 {
+fn discrepancy() -> f64 {
     0.01
 }

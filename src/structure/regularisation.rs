@@ -1,4 +1,4 @@
-//! Taming of films on the way to equilibrium: what the tangent takes besides the film's own stiffness.
+//! Regularisation of films on the way to equilibrium: what the tangent takes besides the film's own stiffness.
 //!
 //! A flat film has no stiffness across itself and a slack one none in its plane, so whole Newton steps overshoot and its
 //! regimes (taut, wrinkled, slack) chatter. Two additions to the tangent damp both: a fictitious tension, and a share of
@@ -8,7 +8,7 @@ use super::largest::largest;
 use super::model::Model;
 use super::sheet::Compression;
 
-/// Relative residual below which the taming is taken back step by step.
+/// Relative residual below which the regularisation is taken back step by step.
 const NEAR: f64 = 3.0;
 
 /// Fictitious tension over the tension that the load would cause in a flat film.
@@ -20,9 +20,9 @@ const CARRIED_SHARE: f64 = 0.02;
 /// Steps without progress after which steps are searched.
 const PATIENCE: usize = 10;
 
-/// How strongly the films of a model are tamed in the present step.
+/// How strongly the films of a model are regularised in the present step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Taming {
+pub struct Regularisation {
     /// Fictitious tension at full strength, N/m; 0 where none is needed.
     tension_n_per_m: f64,
     /// Present strength, 0 to 1.
@@ -32,7 +32,7 @@ pub struct Taming {
     mark: (f64, usize),
 }
 
-impl Taming {
+impl Regularisation {
     /// Of a model under loads of this size (N): none for plates, whose bending carries them.
     ///
     /// Tension of a flat film of side √A under pressure p: (p² E t A / 24)^⅓ (shallow cylinder, small sag).
@@ -49,7 +49,7 @@ impl Taming {
         } else {
             0.0
         };
-        Taming {
+        Regularisation {
             tension_n_per_m,
             strength: 1.0,
             last: f64::INFINITY,

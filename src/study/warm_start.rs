@@ -9,7 +9,7 @@ use crate::coupling::{Care, Near};
 
 /// A point at which all cases were solved.
 #[derive(Debug)]
-pub(super) struct Ground {
+pub(super) struct SolvedPoint {
     /// Value of every unknown.
     pub at: Vec<f64>,
     /// Each case there.
@@ -27,7 +27,7 @@ pub(super) struct Stand {
     pub columns: BTreeMap<usize, Arc<Column>>,
 }
 
-impl Ground {
+impl SolvedPoint {
     /// Whether a case is the same at another point; `touches`: whether an unknown acts on it.
     pub fn is_same(&self, at: &[f64], touches: impl Fn(usize) -> bool) -> bool {
         let mut values = self.at.iter().zip(at).enumerate();

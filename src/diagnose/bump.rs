@@ -21,10 +21,10 @@ const STARTS: [[f64; 2]; 2] = [[0.6, 0.1], [0.35, -0.1]];
 
 /// One cause without a name, fitted with everything that the model has.
 #[derive(Debug, Clone)]
-pub struct Hump {
+pub struct Bump {
     /// What kind of thing it is.
     pub kind: Kind,
-    /// Logarithm of the evidence, by which the humps are told from one another.
+    /// Logarithm of the evidence, by which the bumps are told from one another.
     pub ln_evidence: f64,
     /// The fit.
     pub fit: Fit,
@@ -36,19 +36,19 @@ pub struct Hump {
 
 /// All that were tried.
 #[derive(Debug, Clone, Default)]
-pub struct Humps {
+pub struct Bumps {
     /// Those that were fitted.
-    pub fitted: Vec<Hump>,
+    pub fitted: Vec<Bump>,
     /// Those whose fit settled nowhere.
     pub unsettled: Vec<Kind>,
 }
 
-impl Hump {
+impl Bump {
     /// Of a fit; none if its size moves no reading.
-    fn new(baseline: &Baseline, kind: Kind, fit: Fit, size: usize) -> Option<Hump> {
+    fn new(baseline: &Baseline, kind: Kind, fit: Fit, size: usize) -> Option<Bump> {
         let local = Local::about(&fit, baseline.forward, &baseline.scatter.noise);
         let ln_evidence = ln_evidence(baseline, &fit, &local, size)?;
-        Some(Hump {
+        Some(Bump {
             kind,
             ln_evidence,
             fit,
@@ -62,9 +62,9 @@ impl Hump {
 ///
 /// # Errors
 /// If the user asked to stop.
-pub fn humps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Result<Humps, DiagnoseError> {
+pub fn bumps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Result<Bumps, DiagnoseError> {
     let unknowns = baseline.forward.unknowns();
-    let mut found = Humps::default();
+    let mut found = Bumps::default();
     for cause in &UNNAMED {
         let is_its =
             |kind: &UnknownKind| matches!(kind, UnknownKind::Unnamed { cause: own } if own == cause.name);
@@ -82,9 +82,9 @@ pub fn humps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Resul
             let mut start = baseline.fit.at.clone();
             start[place] = at_place;
             start[size] = at_size * unknowns[size].sigma;
-            match (refits.scatter).fit(baseline.forward, refits.data, &free, &start, refits.footing) {
+            match (refits.scatter).fit(baseline.forward, refits.data, &free, &start, refits.warm_start) {
                 Ok(fit) => {
-                    settled = Hump::new(baseline, cause.kind, fit, size);
+                    settled = Bump::new(baseline, cause.kind, fit, size);
                     break;
                 }
                 Err(DiagnoseError::Cancelled(cancelled)) => return Err(cancelled.into()),
@@ -92,7 +92,7 @@ pub fn humps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Resul
             }
         }
         match settled {
-            Some(hump) => found.fitted.push(hump),
+            Some(bump) => found.fitted.push(bump),
             None => found.unsettled.push(cause.kind),
         }
     }
@@ -126,38 +126,38 @@ fn ln_evidence(baseline: &Baseline, fit: &Fit, local: &Local, size: usize) -> Op
     Some(laplace + 0.5 * found * found + ln_sum(density.into_iter()))
 }
 
-/// The data about a hump, without it: where the fields are what they are linear about.
+/// The data about a bump, without it: where the fields are what they are linear about.
 pub struct Around {
     /// The data.
     pub whitened: Whitened,
     /// Responses of all observables to a moment at each station.
     pub moment: DMatrix<f64>,
-    /// Predictions with the hump.
+    /// Predictions with the bump.
     pub value: DVector<f64>,
     /// Fields that have no name.
     pub fields: Vec<Field>,
 }
 
 impl Around {
-    /// About the fit of a hump.
+    /// About the fit of a bump.
     ///
     /// # Errors
     /// If the model has no solution there.
-    pub fn new(baseline: &Baseline, hump: &Hump) -> Result<Around, DiagnoseError> {
+    pub fn new(baseline: &Baseline, bump: &Bump) -> Result<Around, DiagnoseError> {
         let (forward, data, noise) = (baseline.forward, &baseline.data, &baseline.scatter.noise);
-        let fit = &hump.fit;
+        let fit = &bump.fit;
         let column = |unknown: usize| fit.free.iter().position(|&i| i == unknown);
         let model: Vec<usize> = data.model.iter().filter_map(|&i| column(i)).collect();
         let mut bare = fit.clone();
-        if let Some(size) = column(hump.size) {
-            let found = fit.at[hump.size] / forward.unknowns()[hump.size].sigma;
+        if let Some(size) = column(bump.size) {
+            let found = fit.at[bump.size] / forward.unknowns()[bump.size].sigma;
             bare.residual += fit.slopes.column(size) * found;
         }
         bare.free = data.model.clone();
         bare.slopes = fit.slopes.select_columns(&model);
         let whitened = Whitened::new(&Local::about(&bare, forward, noise), noise)?;
         let mut moment =
-            forward.moment_response_from(fit.footing.as_ref(), &fit.at, baseline.moment.ncols())?;
+            forward.moment_response_from(fit.warm_start.as_ref(), &fit.at, baseline.moment.ncols())?;
         for row in data.kept_bounds(forward, &fit.predicted) {
             moment.row_mut(row).fill(0.0);
         }

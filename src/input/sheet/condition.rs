@@ -1,0 +1,189 @@
+//! Conditions such as `22 Hz, 35 deg`: which keys of the design they set, and how their cases are named.
+
+use crate::input::design::Design;
+use crate::input::unit::{of_key, without_unit};
+
+/// Conditions that set the same keys of the design.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Family {
+    /// The form of their names, such as `{frequency}hz`.
+    pub form: String,
+    /// What they set, such as `flapping.frequency_hz={frequency}`.
+    pub set: Vec<String>,
+    /// Their names, in the order of the table.
+    pub cases: Vec<String>,
+}
+
+/// What a unit in a header or a condition stands for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// A frequency, Hz.
+    Frequency,
+    /// An angle, deg: the half amplitude of a flapping wing, the root angle of a steady one.
+    Angle,
+    /// A speed, m/s.
+    Speed,
+    /// A length, mm: a station.
+    Length,
+}
+
+/// Units as people write them, in lower case, longer ones first; with the factor to the unit of [`Kind`].
+pub const UNITS: [(&str, Kind, f64); 14] = [
+    ("millimetres", Kind::Length, 1.0),
+    ("degrees", Kind::Angle, 1.0),
+    ("degree", Kind::Angle, 1.0),
+    ("hertz", Kind::Frequency, 1.0),
+    ("rpm", Kind::Frequency, 1.0 / 60.0),
+    ("deg", Kind::Angle, 1.0),
+    ("rad", Kind::Angle, 180.0 / std::f64::consts::PI),
+    ("m/s", Kind::Speed, 1.0),
+    ("m_s", Kind::Speed, 1.0),
+    ("hz", Kind::Frequency, 1.0),
+    ("mm", Kind::Length, 1.0),
+    ("cm", Kind::Length, 10.0),
+    ("°", Kind::Angle, 1.0),
+    ("m", Kind::Length, 1000.0),
+];
+
+/// The unit that these words begin with, and what follows it.
+pub fn unit_at(words: &str) -> Option<(Kind, f64, &str)> {
+    UNITS.iter().find_map(|(unit, kind, factor)| {
+        let rest = words.strip_prefix(unit)?;
+        let ends = !rest.starts_with(|next: char| next.is_alphabetic() || next == '/' || next == '³');
+        ends.then_some((*kind, *factor, rest))
+    })
+}
+
+/// A number of a condition, and the key that it sets.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Dotted key of the design.
+    pub key: String,
+    /// Its value, in the unit of the key.
+    pub value: f64,
+}
+
+/// The operating point of some readings; of none, the design as it stands.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Condition {
+    /// Its numbers, each key once.
+    pub points: Vec<Point>,
+    /// Name of its case if it has no numbers.
+    pub name: String,
+}
+
+/// The key that a number of this kind sets in a design; what the design takes instead if it has none.
+pub fn key(kind: Kind, design: &Design) -> Result<&'static str, String> {
+    match (kind, design.flapping.is_some(), design.steady.is_some()) {
+        (Kind::Frequency, true, _) => Ok("flapping.frequency_hz"),
+        (Kind::Angle, true, _) => Ok("flapping.half_amplitude_deg"),
+        (Kind::Angle, _, true) => Ok("steady.root_angle_deg"),
+        (Kind::Speed, _, true) => Ok("steady.speed_m_s"),
+        (_, true, _) => Err(format!(
+            "{} flaps: its conditions are in Hz (frequency) and deg (half amplitude)",
+            design.name
+        )),
+        (_, _, true) => Err(format!(
+            "{} stands in a steady flow: its conditions are in m/s and deg (root angle)",
+            design.name
+        )),
+        _ => Err(format!(
+            "{} neither flaps nor stands in a flow; name a column after the key that differs, e.g. load[0].mass_kg",
+            design.name
+        )),
+    }
+}
+
+/// Numbers with a unit in some words, and the words that are left; in lower case.
+pub fn numbers(words: &str) -> (Vec<(f64, Kind)>, String) {
+    let words = words.to_lowercase();
+    let mut found = Vec::new();
+    let mut left = String::new();
+    let mut rest = words.as_str();
+    while let Some(next) = rest.chars().next() {
+        let is_inside = left.ends_with(|last: char| last.is_alphanumeric());
+        let length = match is_inside {
+            true => 0,
+            false => rest
+                .find(|c: char| !(c.is_ascii_digit() || "+-.−".contains(c)))
+                .unwrap_or(rest.len()),
+        };
+        let number = rest[..length].replace('−', "-").parse::<f64>().ok();
+        let after = rest[length..].trim_start_matches([' ', '_']);
+        if let (Some(number), Some((kind, factor, after))) = (number, unit_at(after)) {
+            found.push((number * factor, kind));
+            left.push(' ');
+            // 22hz-35deg, as cases are named
+            rest = after.strip_prefix('-').unwrap_or(after);
+            continue;
+        }
+        left.push(next);
+        rest = &rest[next.len_utf8()..];
+    }
+    (found, left)
+}
+
+/// Name of a key in the forms of cases: `frequency` of `flapping.frequency_hz`; the whole key where it is not the usual one, so
+/// that no two are named alike.
+fn short(key: &str) -> String {
+    match key.split_once('.') {
+        Some(("flapping" | "steady", last)) => without_unit(last).to_string(),
+        _ => key.replace(|c: char| !c.is_ascii_alphanumeric(), "_"),
+    }
+}
+
+/// What stands behind the number of a key in the names of cases: `hz`.
+fn behind(key: &str) -> String {
+    let last = key.rsplit('.').next().unwrap_or(key);
+    of_key(last).map_or_else(|| format!("-{last}"), |unit| unit.suffix.to_string())
+}
+
+impl Condition {
+    /// Name of its case, such as `22hz-35deg`.
+    pub fn case(&self) -> String {
+        let parts = self
+            .points
+            .iter()
+            .map(|point| format!("{}{}", point.value, behind(&point.key)));
+        match self.points.is_empty() {
+            true => self.name.clone(),
+            false => parts.collect::<Vec<_>>().join("-"),
+        }
+    }
+
+    fn form(&self) -> String {
+        let parts = self
+            .points
+            .iter()
+            .map(|point| format!("{{{}}}{}", short(&point.key), behind(&point.key)));
+        match self.points.is_empty() {
+            true => self.name.clone(),
+            false => parts.collect::<Vec<_>>().join("-"),
+        }
+    }
+
+    fn set(&self) -> Vec<String> {
+        let sets = self
+            .points
+            .iter()
+            .map(|point| format!("{}={{{}}}", point.key, short(&point.key)));
+        sets.collect()
+    }
+}
+
+/// Conditions by what they set.
+pub fn families(conditions: &[Condition]) -> Vec<Family> {
+    let mut families: Vec<Family> = Vec::new();
+    for condition in conditions {
+        let (form, case) = (condition.form(), condition.case());
+        match families.iter_mut().find(|family| family.form == form) {
+            Some(family) => family.cases.push(case),
+            None => families.push(Family {
+                set: condition.set(),
+                cases: vec![case],
+                form,
+            }),
+        }
+    }
+    families
+}

@@ -1,0 +1,94 @@
+//! A table of readings as people keep it: long or wide, from a spreadsheet or a text file, made into a measurement and a study.
+
+use std::path::Path;
+
+use super::design::Design;
+use super::error::InputError;
+use super::load::Loaded;
+use super::measurement::{Made, Measurement};
+
+mod cells;
+
+mod condition;
+
+mod doubts;
+
+mod grid;
+
+mod header;
+
+mod rows;
+
+pub mod study;
+
+pub use condition::Family;
+
+/// A table that was read for a design, with all that was understood of it and all that was assumed.
+#[derive(Debug, Clone)]
+pub struct Sheet {
+    /// The design that it was measured on, as its file has it.
+    pub loaded: Loaded,
+    /// Its readings; the cases are named after their conditions.
+    pub measurement: Measurement,
+    /// The families of its conditions.
+    pub families: Vec<Family>,
+    /// What each column, and the file itself, was taken for.
+    pub understood: Vec<[String; 2]>,
+    /// What the table does not say, with the value that is used instead.
+    pub assumed: Vec<[String; 2]>,
+    /// What looks wrong in it, each with what to write if it is.
+    pub doubts: Vec<String>,
+}
+
+impl Sheet {
+    /// Reads the table at `path`, measured on the design at `design`; `sigma`: the standard deviation of readings that have none.
+    ///
+    /// # Errors
+    /// If either cannot be read, or a header or a cell is not understood: with its place and what to write.
+    pub fn load(path: &Path, design: &Path, sigma: Option<f64>) -> Result<Sheet, InputError> {
+        let loaded = Design::load(design, &[])?;
+        Sheet::of_grid(grid::Grid::load(path)?, loaded, sigma)
+    }
+
+    /// Reads a table from its text, for a design that is read already.
+    ///
+    /// # Errors
+    /// As [`Sheet::load`].
+    pub fn from_text(
+        text: &str,
+        file: &str,
+        design: Design,
+        sigma: Option<f64>,
+    ) -> Result<Sheet, InputError> {
+        let input = crate::origin::InputFile::new(file, text.as_bytes());
+        Sheet::of_grid(grid::Grid::of_text(text, input)?, Loaded::alone(design), sigma)
+    }
+
+    fn of_grid(grid: grid::Grid, loaded: Loaded, sigma: Option<f64>) -> Result<Sheet, InputError> {
+        let columns = header::columns(&grid, &loaded.design)?;
+        let read = rows::Reader::new(&grid, &columns, &loaded.design, sigma).read()?;
+        let measurement = Measurement {
+            file: grid.input.file.clone(),
+            comments: grid.comments.clone(),
+            input: Some(grid.input.clone()),
+            made: Made::of_file(&format!("# {}\n", grid.comments.join("\n# ")), &grid.input.file)?,
+            rows: read.rows,
+        };
+        let doubts = doubts::doubts(&measurement, &columns, &read.conditions, &loaded.design)?;
+        measurement.check_stations(&loaded.design)?;
+        let mut understood = vec![["file".to_string(), grid.dialect.clone()]];
+        let heads = columns.iter().map(|column| {
+            let name = grid.head.cells.get(column.place).cloned().unwrap_or_default();
+            [name, column.words()]
+        });
+        understood.extend(heads);
+        Ok(Sheet {
+            families: condition::families(&read.conditions),
+            loaded,
+            measurement,
+            understood,
+            assumed: read.assumed,
+            doubts,
+        })
+    }
+}

@@ -1,0 +1,69 @@
+//! The study of a table: its cases, and what the design assumes as what is uncertain.
+
+use std::fmt::Write;
+
+use super::Sheet;
+
+/// Where the texts of a study point to, as they stand in it.
+#[derive(Debug, Clone, Copy)]
+pub struct Names<'a> {
+    /// The study.
+    pub study: &'a str,
+    /// The design, relative to the study.
+    pub design: &'a str,
+    /// The measurement file, relative to the study.
+    pub readings: &'a str,
+}
+
+impl Sheet {
+    /// The text of a study file. What the design assumes is uncertain in it; all effects that can act may be tried.
+    pub fn study(&self, names: Names) -> String {
+        let text = |words: &str| toml::Value::from(words).to_string();
+        let mut study = format!(
+            "# Made of a table of readings. All keys: washout schema --study, and docs/studies.md\n\n\
+             format = 1\nname = {}\ntitle = {}\n\n\
+             # A diagnosis tries all effects that can act. To try fewer: candidates = [\"root-flexure\"]\n",
+            text(names.study),
+            text(&format!(
+                "{}: the readings of {}",
+                self.loaded.design.name, self.measurement.file
+            )),
+        );
+        for family in &self.families {
+            let set: Vec<String> = family.set.iter().map(|set| text(set)).collect();
+            // writing to a String cannot fail
+            let _ = write!(
+                study,
+                "\n# {}\n[[case]]\ndesign = {}\nset = [{}]\nmeasurement = {}\nmeasured = {}\n\
+                 # Cases that no fit ever sees, so that they test it.\n# held_out = [{}]\n",
+                family.cases.join(", "),
+                text(names.design),
+                set.join(", "),
+                text(names.readings),
+                text(&family.form),
+                text(family.cases.last().map_or("", String::as_str)),
+            );
+        }
+        let set: Vec<&str> = self
+            .families
+            .iter()
+            .flat_map(|family| &family.set)
+            .filter_map(|set| Some(set.split_once('=')?.0))
+            .collect();
+        let assumed = self.loaded.design.assumptions();
+        for assumed in assumed
+            .iter()
+            .filter(|assumed| !set.contains(&assumed.key.as_str()))
+        {
+            let _ = write!(
+                study,
+                "\n[[uncertain]]\nkey = {}\nwhy = {}\n",
+                text(&assumed.key),
+                text(&format!("assumed by the design: {}", assumed.why)),
+            );
+        }
+        study += "\n# An error of the instrument that moves all readings of a run together; its sigma is in the unit of the channel.\n\
+                  # [[ruler]]\n# kind = \"offset\"\n# channel = \"twist\"\n# sigma = 0.2\n# why = \"the zero of the camera\"\n";
+        study
+    }
+}

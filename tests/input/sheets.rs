@@ -1,0 +1,277 @@
+//! Tables of readings: every usual form is understood alike, and what is wrong is told with its place and its cure.
+
+use std::path::Path;
+
+use washout::input::measurement::{Channel, SigmaKind};
+use washout::input::sheet::Sheet;
+use washout::input::sheet::study::Names;
+use washout::input::study::LoadedStudy;
+use washout::input::{Design, InputError};
+
+const WING: &str = include_str!("wing.toml");
+
+fn wing() -> Design {
+    Design::from_toml(WING, "wing.toml").unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn read(text: &str) -> Result<Sheet, InputError> {
+    Sheet::from_text(text, "sheet.csv", wing(), None)
+}
+
+fn understood(text: &str) -> Sheet {
+    read(text).unwrap_or_else(|error| panic!("{text}\n{error}"))
+}
+
+/// Case, station and value of every reading.
+fn readings(sheet: &Sheet) -> Vec<(String, f64, f64)> {
+    let rows = sheet.measurement.rows.iter();
+    let mut found: Vec<_> = rows
+        .map(|row| (row.case.clone(), row.r_mm.unwrap_or(f64::NAN), row.value))
+        .collect();
+    found.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+    found
+}
+
+#[test]
+fn all_usual_forms_of_a_table_say_the_same() {
+    let wanted = readings(&understood("r (mm),16 Hz,22 Hz\n20,4.5,6.25\n40,5.5,8\n"));
+    assert_eq!(wanted.len(), 4);
+    assert_eq!(wanted[3], ("22hz".to_string(), 40.0, 8.0));
+    let same = [
+        // semicolons and decimal commas, tabs, quotes
+        "r (mm);16 Hz;22 Hz\n20;4,5;6,25\n40;5,5;8\n",
+        "r_mm\t16 Hz\t22 Hz\n20\t4.5\t6.25\n40\t5.5\t8\n",
+        "r,\"16 Hz\",\"22 Hz\"\n20,\"4,5\",\"6,25\"\n40,\"5,5\",8\n",
+        // other words, units that must be converted, blank lines and columns, a title
+        "Twist of my wing,,\n\nstation [cm],twist at 16 Hz (deg),f = 22 Hz\n2,4.5,6.25\n\n4,5.5,8\n,,\n",
+        "Span / m;16Hz [°];1320 rpm;\n0,02;4,5;6,25;\n0,04;5,5;8;\n",
+        "r (mm),16 Hz nose up,22 Hz\n20,-4.5,6.25\n40,−5.5,8\n",
+        // long
+        "condition,r,value\n16 Hz,20,4.5\n16 Hz,40,5.5\n22 Hz,20,6.25\n22 Hz,40,8\n",
+        "frequency (Hz),r (mm),twist (deg)\n16,20,4.5\n16,40,5.5\n22,20,6.25\n22,40,8\n",
+        "frequency_hz,r_mm,twist_deg\n16,20,4.5\n16,40,5.5\n22,20,6.25\n22,40,8\n",
+        "flapping.frequency_hz,r_mm,twist\n16,20,4.5\n16,40,5.5\n22,20,6.25\n22,40,8\n",
+        // a column for each station
+        "frequency (Hz),20 mm,40 mm\n16,4.5,5.5\n22,6.25,8\n",
+    ];
+    for text in same {
+        assert_eq!(readings(&understood(text)), wanted, "{text}");
+    }
+}
+
+#[test]
+fn a_workbook_is_read_as_a_text_is() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/input");
+    let read = |file: &str| Sheet::load(&folder.join(file), &folder.join("wing.toml"), None);
+    let sheet = read("sheet.xlsx").unwrap_or_else(|error| panic!("{error}"));
+    let wanted = readings(&understood("r (mm),16 Hz,22 Hz\n20,4.5,6.25\n40,5.5,8\n"));
+    assert_eq!(readings(&sheet), wanted);
+    assert_eq!(sheet.understood[0][1], "workbook, sheet \"twist\"");
+    let error = read("wing.toml").expect_err("a design").to_string();
+    assert!(error.contains("is no table of readings"), "{error}");
+}
+
+#[test]
+fn conditions_of_the_head_become_settings_of_the_study() {
+    let sheet = understood("r (mm);22 Hz, 35 deg;22 Hz, 30 deg;18 Hz\n20;4;5;6\n");
+    let families: Vec<_> = sheet
+        .families
+        .iter()
+        .map(|own| (own.form.as_str(), own.cases.len()))
+        .collect();
+    assert_eq!(
+        families,
+        [("{frequency}hz-{half_amplitude}deg", 2), ("{frequency}hz", 1)]
+    );
+    assert_eq!(
+        sheet.families[0].set,
+        [
+            "flapping.frequency_hz={frequency}",
+            "flapping.half_amplitude_deg={half_amplitude}"
+        ]
+    );
+    assert_eq!(sheet.families[0].cases[0], "22hz-35deg");
+    let alone = understood("r,twist\n20,4\n");
+    assert_eq!(
+        (alone.families[0].form.clone(), alone.families[0].set.len()),
+        (wing().name, 0)
+    );
+}
+
+#[test]
+fn what_the_table_leaves_out_is_assumed_and_told() {
+    let told = |text: &str| {
+        understood(text)
+            .assumed
+            .iter()
+            .map(|pair| pair.join(": "))
+            .collect::<Vec<_>>()
+    };
+    let bare = told("r,22 Hz\n20,4\n");
+    for words in [
+        "unit: deg",
+        "sign: washout",
+        "instrument: chord_rotation",
+        "sigma of twist: 0.5 deg",
+        "run: one",
+    ] {
+        assert!(bare.iter().any(|own| own.starts_with(words)), "{words}: {bare:?}");
+    }
+    let full = "r (mm),case,twist (deg),sigma,sign,instrument,run\n20,22 Hz,4,0.25,nose up,camera,a\n";
+    assert_eq!(told(full), [""; 0]);
+    let row = understood(full).measurement.rows.remove(0);
+    assert_eq!(
+        (row.value, row.sigma, row.sigma_kind),
+        (-4.0, 0.25, SigmaKind::Stated)
+    );
+    let own = understood("r (mm),18 Hz,18 Hz sigma,22 Hz,sigma (deg)\n20,4,0.1,5,0.3\n");
+    let sigmas: Vec<f64> = own.measurement.rows.iter().map(|row| row.sigma).collect();
+    assert_eq!(sigmas, [0.1, 0.3]);
+    let bent = understood("r (mm),deflection at 22 Hz (cm)\n20,0.4\n")
+        .measurement
+        .rows
+        .remove(0);
+    assert_eq!(
+        (bent.channel, bent.value, bent.sigma),
+        (Channel::Deflection, 4.0, 0.5)
+    );
+}
+
+#[test]
+fn natural_mistakes_are_refused_with_place_and_cure() {
+    let cases = [
+        (
+            "r,22 Hx\n20,4\n",
+            "sheet.csv:1: column \"22 Hx\"",
+            "Did you mean 22 Hz?",
+        ),
+        (
+            "r,22\n20,4\n",
+            "column \"22\"",
+            "Give the number its unit, e.g. 22 Hz",
+        ),
+        ("r,5 m/s\n20,4\n", "condition that the design has not", "flaps"),
+        (
+            "statoin,22 Hz\n20,4\n",
+            "column \"statoin\"",
+            "Did you mean station?",
+        ),
+        ("r (deg),22 Hz\n20,4\n", "unit that is no length", "r (mm)"),
+        ("22 Hz,18 Hz\n4,5\n", "twist has no station", "r (mm)"),
+        ("r,sigma\n20,4\n", "holds no readings", "22 Hz"),
+        (
+            "r,22 Hz\n20,4.x\n",
+            "sheet.csv:2: column \"22 Hz\" = 4.x: is no number",
+            "12.4",
+        ),
+        ("r;22 Hz\n20;4,5\n30;4.5\n", "decimal comma", "Line 3"),
+        ("r;22 Hz\n20;1.234,5\n", "is no number", "12.4"),
+        (
+            "r,22 Hz\n20,4,5\n",
+            "the row has 3 values, the header 2",
+            "semicolons",
+        ),
+        ("r,22 Hz\n20,4\n20,5\n", "sheet.csv:3", "column run"),
+        ("r,22 Hz,22Hz\n20,4,5\n", "stands twice", "column run"),
+        ("r,22 Hz\n500,4\n", "r_mm = 500", "mm long"),
+        ("r,22 Hz\n20,400\n", "out of range", "180"),
+        (
+            "r,22 Hz,sigma\n20,4,0\n",
+            "must be positive",
+            "one standard deviation",
+        ),
+        ("r,lift at 22 Hz (N)\n20,4\n", "lift is in mN", "unit"),
+        (
+            "r,twist,sign\n20,4,nose-upp\n",
+            "= nose-upp",
+            "Did you mean nose_up?",
+        ),
+        (
+            "r,case,twist\n20,flap18,4\n",
+            "sheet.csv:2: column \"case\" = flap18",
+            "Did you mean 18 Hz?",
+        ),
+        (
+            "r,case,twist\n20,slow,4\n20,fast,5\n",
+            "differs from slow in its name alone",
+            "frequency",
+        ),
+        ("r,frequency,22 Hz\n20,18,4\n", "to 22 and to 18", "once"),
+        ("r,22 Hz\n", "has a header but no rows", "each station"),
+        ("r,22 Hz\n20,\n", "has no reading", "Fill in"),
+        (
+            "r,22 Hz\n0.02,4\n0.06,5\n",
+            "no station beyond 0.06 mm",
+            "Are they in metres?",
+        ),
+    ];
+    for (text, place, cure) in cases {
+        let error = read(text).expect_err(text).to_string();
+        assert!(error.contains(place) && error.contains(cure), "{text}\n{error}");
+    }
+}
+
+#[test]
+fn what_looks_wrong_is_proposed_and_not_changed() {
+    let doubted = |text: &str| understood(text).doubts.join("\n");
+    let cases = [
+        ("r,22 Hz\n20,-4\n40,-6\n50,-7\n", "nose up"),
+        ("r,22 Hz\n20,0.08\n40,0.1\n", "in radians"),
+        ("r,22 Hz\n0.02,4\n40,6\n", "in metres"),
+        ("r,\"22 Hz, 70 deg\"\n20,4\n40,6\n", "Then write 35 deg"),
+    ];
+    for (text, words) in cases {
+        assert!(doubted(text).contains(words), "{text}\n{}", doubted(text));
+    }
+    assert_eq!(doubted("r,22 Hz\n20,4\n40,6\n50,-0.1\n"), "");
+    assert_eq!(doubted("r,twist at 22 Hz (rad)\n20,0.08\n40,0.1\n"), "");
+}
+
+#[test]
+fn the_study_of_a_table_loads_with_its_readings_and_leaves_no_row_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let design = folder.path().join("wing.toml");
+    std::fs::write(&design, WING).expect("written");
+    let table = folder.path().join("sheet.csv");
+    std::fs::write(&table, "r (mm);18 Hz;22 Hz\n20;4;5\n40;6;7\n").expect("written");
+    let sheet = Sheet::load(&table, &design, Some(0.25)).unwrap_or_else(|error| panic!("{error}"));
+    let names = Names {
+        study: "mine",
+        design: "wing.toml",
+        readings: &sheet.measurement.file,
+    };
+    let path = folder.path().join("mine.toml");
+    let study = LoadedStudy::with_readings(Path::new(&path), &sheet.study(names), &[], &sheet.measurement);
+    let study = study.unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(study.study.candidates, None, "no effect is left out in silence");
+    assert!(study.unused.is_empty());
+    let found: Vec<_> = study
+        .cases
+        .iter()
+        .map(|case| (case.name.as_str(), case.rows.len(), case.sets[0].as_str()))
+        .collect();
+    assert_eq!(
+        found,
+        [
+            ("18hz", 2, "flapping.frequency_hz=18.0"),
+            ("22hz", 2, "flapping.frequency_hz=22.0")
+        ]
+    );
+    assert!(
+        study
+            .cases
+            .iter()
+            .flat_map(|case| &case.rows)
+            .all(|row| row.sigma == 0.25)
+    );
+    for asks in [
+        LoadedStudy::load(&table, &[]).err(),
+        Design::load(&table, &[]).err(),
+    ] {
+        let error = asks.expect("a table is neither").to_string();
+        assert!(
+            error.contains("is a table") && error.contains("--with"),
+            "{error}"
+        );
+    }
+}
