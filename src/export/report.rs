@@ -392,9 +392,9 @@ fn assumed(summary: &RunSummary) -> Vec<Part> {
         .collect();
     let table = Rows::of("/assumed", &inputs)
         .words("input", |(input, _)| input.key.as_str())
-        .words("value", |(input, _)| input.value.to_string())
-        .words("from", |(input, _)| input.range[0].to_string())
-        .words("to", |(input, _)| input.range[1].to_string())
+        .number(["value", "value", ""], Digits::All, |(input, _)| input.value)
+        .number(["range/0", "from", ""], Digits::All, |(input, _)| input.range[0])
+        .number(["range/1", "to", ""], Digits::All, |(input, _)| input.range[1])
         .words("why", |(_, why)| *why)
         .caption("--uncertainty says how far these move the result")
         .table();

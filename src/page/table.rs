@@ -12,6 +12,8 @@ pub enum Digits {
     After(usize),
     /// So many from the first that is not zero.
     Significant(usize),
+    /// As many as tell it from every other number.
+    All,
 }
 
 impl Digits {
@@ -20,6 +22,7 @@ impl Digits {
         match self {
             Digits::After(digits) => number(value, digits),
             Digits::Significant(digits) => significant(value, digits),
+            Digits::All => value.to_string(),
         }
     }
 }

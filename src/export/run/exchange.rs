@@ -104,9 +104,9 @@ fn left(parent: &Path, place: &Path, kind: Kind) -> Vec<PathBuf> {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let is_folder = fs::symlink_metadata(path).is_ok_and(|entry| entry.is_dir());
         let is_new = || {
-            let names =
+            let is_record =
                 |entry: io::Result<fs::DirEntry>| entry.is_ok_and(|entry| entry.file_name() == NEW_RECORD);
-            fs::read_dir(path).is_ok_and(|mut entries| entries.all(names))
+            fs::read_dir(path).is_ok_and(|mut entries| entries.all(is_record))
         };
         name.starts_with(&prefix) && is_folder && (Record::read(path).is_some() || is_new())
     };
