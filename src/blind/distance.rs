@@ -2,11 +2,9 @@
 //! zero.
 
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 
 use super::spot::Spot;
-use super::{Blind, BlindError};
+use super::{Blind, BlindError, Turned};
 use crate::diagnose::plan::PlannedEffect;
 use crate::diagnose::screening::effect_of;
 use crate::effects::named;
@@ -24,15 +22,6 @@ const LONGEST: f64 = 8.0;
 const COMPARED: f64 = 10.0;
 /// Cosine below which it counts as turned.
 const SAME: f64 = 0.9;
-
-/// An effect whose signature is another on a wing that differs by a percent.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Turned {
-    /// The effect.
-    pub effect: String,
-    /// Cosine between the two signatures; none if the other wing has no equilibrium with it.
-    pub cosine: Option<f64>,
-}
 
 /// Distances in standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::outcome::{set_size, truth_probability};
+use super::truth::{set_size, truth_probability};
 use super::{Blind, BlindError, Kind};
 use crate::diagnose::{self, Diagnosis, Experiments, judged};
 use crate::progress::Progress;

@@ -14,29 +14,31 @@ pub mod error;
 
 pub mod followed;
 
+pub mod kind;
+
 pub mod novel;
 
 pub mod outcome;
 
 pub mod scoreboard;
 
+pub mod setup;
+
 pub mod spot;
+
+pub mod truth;
 
 pub mod twin;
 
-pub use distance::Turned;
 pub use error::BlindError;
+pub use kind::Kind;
 pub use outcome::{Failed, Outcome};
 pub use scoreboard::{Scoreboard, scoreboard};
+pub use setup::{Blind, Ranges, Turned};
 
 use std::time::Instant;
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::diagnose::plan::{Outlook, PlannedEffect};
-use crate::diagnose::table::Table;
-use crate::diagnose::{self, Experiments, Settings, judged};
+use crate::diagnose::{self, Experiments, judged};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::Campaign;
@@ -46,130 +48,6 @@ use distance::turned;
 
 /// Draws for a case before it counts as failed.
 const DRAWS: u64 = 12;
-
-/// Kinds of cases.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Kind {
-    /// Nothing is missing.
-    Null,
-    /// Nothing is missing, and sigma is stated 30 % too small.
-    NullQuiet,
-    /// Nothing is missing, and one number is 8 sigma off.
-    NullOutlier,
-    /// One effect.
-    Single,
-    /// Two effects of different families.
-    Pair,
-    /// Something that no effect is.
-    Novel,
-    /// One effect that this campaign cannot tell from another.
-    Twin,
-}
-
-/// Kinds in the order in which they come around: 29 cases hold 15 without anything missing, 6 single ones, 3 pairs, 3 novel
-/// ones and 2 twins.
-const ROUND: [Kind; 29] = {
-    use Kind::{Novel, Null, NullOutlier, NullQuiet, Pair, Single, Twin};
-    [
-        Single,
-        Null,
-        Novel,
-        NullQuiet,
-        Pair,
-        Null,
-        Single,
-        NullOutlier,
-        Twin,
-        Null,
-        Single,
-        Null,
-        NullQuiet,
-        Pair,
-        Null,
-        NullOutlier,
-        Single,
-        Novel,
-        Null,
-        NullQuiet,
-        Single,
-        NullOutlier,
-        Null,
-        Pair,
-        NullQuiet,
-        Twin,
-        Single,
-        NullOutlier,
-        Novel,
-    ]
-};
-
-impl Kind {
-    /// All kinds.
-    pub const ALL: [Kind; 7] = [
-        Kind::Null,
-        Kind::NullQuiet,
-        Kind::NullOutlier,
-        Kind::Single,
-        Kind::Pair,
-        Kind::Novel,
-        Kind::Twin,
-    ];
-
-    /// Its word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Kind::Null => "null",
-            Kind::NullQuiet => "null-quiet",
-            Kind::NullOutlier => "null-outlier",
-            Kind::Single => "single",
-            Kind::Pair => "pair",
-            Kind::Novel => "novel",
-            Kind::Twin => "twin",
-        }
-    }
-
-    /// Whether nothing is missing.
-    pub fn is_null(self) -> bool {
-        matches!(self, Kind::Null | Kind::NullQuiet | Kind::NullOutlier)
-    }
-
-    /// The kind of the case at a place of the run.
-    pub fn at(index: usize) -> Kind {
-        ROUND[index % ROUND.len()]
-    }
-}
-
-/// Ranges from which cases are drawn, evenly.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ranges {
-    /// Detectability of what is hidden, sigma.
-    pub detectable: [f64; 2],
-    /// Standard deviation of the errors of chord, stiffness and air law that nobody states, as a share.
-    pub background: [f64; 2],
-}
-
-/// What all cases share.
-pub struct Blind<'a> {
-    /// The study whose campaign is tried.
-    pub study: &'a LoadedStudy,
-    /// Effects that the diagnosis may try.
-    pub candidates: Vec<&'a str>,
-    /// Its model.
-    pub campaign: Campaign,
-    /// What the campaign could see.
-    pub outlook: Outlook,
-    /// Settings of every diagnosis.
-    pub settings: Settings,
-    /// How its campaign answers, which all cases share.
-    pub table: Table,
-    /// What could be measured besides, if the study lists anything.
-    pub experiments: Option<Campaign>,
-    /// Ranges from which cases are drawn.
-    pub ranges: Ranges,
-    /// Effects that would be seen but are not hidden: a small error of the wing turns their signature.
-    pub turned: Vec<Turned>,
-}
 
 impl<'a> Blind<'a> {
     /// Judges the campaign, so that strengths can be drawn by how well they can be seen;
@@ -184,26 +62,7 @@ impl<'a> Blind<'a> {
         known: Option<Vec<Turned>>,
         progress: &Progress,
     ) -> Result<Blind<'a>, BlindError> {
-        let campaign = Campaign::new(study, &candidates, progress)?;
-        let settings = Settings {
-            discrepancy: campaign.discrepancy,
-            start: Some(campaign.start()),
-            ..Settings::default()
-        };
-        let table = Table::new(&campaign, &settings, progress)?;
-        let outlook = Outlook::new(&campaign, Some(&table), &settings, progress)?;
-        let experiments = Campaign::of_experiments(study, &candidates, progress)?;
-        let mut blind = Blind {
-            study,
-            experiments,
-            candidates,
-            campaign,
-            outlook,
-            settings,
-            table,
-            ranges,
-            turned: Vec::new(),
-        };
+        let mut blind = Blind::judged(study, candidates, ranges, progress)?;
         blind.turned = match known {
             Some(known) => known,
             None => {
@@ -212,11 +71,6 @@ impl<'a> Blind<'a> {
             }
         };
         Ok(blind)
-    }
-
-    /// Whether the plausible size of an effect reaches the range from which strengths are drawn.
-    fn sees(&self, effect: &PlannedEffect) -> bool {
-        effect.detectability >= self.ranges.detectable[0]
     }
 
     /// What is hidden in a case, its measurements, and how often it was drawn anew because a wing had no equilibrium with it, or it was

@@ -3,10 +3,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Kind;
 use super::baselines::Simpler;
 use super::distance::Distance;
 use super::followed::Followed;
+use super::kind::Kind;
+use super::truth::{is_truth, names_in_set, same, set_size};
 use crate::diagnose::posterior::SEPARATE;
 use crate::diagnose::verdict::Hypothesis;
 use crate::diagnose::{Diagnosis, Verdict};
@@ -102,15 +103,6 @@ impl Outcome {
     }
 }
 
-/// Whether two lists hold the same names.
-pub fn same(said: &[String], truth: &[&str]) -> bool {
-    let mut said: Vec<&str> = said.iter().map(String::as_str).collect();
-    let mut truth = truth.to_vec();
-    said.sort_unstable();
-    truth.sort_unstable();
-    said == truth
-}
-
 /// Compares what was said with the answer.
 pub fn judge(
     (kind, seed): (Kind, u64),
@@ -158,44 +150,6 @@ pub fn judge(
         seconds,
         redrawn,
     }
-}
-
-/// Whether a hypothesis is what was hidden.
-fn is_truth(kind: Kind, answer: &Answer, hypothesis: &Hypothesis) -> bool {
-    let is_novel = hypothesis.effects == ["novel"];
-    let families: Vec<&str> = answer.acted.iter().map(|acted| acted.family.as_str()).collect();
-    match kind {
-        Kind::Novel => is_novel,
-        _ => !is_novel && same(&hypothesis.families, &families),
-    }
-}
-
-/// Probability that was given to what was hidden.
-pub fn truth_probability(kind: Kind, answer: &Answer, said: &Diagnosis) -> f64 {
-    let own = said.hypotheses.iter().filter(|own| is_truth(kind, answer, own));
-    own.map(|hypothesis| hypothesis.probability).sum()
-}
-
-/// Hypotheses in the 95 % set.
-pub fn set_size(said: &Diagnosis) -> usize {
-    said.hypotheses
-        .iter()
-        .filter(|hypothesis| hypothesis.in_set)
-        .count()
-}
-
-/// What the hypotheses in the 95 % set show: families, alone or two together, nothing, and novel.
-fn names_in_set(said: &Diagnosis) -> usize {
-    let set = said.hypotheses.iter().filter(|hypothesis| hypothesis.in_set);
-    let mut names: Vec<&[String]> = set
-        .map(|hypothesis| match &hypothesis.families[..] {
-            [] => &hypothesis.effects[..],
-            all => all,
-        })
-        .collect();
-    names.sort_unstable();
-    names.dedup();
-    names.len()
 }
 
 fn strength_error(answer: &Answer, first: Option<&Hypothesis>) -> Option<[f64; 2]> {

@@ -4,9 +4,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Kind;
-use super::distance::Turned;
 use super::followed::Followed;
-use super::outcome::{Failed, Outcome, same};
+use super::outcome::{Failed, Outcome};
+use super::setup::Turned;
+use super::truth::same;
 use crate::diagnose::Verdict;
 
 /// Misfit from which on a novel cause should be recognised, sigma.

@@ -4,7 +4,7 @@
 use crate::diagnose::Settings;
 use crate::diagnose::baseline::Baseline;
 use crate::diagnose::library::Trial;
-use crate::diagnose::refit::Explanation;
+use crate::diagnose::refit::{Explanation, Refits};
 use crate::diagnose::screening::effect_of;
 use crate::progress::Progress;
 use crate::study::{Forward, WarmStart};
@@ -29,7 +29,7 @@ pub fn apart(blind: &Blind, spot: Spot, strength: f64, progress: &Progress) -> R
     };
     let baseline = Baseline::new(&told, &settings, Some(&blind.table), &progress.unseen())?;
     let warm_start = baseline.warm_start.as_ref().map(WarmStart::for_trials);
-    let refits = baseline.refits(warm_start.as_ref());
+    let refits = Refits::of(&baseline, warm_start.as_ref());
     let (unknowns, members) = (told.unknowns(), &baseline.data.missing);
     // the strength itself may be what it likes within its range
     let left = |found: &Explanation| {

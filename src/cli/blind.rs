@@ -151,7 +151,7 @@ impl TryBlind {
         let run = read_json::<Run>(&self.run_file())?.unwrap_or(ready.run);
         let board: Scoreboard = scoreboard(&outcomes, &failed, run.turned.as_deref().unwrap_or_default());
         let page = page(&study.study.name, &board, &outcomes);
-        let text = json::text(&board)?;
+        let text = json::text(&json::document(&board)?)?;
         let mut written = RunFolder::create(&self.output, VERB)?;
         written.add("scoreboard.md", page.as_bytes())?;
         written.add("scoreboard.json", text.as_bytes())?;

@@ -26,7 +26,7 @@ use crate::page::{Digits, Page as Answer, Part, Rows, Table};
 use super::design_arguments::{DesignArguments, beside, is_there};
 use super::study::{COMPARISON, listed, target};
 use super::{Console, Failure};
-use crate::wing::{SolvedWing, WingError, WingModel};
+use crate::wing::{DiscretizationError, SolvedWing, WingError, WingModel};
 
 /// Arguments of `washout compare`.
 #[derive(Debug, Args)]
@@ -101,7 +101,10 @@ impl CompareReport {
     /// What it says.
     fn page(&self) -> Answer {
         let mut page = comparison::page(&self.comparison);
-        page.sections.extend(self.page_of_ratios().sections);
+        let ratios = self.page_of_ratios().sections;
+        let parts = ratios.iter().flat_map(|section| &section.parts);
+        page.brief.extend(parts.cloned());
+        page.sections.extend(ratios);
         page
     }
 
@@ -177,7 +180,7 @@ impl Compare {
         let written = folder.commit()?;
         let sketch = console.sketch(&wing_figure(&report.comparison, Some(&reading.profile)));
         let files = listed(&written, &report.files);
-        console.result(&format!("{}\n{files}{sketch}", report.page().text()), &report)
+        console.answer(&report.page(), &format!("{files}{sketch}"), &report)
     }
 
     /// What the command line changes in every design of a study.
@@ -303,6 +306,7 @@ fn run_page(wing: &SolvedWing, reading: &Reading, console: &Console) -> Result<P
     let summary = summarize(&Solved {
         wing,
         reading,
+        mesh_error: &DiscretizationError::default(),
         uncertainty: None,
         engineering: &wing.engineering(console.progress())?,
     });

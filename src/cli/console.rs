@@ -6,8 +6,11 @@ use std::io::{self, IsTerminal, Write};
 
 use clap::Args;
 use serde::Serialize;
+use serde_json::Value;
 
-use crate::export::json;
+use crate::export::ExportError;
+use crate::export::json::{self, Document};
+use crate::page::Page;
 use crate::plot::Figure;
 use crate::plot::terminal::sketch;
 use crate::progress::Progress;
@@ -23,6 +26,9 @@ pub struct Common {
     /// Print nothing but errors (and the JSON document, if asked for)
     #[arg(long, short, global = true)]
     pub quiet: bool,
+    /// Print all that there is to say, not what fits on a screen
+    #[arg(long, short, global = true)]
+    pub verbose: bool,
     /// Threads to use; results do not depend on it [default: one per core]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
@@ -33,6 +39,7 @@ pub struct Common {
 pub struct Console {
     json: bool,
     quiet: bool,
+    verbose: bool,
     progress: Progress,
     /// Holds the document instead of standard output.
     kept: Option<RefCell<String>>,
@@ -50,6 +57,7 @@ impl Console {
         Console {
             json: common.json,
             quiet: common.quiet,
+            verbose: common.verbose,
             progress,
             kept: None,
         }
@@ -60,6 +68,7 @@ impl Console {
         Console {
             json: true,
             quiet: true,
+            verbose: false,
             progress,
             kept: Some(RefCell::default()),
         }
@@ -76,15 +85,38 @@ impl Console {
     }
 
     /// Prints a result: the page to people, the document to programs, never both.
-    pub fn result(&self, page: &str, document: &impl Serialize) -> Result<(), Failure> {
+    pub fn result(&self, page: &str, document: &impl Document) -> Result<(), Failure> {
+        self.either(page, || json::document(document))
+    }
+
+    /// As [`Console::result`], for a list of names.
+    pub fn names(&self, page: &str, names: &[impl AsRef<str>]) -> Result<(), Failure> {
+        let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
+        self.either(page, || json::tree(&names))
+    }
+
+    fn either(
+        &self,
+        page: &str,
+        document: impl FnOnce() -> Result<Value, ExportError>,
+    ) -> Result<(), Failure> {
         match (self.json, self.quiet) {
-            (true, _) => self.document(document),
+            (true, _) => self.document(&document()?),
             (false, true) => Ok(()),
             (false, false) => {
                 self.progress.finish();
                 self.print(page.as_bytes())
             }
         }
+    }
+
+    /// Prints an answer and what is to be done after it; to people what fits on a screen, unless they asked for all.
+    pub fn answer(&self, page: &Page, after: &str, document: &impl Document) -> Result<(), Failure> {
+        let text = match page.brief().filter(|_| !self.verbose) {
+            Some(brief) => format!("{brief}\n{after}All there is to say: --verbose\n"),
+            None => format!("{}\n{after}", page.text()),
+        };
+        self.result(&text, document)
     }
 
     /// Prints a document for programs, whatever the options say.
@@ -148,7 +180,7 @@ mod tests {
     #[test]
     fn a_keeping_console_keeps_the_document_and_not_the_page() {
         let console = Console::keeping(Progress::quiet());
-        console.result("page\n", &[1, 2]).expect("kept");
-        assert_eq!(console.into_kept(), "[\n  1,\n  2\n]\n");
+        console.names("page\n", &["one", "two"]).expect("kept");
+        assert_eq!(console.into_kept(), "[\n  \"one\",\n  \"two\"\n]\n");
     }
 }

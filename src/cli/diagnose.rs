@@ -14,6 +14,7 @@ use crate::export::run::RunFolder;
 use crate::input::measurement::InCommon;
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
+use crate::page::Part;
 use crate::page::text::significant;
 use crate::study::{Campaign, Forward, Proposals};
 
@@ -137,27 +138,19 @@ impl Diagnose {
         console: &Console,
     ) -> Result<(), Failure> {
         let study = campaign.name.as_str();
-        let screening = report.diagnosis.screening;
-        let text = format!(
-            "{}\nScreening of every effect: {} derivatives with {} factorizations; in all {}\n",
-            page(study, &report.diagnosis).text(),
-            screening.derivatives,
-            screening.factorizations,
-            report.work
-        );
         let keep = table.map_or(String::new(), FromSheet::to_keep);
         let path = table.map_or(self.study.clone(), |table| {
             PathBuf::from(format!("{}.toml", table.name()))
         });
-        let text = match to_add(&path, &self.on, &report.diagnosis) {
+        let next = match to_add(&path, &self.on, &report.diagnosis) {
             commands if commands.is_empty() && !keep.is_empty() => {
-                format!("{text}\nTo go on with a study, which can be changed\n{keep}")
+                format!("To go on with a study, which can be changed\n{keep}\n")
             }
-            commands if commands.is_empty() => text,
+            commands if commands.is_empty() => String::new(),
             commands if report.diagnosis.verdict == Verdict::Set => {
-                format!("{text}\nTo try the most probable, which is not sure\n{keep}{commands}")
+                format!("To try the most probable, which is not sure\n{keep}{commands}\n")
             }
-            commands => format!("{text}\nTo take it into the model\n{keep}{commands}"),
+            commands => format!("To take it into the model\n{keep}{commands}\n"),
         };
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
         report.files = folder.listed_with(self.report);
@@ -169,8 +162,15 @@ impl Diagnose {
         folder.add_summary(&report)?;
         console.progress().check()?;
         let written = folder.commit()?;
-        let text = format!("{text}\n{}", listed(&written, &report.files));
-        console.result(&text, &report)
+        let screening = report.diagnosis.screening;
+        let mut answer = page(study, &report.diagnosis);
+        let work = format!(
+            "Screening of every effect: {} derivatives with {} factorizations; in all {}",
+            screening.derivatives, screening.factorizations, report.work
+        );
+        answer.section("work", "What it took", vec![Part::Text(work)]);
+        let after = next + &listed(&written, &report.files);
+        console.answer(&answer, &after, &report)
     }
 }
 
@@ -327,7 +327,7 @@ fn planned(
     } = prepared.map_err(|error| fault(path, error))?;
     let plan = plan(&campaign, Some(&table), &settings, console.progress());
     let plan = plan.map_err(|error| fault(path, error))?;
-    console.result(&page_of_plan(&campaign.name, &plan), &plan)
+    console.answer(&page_of_plan(&campaign.name, &plan), "", &plan)
 }
 
 fn fault(study: &Path, source: DiagnoseError) -> Failure {

@@ -20,7 +20,8 @@ pub struct Divergence {
     /// The design
     #[command(flatten)]
     pub design: DesignArguments,
-    /// Largest speed (m/s) or half amplitude (deg) [default: twice that of the design]
+    /// Largest speed (m/s) or half amplitude (deg) [default: twice that of the design, an
+    /// amplitude up to 90]
     #[arg(long, value_name = "VALUE")]
     pub to: Option<f64>,
     /// Steps up to it

@@ -12,91 +12,139 @@ use crate::export::sweep::SweepSummary;
 use crate::export::verification::VerifyReport;
 use crate::synthesize::Answer;
 use clap::ValueEnum;
+use schemars::Schema;
+use serde_json::{Map, Value, json as value};
 
-/// Verbs whose JSON document has a schema.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Output {
-    /// `washout solve --json`, and `summary.json`
-    Solve,
-    /// `washout compare --json`
-    Compare,
-    /// `washout lift --json`
-    Lift,
-    /// `washout pareto --json`
-    Pareto,
-    /// `washout sweep --json`
-    Sweep,
-    /// `washout design --json`
-    Design,
-    /// `washout divergence --json`
-    Divergence,
-    /// `washout diff --json`
-    Diff,
-    /// `washout modes --json`
-    Modes,
-    /// `washout mesh --json`
-    Mesh,
-    /// `washout measure --json`
-    Measure,
-    /// `washout init --json`
-    Init,
-    /// `washout doctor --json`
-    Doctor,
-    /// `washout compare STUDY --json`
-    Study,
-    /// `washout diagnose --json`
-    Diagnose,
-    /// `washout add --json`
-    Add,
-    /// `washout diagnose --plan --json`
-    Plan,
-    /// `washout synthesize --json`
-    Synthesize,
-    /// answer.json of `washout synthesize`
-    Answer,
-    /// `washout blind --json`
-    Blind,
-    /// `washout effects --json`: a list; of one effect its item
-    Effects,
-    /// `washout report --json`
-    Report,
-    /// `washout plot --json`, and `plot.json`
-    Plot,
-    /// `washout export --json`
-    Export,
-    /// `washout verify --json`, and `verify.json`
-    Verify,
+use super::effects::ShownCard;
+use crate::export::json;
+
+/// The list of documents: the enum, the kind of each, its schema.
+macro_rules! documents {
+    ($($(#[$doc:meta])* $name:ident $kind:literal $of:ty,)*) => {
+        /// Verbs whose JSON document has a schema.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+        pub enum Output {
+            $($(#[$doc])* $name,)*
+        }
+
+        $(impl json::Document for $of {
+            const KIND: &'static str = $kind;
+        })*
+
+        impl Output {
+            /// The schema of the document.
+            pub fn schema(self) -> Schema {
+                match self {
+                    $(Output::$name => headed::<$of>(schemars::schema_for!($of)),)*
+                }
+            }
+        }
+    };
 }
 
-impl Output {
-    /// The schema of the document.
-    pub fn schema(self) -> schemars::Schema {
-        match self {
-            Output::Solve => schemars::schema_for!(RunSummary),
-            Output::Compare => schemars::schema_for!(super::compare::CompareReport),
-            Output::Lift => schemars::schema_for!(crate::export::lift::LiftSummary),
-            Output::Pareto => schemars::schema_for!(crate::export::pareto::ParetoSummary),
-            Output::Sweep => schemars::schema_for!(SweepSummary),
-            Output::Design => schemars::schema_for!(crate::export::layouts::LayoutSummary),
-            Output::Divergence => schemars::schema_for!(crate::wing::divergence::DivergenceReport),
-            Output::Diff => schemars::schema_for!(Difference),
-            Output::Modes => schemars::schema_for!(ModesSummary),
-            Output::Mesh => schemars::schema_for!(super::mesh::MeshReport),
-            Output::Measure => schemars::schema_for!(crate::export::video::MeasureReport),
-            Output::Study => schemars::schema_for!(StudyReport),
-            Output::Diagnose => schemars::schema_for!(DiagnosisReport),
-            Output::Add => schemars::schema_for!(super::add::AddReport),
-            Output::Plan => schemars::schema_for!(Plan),
-            Output::Synthesize => schemars::schema_for!(super::synthesize::SynthesizeReport),
-            Output::Answer => schemars::schema_for!(Answer),
-            Output::Blind => schemars::schema_for!(Scoreboard),
-            Output::Effects => schemars::schema_for!(Vec<Card>),
-            Output::Init => schemars::schema_for!(super::init::InitReport),
-            Output::Doctor => schemars::schema_for!(super::doctor::DoctorReport),
-            Output::Report => schemars::schema_for!(super::report::ReportMade),
-            Output::Plot => schemars::schema_for!(super::plot::Plotted),
-            Output::Export => schemars::schema_for!(super::export::ExportReport),
-            Output::Verify => schemars::schema_for!(VerifyReport),
+documents! {
+    /// `washout solve --json`, and `summary.json`
+    Solve "solve" RunSummary,
+    /// `washout compare --json`
+    Compare "compare" super::compare::CompareReport,
+    /// `washout lift --json`
+    Lift "lift" crate::export::lift::LiftSummary,
+    /// `washout pareto --json`
+    Pareto "pareto" crate::export::pareto::ParetoSummary,
+    /// `washout sweep --json`
+    Sweep "sweep" SweepSummary,
+    /// `washout design --json`
+    Design "design" crate::export::layouts::LayoutSummary,
+    /// `washout divergence --json`
+    Divergence "divergence" crate::wing::divergence::DivergenceReport,
+    /// `washout diff --json`
+    Diff "diff" Difference,
+    /// `washout modes --json`
+    Modes "modes" ModesSummary,
+    /// `washout mesh --json`
+    Mesh "mesh" super::mesh::MeshReport,
+    /// `washout measure --json`
+    Measure "measure" crate::export::video::MeasureReport,
+    /// `washout init --json`
+    Init "init" super::init::InitReport,
+    /// `washout doctor --json`
+    Doctor "doctor" super::doctor::DoctorReport,
+    /// `washout compare STUDY --json`
+    Study "study" StudyReport,
+    /// `washout diagnose --json`
+    Diagnose "diagnose" DiagnosisReport,
+    /// `washout add --json`
+    Add "add" super::add::AddReport,
+    /// `washout diagnose --plan --json`
+    Plan "plan" Plan,
+    /// `washout synthesize --json`
+    Synthesize "synthesize" super::synthesize::SynthesizeReport,
+    /// answer.json of `washout synthesize`
+    Answer "answer" Answer,
+    /// `washout blind --json`
+    Blind "blind" Scoreboard,
+    /// `washout effects --json`: a list; of one effect its item
+    Effects "effects" Vec<Card<'_>>,
+    /// `washout report --json`
+    Report "report" super::report::ReportMade,
+    /// `washout plot --json`, and `plot.json`
+    Plot "plot" super::plot::Plotted,
+    /// `washout export --json`
+    Export "export" super::export::ExportReport,
+    /// `washout verify --json`, and `verify.json`
+    Verify "verify" VerifyReport,
+}
+
+impl json::Document for ShownCard<'_> {
+    const KIND: &'static str = "effect";
+}
+
+/// A schema with the kind and the format that stand first in the document; a list stands below its kind.
+fn headed<D: json::Document>(mut schema: Schema) -> Schema {
+    if schema.get("type").and_then(Value::as_str) == Some("array") {
+        let object = schema.as_object().cloned().unwrap_or_default();
+        let outside = |key: &str| key.starts_with('$') || key == "title";
+        let (outer, list): (Map<String, Value>, Map<String, Value>) =
+            object.into_iter().partition(|(key, _)| outside(key));
+        schema = Schema::from(outer);
+        schema.insert("type".to_string(), "object".into());
+        schema.insert("properties".to_string(), value!({ D::KIND: list }));
+        schema.insert("required".to_string(), value!([D::KIND]));
+    }
+    let head = value!({
+        "kind": { "description": "What the document is.", "const": D::KIND },
+        "format": { "description": "The version of its form.", "const": D::FORMAT },
+    });
+    let whole = schema.ensure_object();
+    let mut properties = head.as_object().cloned().unwrap_or_default();
+    if let Some(own) = whole.get("properties").and_then(Value::as_object) {
+        properties.extend(own.clone());
+    }
+    whole.insert("properties".to_string(), properties.into());
+    let own = whole.get("required").and_then(Value::as_array);
+    let required = [value!("kind"), value!("format")]
+        .into_iter()
+        .chain(own.into_iter().flatten().cloned());
+    let required: Vec<Value> = required.collect();
+    whole.insert("required".to_string(), required.into());
+    schema
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_document_says_its_kind_which_is_what_schema_calls_it_and_no_field_hides_it() {
+        for output in Output::value_variants() {
+            let schema = output.schema();
+            let name = output.to_possible_value().expect("shown").get_name().to_string();
+            assert_eq!(schema.pointer("/properties/kind/const"), Some(&value!(name)));
+            assert_eq!(
+                schema.pointer("/properties/format/const"),
+                Some(&value!(1)),
+                "{name}"
+            );
         }
     }
 }

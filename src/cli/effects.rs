@@ -11,6 +11,8 @@ use crate::effects::{Card, all, named};
 use crate::explore::{ExploreError, Signature, signature};
 use crate::export::effects::{effects_page, picture};
 use crate::export::file::write_page;
+use crate::page::text::{hanging, wrapped};
+use crate::page::{Page, Part, Rows};
 
 use super::{Console, Failure};
 
@@ -36,7 +38,7 @@ impl ListEffects {
             if let Some(path) = &self.page {
                 write_page(path, &effects_page(&cards))?;
             }
-            return console.result(&list(&cards), &cards);
+            return console.answer(&list(&cards), "", &cards);
         };
         let Some(effect) = named(name) else {
             let names: Vec<&str> = all().map(|effect| effect.card().name).collect();
@@ -75,7 +77,7 @@ impl ListEffects {
 
 /// A card with what its effect does to an example wing.
 #[derive(Debug, Serialize)]
-struct ShownCard<'a> {
+pub struct ShownCard<'a> {
     #[serde(flatten)]
     card: &'a Card<'a>,
     signature: Option<Signature>,
@@ -83,21 +85,40 @@ struct ShownCard<'a> {
     without_signature: Option<String>,
 }
 
-fn list(cards: &[Card]) -> String {
-    let width = cards.iter().map(|card| card.name.len()).max().unwrap_or(0);
-    let mut text = String::from("Physics that can be added to a design ([effects.NAME] strength = ...)\n");
-    for card in cards {
-        let _ = writeln!(text, "  {:width$}  {}", card.name, card.summary);
+/// All effects: by what they act on, and each with what happens.
+fn list(cards: &[Card]) -> Page {
+    let mut page = Page {
+        title: "Physics that can be added to a design ([effects.NAME] strength = ...)".to_string(),
+        kind: "effects",
+        lead: vec![Part::Text(
+            "The card of one: washout effects NAME. One of your own: [effects.NAME] kind = \"custom\", acts_on, expression; see \
+             examples/effect_of_ones_own.toml"
+                .to_string(),
+        )],
+        ..Page::default()
+    };
+    let mut seams: Vec<String> = Vec::new();
+    for seam in cards.iter().map(|card| word(&card.seam)) {
+        if !seams.contains(&seam) {
+            seams.push(seam);
+        }
     }
-    text.push_str("The card of one: washout effects NAME\n");
-    text.push_str(
-        "One of your own: [effects.NAME] kind = \"custom\", acts_on, expression; see examples/effect_of_ones_own.toml\n",
-    );
-    text
+    for seam in &seams {
+        let own = || cards.iter().filter(|card| word(&card.seam) == *seam);
+        let names: Vec<&str> = own().map(|card| card.name).collect();
+        page.brief
+            .push(Part::Text(format!("{seam}: {}", names.join(", "))));
+    }
+    let table = Rows::of("", cards)
+        .words("effect", |card| card.name)
+        .words("what happens", |card| card.summary)
+        .table();
+    page.section("effects", "All effects", vec![Part::Table(table)]);
+    page
 }
 
 fn page(card: &Card) -> String {
-    let mut text = format!("{}\n  {}\n", card.name, card.summary);
+    let mut text = format!("{}\n{}", card.name, wrapped(card.summary, 2));
     let needs: Vec<String> = card.needs.iter().map(word).collect();
     let lines = [
         ("formula", card.formula.to_string()),
@@ -125,18 +146,18 @@ fn page(card: &Card) -> String {
         ("checked by", card.case.to_string()),
     ];
     for (name, line) in lines {
-        let _ = writeln!(text, "  {name:<11} {line}");
+        text += &hanging(&format!("  {name:<11} "), &line, 14);
     }
     text.push_str("Numbers\n");
     for parameter in card.parameters {
         let [low, high] = parameter.range;
         let [from, to] = parameter.plausible;
         let unit = if parameter.unit == "1" { "" } else { parameter.unit };
-        let _ = writeln!(
-            text,
-            "  {:<11} {low} … {high} {unit} (plausible {from} … {to}): {}",
-            parameter.name, parameter.meaning
+        let range = format!(
+            "{low} … {high} {unit} (plausible {from} … {to}): {}",
+            parameter.meaning
         );
+        text += &hanging(&format!("  {:<11} ", parameter.name), &range, 14);
     }
     let _ = writeln!(
         text,

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::export::html::Document;
 use crate::export::html::folder::add as add_report;
+use crate::export::json;
 use crate::export::run::RunFolder;
 
 use super::{Console, Failure};
@@ -22,7 +22,7 @@ pub fn finished<T>(
     console: &Console,
 ) -> Result<PathBuf, Failure>
 where
-    T: Serialize + DeserializeOwned + PartialEq,
+    T: json::Document + DeserializeOwned + PartialEq,
 {
     if let Some(words) = words {
         add_report(&mut folder, words, Document::new(id, document)?)?;

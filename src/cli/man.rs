@@ -40,6 +40,6 @@ impl Man {
             write_over(&path, &page, "a page of washout man", is_own)?;
             written.push(path.display().to_string());
         }
-        console.result(&(written.join("\n") + "\n"), &written)
+        console.names(&(written.join("\n") + "\n"), &written)
     }
 }

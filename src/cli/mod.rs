@@ -102,14 +102,15 @@ pub use failure::Failure;
 
 /// The twist of a flexible wing under air load, from a design file.
 #[derive(Debug, Parser)]
-#[command(name = "washout", version, about, color = clap::ColorChoice::Never)]
+#[command(name = "washout", version, about, color = clap::ColorChoice::Never, max_term_width = 80)]
 #[command(after_help = "Examples:
   washout init my-wing                          write a design to start from
   washout solve designs/twist-v2.toml           twist, forces, stresses, ParaView files
   washout compare designs/twist-v1.toml         where the model misses the measurement
   washout help solve                            all options of a verb
 
-Exit codes: 0 done, 1 cannot write or other, 2 input at fault, 3 not converged, 130 interrupted")]
+Exit codes: 0 done, 1 cannot write or other, 2 input at fault, 3 not converged,
+130 interrupted")]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]

@@ -70,7 +70,7 @@ pub struct Pareto {
     #[arg(long, value_name = "SHARE", default_value_t = 0.2)]
     pub ramp: f64,
     /// Profiles of a generation
-    #[arg(long, value_name = "N", default_value_t = 100)]
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(..=10_000))]
     pub population: usize,
     /// Generations
     #[arg(long, value_name = "N", default_value_t = 150)]

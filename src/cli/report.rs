@@ -15,19 +15,20 @@ use crate::export::html::folder::{Contents, page, title_of};
 use crate::export::html::study::StudyParts;
 use crate::export::html::wings::Wings;
 use crate::export::html::{Document, Page, REPORT, diagnosis, is_report, run, study};
+use crate::export::json::Document as _;
 use crate::export::layouts::LayoutSummary;
 use crate::export::lift::LiftSummary;
 use crate::export::modes::ModesSummary;
 use crate::export::pareto::ParetoSummary;
 use crate::export::run::{SUMMARY, read_summary, write_member};
 use crate::export::study::StudyReport;
-use crate::export::sweep::SweepSummary;
+use crate::export::summary::RunSummary;
 use crate::export::verification::VerifyReport;
 use crate::export::{ExportError, json};
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
 
-use super::add::LADDER;
+use super::add::{AddReport, LADDER};
 use super::compare::CompareReport;
 use super::study::COMPARISON;
 use super::verify::DOCUMENT as VERIFY;
@@ -172,12 +173,16 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
         fs::read(&path).map_err(ExportError::file("read", path))
     };
     if comparison.is_file() {
-        // Of a study, or of a single wing.
-        if let Ok(report) = read_document::<StudyReport>(&comparison) {
-            return Ok(study::page(&report, &StudyParts::default())?);
-        }
-        let report: CompareReport = read_document(&comparison)?;
-        return super::compare::report_page(&report);
+        let document: Value = read_document(&comparison)?;
+        return match json::kind(&document) {
+            Some(kind) if kind == CompareReport::KIND => {
+                super::compare::report_page(&known(&document, &comparison)?)
+            }
+            _ => Ok(study::page(
+                &known(&document, &comparison)?,
+                &StudyParts::default(),
+            )?),
+        };
     }
     if diagnosed.is_file() {
         let report: DiagnosisReport = read_document(&diagnosed)?;
@@ -191,15 +196,16 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
             continue;
         }
         let document = read_document(&folder.join(name))?;
-        let words = words(&document, folder);
-        if words.is_empty() && json::of::<SweepSummary>(&document).is_err() {
+        let kind = json::kind(&document).unwrap_or(RunSummary::KIND);
+        if kind == RunSummary::KIND {
             return Ok(run::of_files(&read_summary(folder)?, folder, &read)?);
         }
+        let words = words(kind, &document, folder)?;
         let contents = Contents {
             title: &title_of(folder),
             words: &words,
             files: &shown(folder)?,
-            document: Document::new(id, &document)?,
+            document: Document::of(id, document),
         };
         return Ok(page(contents, &read)?);
     }
@@ -211,19 +217,23 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
     })
 }
 
-/// What the verb printed that wrote a document; empty for that of a run or a sweep.
-fn words(document: &Value, folder: &Path) -> String {
-    fn of<T: DeserializeOwned>(document: &Value, page: impl Fn(&T) -> String) -> Option<String> {
-        json::of(document).ok().map(|known| page(&known))
-    }
-    let folder = folder.display().to_string();
-    of(document, |lift: &LiftSummary| lift.page(&folder))
-        .or_else(|| of(document, |front: &ParetoSummary| front.page(&folder)))
-        .or_else(|| of(document, |layouts: &LayoutSummary| layouts.page(&folder)))
-        .or_else(|| of(document, |modes: &ModesSummary| modes.page(&folder)))
-        .or_else(|| of(document, VerifyReport::page))
-        .or_else(|| of(document, super::add::page))
-        .unwrap_or_default()
+/// What the verb printed that wrote a document of this kind; empty for that of a sweep.
+fn words(kind: &str, document: &Value, folder: &Path) -> Result<String, Failure> {
+    let shown = folder.display().to_string();
+    Ok(match kind {
+        LiftSummary::KIND => known::<LiftSummary>(document, folder)?.page(&shown),
+        ParetoSummary::KIND => known::<ParetoSummary>(document, folder)?.page(&shown),
+        LayoutSummary::KIND => known::<LayoutSummary>(document, folder)?.page(&shown),
+        ModesSummary::KIND => known::<ModesSummary>(document, folder)?.page(&shown),
+        VerifyReport::KIND => known::<VerifyReport>(document, folder)?.page().text(),
+        AddReport::KIND => super::add::page(&known(document, folder)?),
+        _ => String::new(),
+    })
+}
+
+/// A document as what its kind says it is.
+fn known<T: DeserializeOwned>(document: &Value, path: &Path) -> Result<T, Failure> {
+    json::of(document).map_err(|error| foreign(path, &error))
 }
 
 /// The pictures and tables of a folder, by name.
@@ -239,10 +249,12 @@ fn shown(folder: &Path) -> Result<Vec<String>, Failure> {
 
 fn read_document<T: DeserializeOwned>(path: &Path) -> Result<T, Failure> {
     let text = fs::read_to_string(path).map_err(ExportError::file("read", path))?;
-    json::read(text.as_bytes()).map_err(|error| {
-        Failure::Export(ExportError::ForeignSummary {
-            path: path.to_path_buf(),
-            reason: error.to_string(),
-        })
+    json::read(text.as_bytes()).map_err(|error| foreign(path, &error))
+}
+
+fn foreign(path: &Path, error: &serde_json::Error) -> Failure {
+    Failure::Export(ExportError::ForeignSummary {
+        path: path.to_path_buf(),
+        reason: error.to_string(),
     })
 }

@@ -64,6 +64,6 @@ impl Schema {
             write_page(&path, &page)?;
             written.push(path.display().to_string());
         }
-        console.result(&(written.join("\n") + "\n"), &written)
+        console.names(&(written.join("\n") + "\n"), &written)
     }
 }

@@ -19,7 +19,7 @@ use crate::observation::TwistProfile;
 use crate::progress::Progress;
 use crate::study::uncertainty::FEWEST_SAMPLES;
 use crate::study::{ProfileOutputs, StudyError, Uncertainty, UncertaintySettings, propagate};
-use crate::wing::{SolvedWing, WingError, WingModel};
+use crate::wing::{DiscretizationError, Meshes, SolvedWing, WingError, WingModel};
 
 use super::design_arguments::DesignArguments;
 use super::stroke::{self, StrokeRun};
@@ -31,6 +31,7 @@ use super::{Console, Failure};
 #[command(after_help = "Examples:
   washout solve designs/twist-v2.toml
   washout solve designs/twist-v2.toml --set flapping.frequency_hz=25 --output output/v2-25hz
+  washout solve designs/twist-v2.toml --accuracy 1%        on a mesh that leaves no more than 1 % of the tip's twist
   washout solve designs/twist-v2.toml --uncertainty        a band instead of a line, and what it comes from
   washout solve designs/twist-v2.toml --stroke 36          the wing in motion over its stroke, for ParaView: stroke.pvd
   washout solve designs/twist-v2.toml --stroke-quasi-static 9        the same as if each phase stood still
@@ -61,6 +62,9 @@ pub struct Asked {
     /// Propagate the assumed ranges to a band by N solves, 16 or more [default N: 64]
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "64")]
     pub uncertainty: Option<usize>,
+    /// Refine the mesh until it leaves no more than this share of the tip's twist, %; each mesh is twice as fine as the one before
+    #[arg(long, value_name = "PERCENT", value_parser = percent)]
+    pub accuracy: Option<f64>,
     /// The whole stroke besides, at N phases: its periodic motion, with the inertia of wing and air, with damping, and with
     /// pitch that flips between the stops
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=720))]
@@ -84,16 +88,12 @@ impl Solve {
         progress.check()?;
         let earlier = read_summary(&target).ok();
         let path = folder.commit()?;
-        let mut page = format!(
-            "{}\n{}",
-            page(&summary, &[]).text(),
-            listed(&path, &summary.files)
-        );
+        let mut after = listed(&path, &summary.files);
         if earlier.is_some_and(|earlier| earlier.design != summary.design) {
-            page += "They replace an earlier run with other inputs; --output DIR keeps both\n";
+            after += "They replace an earlier run with other inputs; --output DIR keeps both\n";
         }
-        page += &console.sketch(&twist(&summary));
-        console.result(&page, &summary)
+        after += &console.sketch(&twist(&summary));
+        console.answer(&page(&summary, &[]), &after, &summary)
     }
 }
 
@@ -117,6 +117,7 @@ pub struct Run {
     pub wing: SolvedWing,
     /// Profile, lift, and how far it is from the measurement.
     pub reading: Reading,
+    mesh_error: DiscretizationError,
     uncertainty: Option<Uncertainty>,
     stroke: Option<StrokeRun>,
     engineering: Engineering,
@@ -127,11 +128,16 @@ impl Run {
     pub fn new(wing: &WingModel, asked: &Asked, progress: &Progress) -> Result<Run, Failure> {
         asked.check_samples()?;
         progress.say(format_args!("solving {}", wing.design().name));
-        let wing = wing.solve(progress)?;
+        let meshes = match asked.accuracy {
+            None => Meshes::solve(wing, progress)?,
+            Some(percent) => Meshes::until(wing, 0.01 * percent, progress)?,
+        };
+        let mesh_error = meshes.error()?;
+        let wing = meshes.wing;
         let reading = Reading::of(&wing, &BTreeMap::new())?;
         let uncertainty = asked
             .uncertainty
-            .map(|samples| band(&wing, &reading, samples, progress));
+            .map(|samples| band((&wing, meshes.coarser.as_ref().ok()), &reading, samples, progress));
         let uncertainty = uncertainty.transpose()?;
         let moving = asked
             .stroke
@@ -144,6 +150,7 @@ impl Run {
         Ok(Run {
             wing,
             reading,
+            mesh_error,
             uncertainty,
             stroke,
             engineering,
@@ -174,14 +181,23 @@ impl Run {
         Solved {
             wing: &self.wing,
             reading: &self.reading,
+            mesh_error: &self.mesh_error,
             uncertainty: self.uncertainty.as_ref(),
             engineering: &self.engineering,
         }
     }
 }
 
+/// A share in percent, with or without its sign.
+fn percent(text: &str) -> Result<f64, String> {
+    let value: Result<f64, _> = text.trim_end_matches('%').trim().parse();
+    let is_sound = |percent: &f64| (0.01..=100.0).contains(percent);
+    let value = value.ok().filter(is_sound);
+    value.ok_or_else(|| "a percentage from 0.01 to 100 is expected, such as 1%".to_string())
+}
+
 fn band(
-    wing: &SolvedWing,
+    (wing, coarser): (&SolvedWing, Option<&SolvedWing>),
     reading: &Reading,
     samples: usize,
     progress: &Progress,
@@ -195,14 +211,15 @@ fn band(
         samples,
         ..UncertaintySettings::default()
     };
-    propagate(
-        wing.model.design(),
-        &outputs.outputs,
-        settings,
-        progress,
-        evaluate,
-    )
-    .map_err(Failure::Study)
+    let design = wing.model.design();
+    let found = propagate(design, &outputs.outputs, settings, progress, evaluate);
+    let mut found = found.map_err(Failure::Study)?;
+    // a station that the coarser mesh does not read says nothing of the finer one
+    let on_coarser = coarser.and_then(|coarser| outputs.read(&coarser.profile().ok()?).ok());
+    for (output, other) in found.outputs.iter_mut().zip(on_coarser.into_iter().flatten()) {
+        output.mesh_error = Some((output.nominal - other).abs());
+    }
+    Ok(found)
 }
 
 /// Stretches of the measured rates; those of the fitted stages where none was measured.

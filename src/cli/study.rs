@@ -17,6 +17,7 @@ use crate::export::run::RunFolder;
 use crate::export::study::{StudyReport, page};
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
+use crate::page::text::hanging;
 use crate::study::{Campaign, Forward, StudyError, Unknown, UnknownKind};
 
 use super::{Console, Failure};
@@ -49,13 +50,9 @@ pub fn compare(
     folder.add_summary(&report)?;
     console.progress().check()?;
     let written = folder.commit()?;
-    let page = format!(
-        "{}\n{}{}",
-        page(&report.comparison).text(),
-        listed(&written, &report.files),
-        console.sketch(&compared_figure(&panels::Compared::of_study(&report.comparison)))
-    );
-    console.result(&page, &report)
+    let sketch = console.sketch(&compared_figure(&panels::Compared::of_study(&report.comparison)));
+    let after = listed(&written, &report.files) + &sketch;
+    console.answer(&page(&report.comparison), &after, &report)
 }
 
 /// The folder that a verb writes into.
@@ -67,7 +64,11 @@ pub fn target(output: Option<&PathBuf>, name: &str, verb: &str) -> PathBuf {
 
 /// Which files were written, as the last line of a page.
 pub fn listed(folder: &Path, files: &[String]) -> String {
-    format!("Files in {}: {}\n", folder.display(), files.join(" "))
+    hanging(
+        "",
+        &format!("Files in {}: {}", folder.display(), files.join(" ")),
+        2,
+    )
 }
 
 /// A study, solved and compared with its measurements.

@@ -202,7 +202,7 @@ fn refuse_own(study: &LoadedStudy, target: &Path) -> Result<(), Failure> {
 /// Writes study, measurements and answer.
 fn write(study: &Path, mut folder: RunFolder, made: &Synthetic) -> Result<SynthesizeReport, Failure> {
     let target = folder.target().to_path_buf();
-    let answer_text = json::text(&made.answer)?;
+    let answer_text = json::text(&json::document(&made.answer)?)?;
     let comments = [
         made.answer.recipe.made.to_string(),
         "These numbers come from no experiment: they are readings of a model with errors of its own."

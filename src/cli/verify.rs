@@ -13,7 +13,7 @@ use crate::page::text::Table;
 use crate::verify::{ALL, Case, Extent, Kind, named, run};
 
 use super::finished::finished;
-use super::study::compared;
+use super::study::{compared, listed};
 use super::{Console, Failure};
 
 /// Name of the document of the folder.
@@ -58,7 +58,7 @@ impl Verify {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let cases = self.chosen()?;
         if self.list {
-            return console.result(&list(&cases), &names(&cases));
+            return console.names(&list(&cases), &names(&cases));
         }
         if let Some(page) = &self.page {
             refuse_page(page, TRUST_HEAD)?;
@@ -74,13 +74,12 @@ impl Verify {
         folder.add("verify.md", markdown(&report).as_bytes())?;
         folder.add("verify.csv", &report.csv()?)?;
         report.files = folder.listed_with(self.report);
-        let words = self.report.then(|| report.page());
+        let words = self.report.then(|| report.page().text());
         let path = finished(folder, words.as_deref(), ("verify", &report), console)?;
         if let Some(page) = &self.page {
             write_page(page, &trust_page(&report, &studies))?;
         }
-        let files = format!("\nFiles in {}: {}\n", path.display(), report.files.join(" "));
-        console.result(&(report.page() + &files), &report)?;
+        console.answer(&report.page(), &listed(&path, &report.files), &report)?;
         match report.failing() {
             failing if failing.is_empty() => Ok(()),
             failing => Err(Failure::Cases { failing }),

@@ -10,7 +10,7 @@ use crate::input::design::{Design, Kinematics};
 use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::{
-    Blend, Equilibrium, Loads, Model, StructureError, bench_loads, refuse_not_finite, wing_model_beside,
+    Equilibrium, Loads, Model, StructureError, bench_loads, refuse_not_finite, wing_model_beside,
 };
 
 /// The structure, and bench loads with gravity; `motion` as effects see it; `known`: the structure of another design on this
@@ -53,7 +53,7 @@ pub fn built(
     if 0.0 < share && share < 1.0 {
         let mut equilibrium = Equilibrium::new(&model)?;
         let (rest, _) = cured(&model, &mut equilibrium, &Progress::quiet())?;
-        let blend = Blend::new(&model, &equilibrium.pattern, rest, 1.0 - share);
+        let blend = model.linear(&equilibrium.pattern, rest, 1.0 - share);
         model.blend = Some(Arc::new(blend));
     }
     Ok((model, bench))

@@ -7,19 +7,20 @@ use crate::study::calibrate::misfit;
 use crate::study::left_out::Local;
 use crate::study::{Fit, Forward, WarmStart, Work};
 
-use super::data::{Data, Scatter, start};
-use super::error::{DiagnoseError, where_solved};
+use super::data::{Data, start};
+use super::error::DiagnoseError;
 use super::evidence::Likelihood;
 use super::fields::{Field, Law, fields};
 use super::library::{Family, Trial, families};
 use super::model_error::{ModelError, Size};
-use super::refit::Refits;
 use super::responses::Responses;
 use super::robust::outlier_widening;
+use super::scatter::Scatter;
 use super::screening::{Directions, effect_of};
 use super::settings::Settings;
 use super::table::Table;
 use super::weigh::{Weighing, weigh};
+use super::weights::Seen;
 use super::whitened::Whitened;
 
 /// Size of the fields that count as smooth when outliers are looked for, over that of the prediction.
@@ -72,47 +73,6 @@ pub struct Baseline<'a> {
     pub screening: Work,
     /// What the model left at the first fit.
     pub warm_start: Option<WarmStart>,
-}
-
-/// What effects are weighed by: the first fit, and the errors about it.
-pub struct Seen<'a> {
-    /// The model.
-    pub forward: &'a dyn Forward,
-    /// What is fitted.
-    pub data: &'a Data,
-    /// The error that is expected.
-    pub error: ModelError,
-    /// Measured minus modelled, inputs at their prior means.
-    pub residual: DVector<f64>,
-    /// Fields that have no name.
-    pub fields: &'a [Field],
-    /// Where the unknowns start.
-    pub start: &'a [f64],
-    /// What the model reads there.
-    pub raw: &'a DVector<f64>,
-    /// What the first fit left.
-    pub warm_start: Option<WarmStart>,
-}
-
-impl Seen<'_> {
-    /// Change of the fitted readings by two missing effects at these strengths; none if there is no solution.
-    ///
-    /// # Errors
-    /// If the user asked to stop.
-    pub fn with(&self, effects: [(usize, f64); 2]) -> Result<Option<DVector<f64>>, DiagnoseError> {
-        let mut there = self.start.to_vec();
-        for (k, strength) in effects {
-            there[self.data.missing[k]] = strength;
-        }
-        let found = self
-            .forward
-            .linearize_from(self.warm_start.as_ref(), &there, &|_| false);
-        let Some((with, _)) = where_solved(found)? else {
-            return Ok(None);
-        };
-        let change = (with.value - self.raw).select_rows(self.data.rows.iter());
-        Ok(change.iter().all(|own| own.is_finite()).then_some(change))
-    }
 }
 
 impl<'a> Baseline<'a> {
@@ -210,19 +170,6 @@ impl<'a> Baseline<'a> {
             warm_start,
             data,
         })
-    }
-
-    /// What fits with effects start from; `warm_start`: what the model left at the fit.
-    pub fn refits<'b>(&'b self, warm_start: Option<&'b WarmStart>) -> Refits<'b> {
-        Refits {
-            forward: self.forward,
-            data: &self.data,
-            scatter: &self.scatter,
-            baseline: &self.fit,
-            slopes: &self.slopes,
-            warm_start,
-            likelihood: self.likelihood,
-        }
     }
 
     /// The scatter under an explanation: with what was missing less is left to the formulation.

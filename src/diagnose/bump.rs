@@ -11,8 +11,7 @@ use crate::study::{Fit, UnknownKind};
 use super::baseline::Baseline;
 use super::error::DiagnoseError;
 use super::evidence::ln_sum;
-use super::fields::{Field, fields};
-use super::novel::AMPLITUDES;
+use super::fields::{AMPLITUDES, Field, fields};
 use super::refit::{Refits, ln_determinant};
 use super::whitened::Whitened;
 

@@ -28,6 +28,16 @@ const POWERS: [(f64, f64); 9] = [
     (2.0, 2.0),
 ];
 
+/// Amplitudes tried, as the size of the response over that of the prediction.
+pub const AMPLITUDES: [f64; 4] = [0.03, 0.1, 0.3, 1.0];
+
+/// Prior share of loads that scale with the motion, among the unnamed fields.
+pub(super) const LOADS: f64 = 0.45;
+/// Prior share of springs.
+pub(super) const SPRINGS: f64 = 0.1;
+/// Prior share of compliances.
+pub(super) const COMPLIANCES: f64 = 0.2;
+
 /// How a missing field enters and scales.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", tag = "kind")]
@@ -296,6 +306,22 @@ pub(super) fn smooth_root(stations: usize) -> DMatrix<f64> {
         (-0.5 * apart * apart).exp() + if i == j { 1e-6 } else { 0.0 }
     });
     Cholesky::new(covariance).map_or_else(|| DMatrix::identity(stations, stations), |factor| factor.unpack())
+}
+
+/// Prior share of a law among the unnamed fields.
+pub(super) fn share(law: Law, fields: &[Field]) -> f64 {
+    let is_load = |law: Law| matches!(law, Law::Load { .. } | Law::Onset { .. });
+    let is_kind = |a: Law, b: Law| std::mem::discriminant(&a) == std::mem::discriminant(&b);
+    let same = |a: Law, b: Law| is_kind(a, b) || (is_load(a) && is_load(b));
+    let rivals = fields.iter().filter(|field| same(field.law, law)).count() as f64;
+    let group = match law {
+        Law::Load { .. } | Law::Onset { .. } => LOADS,
+        Law::Free => 0.15,
+        Law::Spring => SPRINGS,
+        Law::Compliance => COMPLIANCES,
+        Law::Sensor => 0.1,
+    };
+    group / rivals
 }
 
 #[cfg(test)]

@@ -124,7 +124,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         beliefs: beliefs(&weights, baseline.settings.tempering),
     };
     let warm_start = baseline.warm_start.as_ref().map(WarmStart::for_trials);
-    let refits = baseline.refits(warm_start.as_ref());
+    let refits = Refits::of(baseline, warm_start.as_ref());
     refit(&mut judgement, baseline, &refits, progress)?;
     if judgement.probability(&Case::Unknown) > MAY_BE_UNKNOWN {
         judgement.bumps = bumps(baseline, &refits, progress)?;

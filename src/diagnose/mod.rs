@@ -59,6 +59,8 @@ pub mod rows;
 
 pub mod scaling;
 
+pub mod scatter;
+
 pub mod screening;
 
 pub mod settings;
@@ -72,6 +74,8 @@ pub mod unknown;
 pub mod verdict;
 
 pub mod weigh;
+
+pub mod weights;
 
 pub mod whitened;
 

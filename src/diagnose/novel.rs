@@ -9,14 +9,11 @@ use crate::study::Forward;
 use super::baseline::Baseline;
 use super::bump::Around;
 use super::evidence::{Likelihood, Spectrum, ln_sum};
-use super::fields::{Field, Law};
+use super::fields::{AMPLITUDES, Field, LOADS, Law, share};
 use super::laws::growths;
 use super::places::channel;
 use super::scaling::{Scaling, scaling};
 use super::whitened::Whitened;
-
-/// Amplitudes tried, as the size of the response over that of the prediction.
-pub const AMPLITUDES: [f64; 4] = [0.03, 0.1, 0.3, 1.0];
 
 /// One law with its evidence.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -89,29 +86,6 @@ fn weigh(seen: &[DMatrix<f64>], whitened: &Whitened, likelihood: Likelihood) -> 
             (mean, AMPLITUDES[best.unwrap_or(0)])
         })
         .collect()
-}
-
-/// Prior share of loads that scale with the motion, among the unnamed fields.
-pub(super) const LOADS: f64 = 0.45;
-/// Prior share of springs.
-pub(super) const SPRINGS: f64 = 0.1;
-/// Prior share of compliances.
-pub(super) const COMPLIANCES: f64 = 0.2;
-
-/// Prior share of a law among the unnamed fields.
-pub(super) fn share(law: Law, fields: &[Field]) -> f64 {
-    let is_load = |law: Law| matches!(law, Law::Load { .. } | Law::Onset { .. });
-    let is_kind = |a: Law, b: Law| std::mem::discriminant(&a) == std::mem::discriminant(&b);
-    let same = |a: Law, b: Law| is_kind(a, b) || (is_load(a) && is_load(b));
-    let rivals = fields.iter().filter(|field| same(field.law, law)).count() as f64;
-    let group = match law {
-        Law::Load { .. } | Law::Onset { .. } => LOADS,
-        Law::Free => 0.15,
-        Law::Spring => SPRINGS,
-        Law::Compliance => COMPLIANCES,
-        Law::Sensor => 0.1,
-    };
-    group / rivals
 }
 
 /// The best field along the span, of all laws by which a load may grow, and of the others; about a bump that was fitted, if there is one.

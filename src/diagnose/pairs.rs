@@ -11,7 +11,7 @@ use super::evidence::ln_sum;
 use super::library::Trial;
 use super::model_error::OWN_SIZES;
 use super::responses::Node;
-use super::weigh::{Member, Weights, strength};
+use super::weights::{Member, Weights, strength};
 
 /// Strengths of an effect that are looked at among all pairs.
 const GLANCES: usize = 6;

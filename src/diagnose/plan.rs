@@ -9,10 +9,11 @@ use crate::study::Forward;
 use crate::study::left_out::Local;
 
 use super::baseline::distances;
-use super::data::{Data, Scatter, start};
+use super::data::{Data, start};
 use super::error::DiagnoseError;
 use super::model_error::{ModelError, Size};
 use super::posterior::SEPARATE;
+use super::scatter::Scatter;
 use super::screening::{Directions, ENOUGH_POWER, effect_of, family_wise, is_one_sided, power_at_distance};
 use super::settings::Settings;
 use super::table::Table;

@@ -8,10 +8,11 @@ use crate::study::left_out::Local;
 use crate::study::{Fit, Forward, WarmStart};
 
 use super::baseline::Baseline;
-use super::data::{Data, Scatter};
+use super::data::Data;
 use super::error::DiagnoseError;
 use super::evidence::Likelihood;
 use super::library::Trial;
+use super::scatter::Scatter;
 use super::screening::{place_of, whole_strength};
 
 /// Largest step from zero at which a refit starts, in prior standard deviations.
@@ -54,7 +55,20 @@ pub struct Refits<'a> {
     pub likelihood: Likelihood,
 }
 
-impl Refits<'_> {
+impl<'a> Refits<'a> {
+    /// What fits with effects start from; `warm_start`: what the model left at the fit.
+    pub fn of(baseline: &'a Baseline, warm_start: Option<&'a WarmStart>) -> Refits<'a> {
+        Refits {
+            forward: baseline.forward,
+            data: &baseline.data,
+            scatter: &baseline.scatter,
+            baseline: &baseline.fit,
+            slopes: &baseline.slopes,
+            warm_start,
+            likelihood: baseline.likelihood,
+        }
+    }
+
     /// Fits the effects of a trial with the model, in whose errors those of the effects' formulas stand. None if no fit settles below the
     /// misfit without them.
     ///

@@ -10,9 +10,8 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::error::DiagnoseError;
-use super::fields::Field;
-use super::novel::{AMPLITUDES, share};
-use super::weigh::{Level, Weights};
+use super::fields::{AMPLITUDES, Field, share};
+use super::weights::{Level, Weights};
 
 /// Prior shares of errors of the readings, of fields over the span and of fields at one place.
 const ERRORS: f64 = 0.4;

@@ -1,26 +1,23 @@
 //! Nothing, one known effect, two, or a cause without a name: how probable each is, all sizes of error and all strengths summed over.
 //!
 //! Every hypothesis says what the readings should be, y ~ N(f(x₀, 0) + c(ψ), Σ), with the change c that the effect makes at strength ψ and
-//! Σ of [`ModelError`], in which the uncertain inputs, the error of the formulation, what the mesh leaves and the error of the effect's own
+//! Σ of [`ModelError`](super::model_error::ModelError), in which the uncertain inputs, the error of the formulation, what the mesh leaves and the error of the effect's own
 //! formula stand. An unknown cause is a smooth error of reading larger than any formulation should have. Probabilities are priors times
 //! sums over strengths and sizes; there is no further test.
 
-use std::borrow::Cow;
-
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
-use super::baseline::Seen;
 use super::error::DiagnoseError;
 use super::evidence::{ln_sum, place_of_largest};
 use super::library::{Family, Trial};
-use super::model_error::{ModelError, OWN_SIZES, OwnSize, Size};
+use super::model_error::{OWN_SIZES, OwnSize, Size};
 use super::pairs::{pairs, together};
 use super::responses::{Node, Response, Responses, beside};
-use super::root::Root;
 use super::screening::effect_of;
 use super::settings::Settings;
 use super::unknown::unknown;
+use super::weights::{Level, Member, Seen, Weights, strength};
 
 /// Strengths about which the error of an effect's own formula is taken.
 const ANCHORS: usize = 5;
@@ -48,142 +45,6 @@ pub struct Weighing {
     pub share: f64,
     /// Mean of the scale of the scatter.
     pub scale: f64,
-}
-
-/// The readings and what is expected of them.
-pub struct Weights<'a> {
-    /// The error that is expected.
-    pub error: &'a ModelError,
-    /// Sizes that are summed over.
-    pub levels: Vec<Level>,
-    /// A typical size: the formulation error of the prior, the scatter as stated.
-    pub typical: Level,
-    /// Measured minus modelled, inputs at their prior means.
-    pub residual: &'a DVector<f64>,
-}
-
-/// One size of the errors.
-#[derive(Clone)]
-pub struct Level {
-    /// The size.
-    pub size: Size,
-    /// Covariance of everything that is expected.
-    covariance: DMatrix<f64>,
-    root: Root,
-}
-
-impl Level {
-    fn new(error: &ModelError, size: Size) -> Result<Level, DiagnoseError> {
-        let covariance = error.of_all(&size);
-        let root = Root::of(covariance.clone())?;
-        Ok(Level {
-            size,
-            covariance,
-            root,
-        })
-    }
-
-    /// Root of the covariance, with `more` besides.
-    ///
-    /// # Errors
-    /// If it is not positive definite.
-    pub fn root(&self, more: Option<&DMatrix<f64>>) -> Result<Cow<'_, Root>, DiagnoseError> {
-        match more {
-            None => Ok(Cow::Borrowed(&self.root)),
-            Some(more) => Root::of(&self.covariance + more).map(Cow::Owned),
-        }
-    }
-
-    /// ln of the prior of the size over the root of the determinant.
-    pub fn ln_size(&self, root: &Root) -> f64 {
-        self.size.ln_prior - root.ln_determinant
-    }
-}
-
-/// One missing effect and the strengths at which it is weighed.
-pub struct Member {
-    /// Its strengths.
-    pub nodes: Vec<Node>,
-    /// Changes of the fitted readings, a column each.
-    pub changes: DMatrix<f64>,
-    /// Share to which its change is known.
-    pub own_error: f64,
-    /// ln of its share of the prior of one effect.
-    pub ln_prior: f64,
-    /// Its family; none if these data cannot see it.
-    pub family: Option<usize>,
-}
-
-impl Member {
-    /// The same at plausible strengths alone.
-    pub fn plausible(&self) -> Member {
-        let kept: Vec<usize> = (0..self.nodes.len())
-            .filter(|&node| self.nodes[node].is_plausible)
-            .collect();
-        Member {
-            nodes: kept.iter().map(|&node| self.nodes[node].clone()).collect(),
-            changes: self.changes.select_columns(kept.iter()),
-            ..*self
-        }
-    }
-}
-
-impl<'a> Weights<'a> {
-    /// Of all sizes.
-    ///
-    /// # Errors
-    /// If a covariance is not positive definite.
-    pub fn new(
-        error: &'a ModelError,
-        residual: &'a DVector<f64>,
-        settings: &Settings,
-    ) -> Result<Weights<'a>, DiagnoseError> {
-        let sizes = ModelError::sizes(settings.discrepancy, settings.noise_scale, settings.noise_trust);
-        let most = |a: &&Size, b: &&Size| a.ln_prior.total_cmp(&b.ln_prior);
-        let typical = *sizes.iter().max_by(most).unwrap_or(&sizes[0]);
-        Ok(Weights {
-            error,
-            levels: sizes
-                .into_iter()
-                .map(|size| Level::new(error, size))
-                .collect::<Result<_, DiagnoseError>>()?,
-            typical: Level::new(error, typical)?,
-            residual,
-        })
-    }
-
-    /// ln of the density of the readings for every size (row) and every column of `residuals`, the prior of the size in it.
-    ///
-    /// # Errors
-    /// If a covariance is not positive definite.
-    pub fn of(
-        &self,
-        more: Option<&DMatrix<f64>>,
-        residuals: &DMatrix<f64>,
-    ) -> Result<DMatrix<f64>, DiagnoseError> {
-        let mut found = DMatrix::zeros(self.levels.len(), residuals.ncols());
-        for (row, level) in self.levels.iter().enumerate() {
-            let root = level.root(more)?;
-            for (column, own) in root.whiten(residuals).column_iter().enumerate() {
-                found[(row, column)] = level.ln_size(&root) - 0.5 * own.norm_squared();
-            }
-        }
-        Ok(found)
-    }
-
-    /// Columns brought to unit covariance at the typical size.
-    pub fn whitened(&self, columns: &DMatrix<f64>) -> DMatrix<f64> {
-        self.typical.root.whiten(columns)
-    }
-
-    /// The readings less each of these changes.
-    pub fn less(&self, changes: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut residuals = -changes;
-        for mut column in residuals.column_iter_mut() {
-            column += self.residual;
-        }
-        residuals
-    }
 }
 
 /// Weighs everything that may be missing.
@@ -431,20 +292,4 @@ fn single(
         }
     }
     Ok(found)
-}
-
-/// Most probable strength, mean and standard deviation of one effect, from the ln of the weights of its nodes.
-pub fn strength(member: &Member, ln_weights: &[f64]) -> [f64; 3] {
-    let whole = ln_sum(ln_weights.iter().copied());
-    let parts = || member.nodes.iter().zip(ln_weights);
-    let best = parts()
-        .max_by(|a, b| a.1.total_cmp(b.1))
-        .map_or(0.0, |(node, _)| node.strength);
-    let mean = |of: &dyn Fn(f64) -> f64| -> f64 {
-        parts()
-            .map(|(node, ln)| of(node.strength) * (ln - whole).exp())
-            .sum()
-    };
-    let middle = mean(&|strength| strength);
-    [best, middle, mean(&|strength| (strength - middle).powi(2)).sqrt()]
 }

@@ -16,20 +16,28 @@ pub fn band(band: &Uncertainty) -> Vec<Part> {
         .number(["q05", "5 %", ""], Significant(3), |output| output.q05)
         .number(["median", "median", ""], Significant(3), |output| output.median)
         .number(["q95", "95 %", ""], Significant(3), |output| output.q95)
+        .number(["mesh_error", "mesh ±", ""], Significant(2), |output| {
+            output.mesh_error
+        })
         .caption(&format!(
             "Band from the assumed ranges ({solved} solves; {}): 5 to 95 %",
             band.distribution
         ))
         .table();
     let mut parts = vec![Part::Table(table)];
-    parts.extend(band.failures.first().map(|failure| {
-        Part::Text(format!(
-            "{} of {} samples gave no result and are left out; the first because: {}",
+    let failures = Rows::of("/uncertainty/failures", &band.failures)
+        .number(["sample", "sample", ""], After(0), |failure| {
+            failure.sample as f64
+        })
+        .words("why", |failure| failure.reason.as_str())
+        .caption(&format!(
+            "{} of {} samples gave no result and are left out",
             band.failures.len(),
-            band.samples,
-            failure.reason
+            band.samples
         ))
-    }));
+        .most_in_text(1)
+        .folded(3, "Samples without a result");
+    parts.push(Part::Table(failures.table()));
     let is_twist = |output: &OutputBand| matches!(output.output, Output::Twist { .. });
     let outermost = band.outputs.iter().rposition(is_twist);
     parts.extend(

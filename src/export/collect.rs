@@ -12,13 +12,13 @@ use crate::observation::{Place, TwistProfile, TwistReading};
 use crate::origin::MadeOf;
 use crate::study::Uncertainty;
 
-use crate::wing::{SolvedWing, WingModel};
+use crate::wing::{DiscretizationError, SolvedWing, WingModel};
 
 use super::html::{self, REPORT};
 use super::run::RunFolder;
 use super::summary::{
-    AssumedChoice, AssumedInput, CellLegend, FORMAT, FlowSummary, MeshSummary, Outcome, ProfileRow,
-    RunSummary, SolveSummary, TipSummary, WingSummary,
+    AssumedChoice, AssumedInput, CellLegend, FlowSummary, MeshSummary, Outcome, ProfileRow, RunSummary,
+    SolveSummary, TipSummary, WingSummary,
 };
 use super::warnings::warnings;
 use super::wing::{Legend, PARTS, Shape, displacement_mm, solution_grid};
@@ -31,6 +31,8 @@ pub struct Solved<'a> {
     pub wing: &'a SolvedWing,
     /// Profile, lift, and how far it is from the measurement.
     pub reading: &'a Reading,
+    /// What the mesh leaves.
+    pub mesh_error: &'a DiscretizationError,
     /// Band from the assumed ranges.
     pub uncertainty: Option<&'a Uncertainty>,
     /// What a builder wants to know besides.
@@ -45,7 +47,6 @@ pub fn summarize(solved: &Solved) -> RunSummary {
     let profile = &reading.profile;
     let legend = Legend::of(design);
     let mut summary = RunSummary {
-        format: FORMAT,
         name: design.name.clone(),
         design_file: loaded.path.display().to_string(),
         design: design.clone(),
@@ -62,6 +63,7 @@ pub fn summarize(solved: &Solved) -> RunSummary {
         measured: reading.measured.clone(),
         tip: tip(solved),
         lift: reading.lift.clone(),
+        mesh_error: solved.mesh_error.clone(),
         stroke: None,
         engineering: solved.engineering.clone(),
         uncertainty: solved.uncertainty.cloned(),
@@ -284,6 +286,7 @@ mod tests {
         let solved = Solved {
             wing: &SolvedWing::new(model, solution),
             reading: &reading,
+            mesh_error: &DiscretizationError::default(),
             uncertainty: None,
             engineering: &Engineering::default(),
         };
@@ -340,7 +343,7 @@ mod tests {
         let summary = write(&parent.path().join("run"));
         let page = std::fs::read_to_string(parent.path().join("run/report.html")).expect("a report");
         let document = embedded(&page, "summary");
-        assert_eq!(document, serde_json::to_value(&summary).expect("JSON"));
+        assert_eq!(document, crate::export::json::document(&summary).expect("JSON"));
         let mut shown = 0;
         for piece in page.split("<data value=\"").skip(1) {
             let value = piece.split('"').next().expect("a value");
@@ -357,7 +360,7 @@ mod tests {
             );
             shown += 1;
         }
-        assert!(shown > 80, "{shown} numbers");
+        assert!(shown > 100, "{shown} numbers");
         for row in 0..summary.profile.len() {
             assert!(
                 page.contains(&format!("data-of=\"/profile/{row}/twist_deg\"")),

@@ -11,12 +11,16 @@ use crate::page::{Page, Part, Rows, Table};
 use super::pictures::panels::Compared;
 use super::pictures::{in_sigma, wing as wing_pictures};
 
+/// Measured numbers below which twist along the span has room beside them on a screen.
+const FEW: usize = 6;
+
 /// What `washout compare DESIGN` says; its document has the comparison at `comparison`.
 pub fn page(found: &Comparison) -> Page {
     let mut page = Page {
         title: found.wing.clone(),
         kind: "comparison",
         lead: said(found),
+        brief: brief(found),
         sections: Vec::new(),
     };
     let mut parts = vec![Part::Figure(wing_pictures::figure(found, None))];
@@ -29,6 +33,20 @@ pub fn page(found: &Comparison) -> Page {
     page.section("measured", "Against the measurement", parts);
     page.section("left", "Not compared", left(found));
     page
+}
+
+/// The measured numbers; twist along the span where only few of them are twists.
+fn brief(found: &Comparison) -> Vec<Part> {
+    let mut parts = vec![Part::Table(
+        rows("/comparison", found).without(&["chord_fraction", "kind of σ"]),
+    )];
+    if found.rows.len() < FEW {
+        let spans = found.span.iter().enumerate();
+        parts.extend(
+            spans.map(|(index, span)| Part::Table(stations(&format!("/comparison/span/{index}"), span))),
+        );
+    }
+    parts
 }
 
 /// Where the model misses, in words, and what to know besides.
@@ -143,7 +161,8 @@ pub fn stages(place: &str, fit: &ModelledStages) -> [Part; 2] {
     [Part::Table(table), Part::Text(fit.meaning_of_errors.clone())]
 }
 
-fn along(place: &str, span: &SpanComparison) -> [Part; 3] {
+/// Measured and modelled twist at each station.
+fn stations(place: &str, span: &SpanComparison) -> Table {
     let origin = match span.origin {
         ProfileOrigin::Twists => "twists as measured",
         ProfileOrigin::IntegratedRates => "measured rates integrated from the base",
@@ -152,7 +171,7 @@ fn along(place: &str, span: &SpanComparison) -> [Part; 3] {
         "" => String::new(),
         run => format!(", run {run}"),
     };
-    let table = Rows::of(&format!("{place}/stations"), &span.stations)
+    Rows::of(&format!("{place}/stations"), &span.stations)
         .number(["r_mm", "r", "mm"], After(1), |station| station.r_mm)
         .bounded(["measured_deg", "measured", "deg"], After(1), |station| {
             (sign(station.bound), station.measured_deg)
@@ -168,7 +187,10 @@ fn along(place: &str, span: &SpanComparison) -> [Part; 3] {
             station.misfit_sigma
         })
         .caption(&format!("Twist along the span ({origin}{run})"))
-        .table();
+        .table()
+}
+
+fn along(place: &str, span: &SpanComparison) -> [Part; 3] {
     let summary = format!(
         "Root mean square {}° over the span, {}° over the stations ({} {}); worst at {} mm.",
         number(span.rmse_along_span_deg, 2),
@@ -178,7 +200,7 @@ fn along(place: &str, span: &SpanComparison) -> [Part; 3] {
         number(span.worst_r_mm, 1),
     );
     [
-        Part::Table(table),
+        Part::Table(stations(place, span)),
         Part::Text(summary),
         Part::List(span.limits.clone()),
     ]

@@ -43,6 +43,7 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
         title: study.to_string(),
         kind: "diagnosis",
         lead: vec![Part::Sentence(found.sentence.clone()), Part::Text(tried(found))],
+        brief: brief(found),
         sections: Vec::new(),
     };
     page.section("hypotheses", "Hypotheses", hypotheses(found));
@@ -67,6 +68,24 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
     page.section("next", "What to measure next", next(found));
     page.section("notes", "Noise and notes", notes(found));
     page
+}
+
+/// The hypotheses that count, and what to measure next.
+fn brief(found: &Diagnosis) -> Vec<Part> {
+    let in_set = found.hypotheses.iter().filter(|row| row.in_set).count();
+    let mut parts = hypotheses(found);
+    if let Some(Part::Table(table)) = parts.last_mut() {
+        *table = table.clone().without(&["gain_left_out_conditions"]);
+        table.most_in_text = in_set.clamp(3, 7);
+    }
+    parts.push(Part::Notes(found.notes.clone()));
+    parts.extend(
+        found
+            .next_experiment
+            .iter()
+            .map(|next| Part::Text(next.sentence.clone())),
+    );
+    parts
 }
 
 /// How many effects of all were tried.

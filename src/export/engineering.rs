@@ -2,6 +2,7 @@
 
 use super::warnings::SLOW_RATIO;
 use crate::coupling::{Engineering, Extreme};
+use crate::page::Line;
 use crate::page::text::{number, significant};
 
 /// A margin beyond this says that the part carries nothing but rounding.
@@ -9,9 +10,10 @@ const NO_STRESS: f64 = 1e6;
 
 /// Mass, inertia, frequencies, stresses and margins, each with its name; empty if there are none. `film_carries`: the film does not
 /// wrinkle.
-pub fn engineering(engineering: &Engineering, film_carries: bool) -> Vec<(&'static str, String)> {
+pub fn engineering(engineering: &Engineering, film_carries: bool) -> Vec<Line> {
     let mut lines = Vec::new();
-    let mut line = |name, words: Option<String>| lines.extend(words.map(|words| (name, words)));
+    let mut line =
+        |name, words: Option<String>| lines.extend(words.map(|words| Line::new(name).words(words)));
     let of = |value: Option<f64>, digits, unit: &str| {
         value.map(|value| format!("{} {unit}", significant(value, digits)))
     };
@@ -124,8 +126,8 @@ mod tests {
             ..Engineering::default()
         };
         let lines = engineering(&unstable, false);
-        assert!(lines[0].1.contains("run away in 2 directions"), "{lines:?}");
-        assert_eq!(engineering(&Engineering::default(), false), []);
+        assert!(lines[0].text().contains("run away in 2 directions"), "{lines:?}");
+        assert!(engineering(&Engineering::default(), false).is_empty());
     }
 
     #[test]
@@ -136,9 +138,9 @@ mod tests {
             ..Engineering::default()
         };
         let [wrinkles, carries] = [false, true].map(|carries| engineering(&found, carries));
-        let is_wrinkled = |lines: &[(&str, String)]| lines[1].1.contains("wrinkled");
+        let is_wrinkled = |lines: &[Line]| lines[1].text().contains("wrinkled");
         assert!(is_wrinkled(&wrinkles) && !is_wrinkled(&carries), "{carries:?}");
-        assert_eq!(carries[0].0, "inertia");
+        assert_eq!(carries[0].name, "inertia");
     }
 
     #[test]

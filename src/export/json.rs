@@ -2,9 +2,39 @@
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use super::ExportError;
+
+/// A document that the program gives to other programs: it says what it is.
+pub trait Document: Serialize {
+    /// What it is: the verb that gives it.
+    const KIND: &'static str;
+    /// The version of its form.
+    const FORMAT: u32 = 1;
+}
+
+/// A document with its kind and its format first.
+///
+/// # Errors
+/// If it holds what JSON cannot say.
+pub fn document<D: Document>(document: &D) -> Result<Value, ExportError> {
+    let mut whole = Map::new();
+    whole.insert("kind".to_string(), D::KIND.into());
+    whole.insert("format".to_string(), D::FORMAT.into());
+    match tree(document)? {
+        Value::Object(entries) => whole.extend(entries),
+        list => {
+            whole.insert(D::KIND.to_string(), list);
+        }
+    }
+    Ok(Value::Object(whole))
+}
+
+/// The kind that a document says it is; none in those of versions that did not say it.
+pub fn kind(document: &Value) -> Option<&str> {
+    document.get("kind")?.as_str()
+}
 
 /// A document as a tree.
 ///

@@ -76,6 +76,8 @@ pub mod effects;
 
 pub mod report;
 
+pub mod solved;
+
 pub mod studies;
 
 pub mod study;

@@ -1,58 +1,65 @@
-//! What a planned campaign could tell, as text.
+//! What a planned campaign could tell, for people.
 
 use crate::diagnose::Plan;
 use crate::diagnose::plan::PlannedEffect;
 use crate::diagnose::screening::ENOUGH_POWER;
 
-use crate::page::text::{Table, number, significant, wrapped};
+use crate::page::Digits::{After, Significant};
+use crate::page::{Page, Part, Rows, Table};
 
-/// The page of `washout diagnose --plan`.
-pub fn page(study: &str, plan: &Plan) -> String {
-    let mut table = Table::new([
-        "effect",
-        "plausible_size",
-        "standard_error",
-        "detectable",
-        "power",
-        "absorbed",
-        "cannot be told from (sigma apart)",
-        "unit",
-    ]);
-    for effect in &plan.effects {
-        table.row([
-            effect.effect.clone(),
-            significant(effect.scale, 3),
-            significant(effect.standard_error, 2),
-            number(effect.detectability, 1),
-            format!("{:.0} %", 100.0 * effect.power),
-            format!("{:.0} %", 100.0 * effect.absorbed),
-            look_alikes(effect),
-            effect.unit.clone(),
-        ]);
-    }
-    format!(
-        "{study}: {} numbers planned\n\n{}\nEffects (detectable: distance from none in sigma at the plausible size; absorbed: share of its signature\nthat the model's own unknowns could take up)\n{}{}",
-        plan.numbers,
-        wrapped(&plan.sentence, 0),
-        table.render(),
-        without_solution(&plan.effects)
-    )
+/// Effects that a screen shows.
+const SHOWN: usize = 12;
+
+/// What `washout diagnose --plan` says.
+pub fn page(study: &str, plan: &Plan) -> Page {
+    let table = table(plan);
+    let mut first = table.clone();
+    first.most_in_text = SHOWN;
+    let parts = |table: Table| {
+        let mut parts = vec![Part::Table(table)];
+        parts.extend(without_solution(&plan.effects).map(Part::Text));
+        parts
+    };
+    let mut page = Page {
+        title: format!("{study}: {} numbers planned", plan.numbers),
+        kind: "plan",
+        lead: vec![Part::Sentence(plan.sentence.clone())],
+        brief: parts(first),
+        ..Page::default()
+    };
+    page.section("effects", "What could be seen, and told apart", parts(table));
+    page
+}
+
+fn table(plan: &Plan) -> Table {
+    Rows::of("/effects", &plan.effects)
+        .words("effect", |row| row.effect.as_str())
+        .number(["scale", "plausible size", ""], Significant(3), |row| row.scale)
+        .number(["standard_error", "standard error", ""], Significant(2), |row| {
+            row.standard_error
+        })
+        .words("unit", |row| if row.unit == "1" { "" } else { &row.unit })
+        .number(["detectability", "detectable", "σ"], After(1), |row| row.detectability)
+        .number(["power", "power", ""], After(2), |row| row.power)
+        .number(["absorbed", "absorbed", ""], After(2), |row| row.absorbed)
+        .words("not told from (σ apart)", look_alikes)
+        .caption(
+            "Detectable: distance from none at the plausible size. Power: share of campaigns that would show it. Absorbed: share of its \
+             signature that the model's own unknowns could take up.",
+        )
+        .table()
 }
 
 /// What is said of effects at whose plausible size the model has no solution.
-fn without_solution(effects: &[PlannedEffect]) -> String {
+fn without_solution(effects: &[PlannedEffect]) -> Option<String> {
     let names = effects.iter().filter(|effect| effect.has_no_solution);
     let names: Vec<&str> = names.map(|effect| effect.effect.as_str()).collect();
-    match names.is_empty() {
-        true => String::new(),
-        false => wrapped(
-            &format!(
-                "The model has no solution at the plausible size of {}: detectable is what the derivative says.",
-                names.join(", ")
-            ),
-            0,
-        ),
-    }
+    (!names.is_empty()).then(|| {
+        format!(
+            "The model has no solution at the plausible size of {}: detectable is what the derivative says.",
+            names.join(", ")
+        )
+    })
 }
 
 /// Those that could be seen and yet not be told apart; nothing where the effect itself is not seen.

@@ -4,7 +4,7 @@ use crate::compare::ModelledStages;
 use crate::input::design::FilmCompression;
 use crate::lift::{Forces, LiftReport};
 use crate::page::Digits::{After, Significant};
-use crate::page::text::{number, significant};
+use crate::page::text::number;
 use crate::page::{Digits, Fact, Page, Part, Rows, Table};
 use crate::wing::stroke::{StrokeKind, StrokeSummary};
 
@@ -12,7 +12,11 @@ use super::band::band;
 use super::comparison::{against, left, said, sign, stages};
 use super::engineering::engineering;
 use super::pictures::profile::{self, StripRow};
-use super::summary::{AssumedInput, FlowSummary, RunSummary};
+use super::solved::{branch, solved};
+use super::summary::{AssumedInput, RunSummary};
+
+/// Rows that a screen shows of a stroke or a band.
+const FIRST: usize = 8;
 
 /// What `washout solve` says; `strips`: the air along the span, for its figure.
 pub fn page(summary: &RunSummary, strips: &[StripRow]) -> Page {
@@ -20,6 +24,7 @@ pub fn page(summary: &RunSummary, strips: &[StripRow]) -> Page {
         title: summary.name.clone(),
         kind: "summary",
         lead: vec![headline(summary), Part::Notes(summary.warnings.clone())],
+        brief: brief(summary),
         sections: Vec::new(),
     };
     page.section("solved", "What was solved", vec![Part::Named(solved(summary))]);
@@ -57,6 +62,22 @@ pub fn page(summary: &RunSummary, strips: &[StripRow]) -> Page {
     page
 }
 
+/// The twist along the span, and the first rows of what was asked for besides.
+fn brief(summary: &RunSummary) -> Vec<Part> {
+    let mut parts = vec![Part::Table(profile(summary)), Part::Named(branch(summary))];
+    let asked = summary.stroke.iter().flat_map(stroke);
+    for part in asked.chain(summary.uncertainty.iter().flat_map(band)) {
+        match part {
+            Part::Table(mut table) => {
+                table.most_in_text = table.most_in_text.min(FIRST);
+                parts.push(Part::Table(table));
+            }
+            part => parts.push(part),
+        }
+    }
+    parts
+}
+
 fn headline(summary: &RunSummary) -> Part {
     let mut facts = Vec::new();
     let mut fact = |place: &str, label, value: Option<f64>, unit, digits: Digits| {
@@ -88,10 +109,17 @@ fn headline(summary: &RunSummary) -> Part {
     );
     fact(
         "/measured/span/0/rmse_along_span_deg",
-        "Error along the span, root mean square",
+        "Error along the span, rms",
         span.map(|span| span.rmse_along_span_deg),
         "°",
         After(1),
+    );
+    fact(
+        "/mesh_error/tip_twist_deg",
+        "Error that the mesh leaves there",
+        summary.mesh_error.tip_twist_deg,
+        "°",
+        After(2),
     );
     fact(
         "/lift/solved/lift_mn",
@@ -131,111 +159,9 @@ fn headline(summary: &RunSummary) -> Part {
     Part::Headline(facts)
 }
 
-fn solved(summary: &RunSummary) -> Vec<(&'static str, String)> {
-    let (wing, mesh, solve) = (&summary.wing, &summary.mesh, &summary.solve);
-    let source = mesh.file.as_ref().map(|file| format!(", from {file}"));
-    let residual = solve.residual.map(|residual| format!("{residual:.1e}"));
-    let mut lines = vec![
-        (
-            "wing",
-            format!(
-                "{} mm long, mean chord {} mm, area {} mm², r1 {}, r2 {} as built (tip cut at {} mm)",
-                number(wing.length_mm, 1),
-                number(wing.mean_chord_mm, 2),
-                number(wing.area_mm2, 0),
-                number(wing.r1_hat, 4),
-                number(wing.r2_hat, 4),
-                number(wing.tip_mm, 1)
-            ),
-        ),
-        ("air", air(summary.flow.as_ref())),
-        (
-            "mesh",
-            format!(
-                "{} nodes, {} triangles, {} beam elements; {} degrees of freedom{}",
-                mesh.nodes,
-                mesh.triangles,
-                mesh.beams,
-                solve.dof,
-                source.unwrap_or_default()
-            ),
-        ),
-        (
-            "solved",
-            format!(
-                "{} iterations, {} Newton steps; residual {}, last change of twist {:.1e} deg",
-                solve.iterations,
-                solve.newton_steps,
-                residual.unwrap_or_else(|| "–, for there is no load".to_string()),
-                solve.twist_change_deg
-            ),
-        ),
-    ];
-    let branch = match solve.negative_pivots {
-        0 => "stable (no negative pivot)".to_string(),
-        count => format!("NOT stable: {count} negative pivots of the tangent"),
-    };
-    let divergence = match solve.critical_pressure_ratio {
-        // The ratio is an estimate from this shape, so far away it only says that twist takes load off the wing.
-        None | Some(100.0..) => "no divergence in sight".to_string(),
-        Some(ratio) => format!(
-            "divergence at about {} times this dynamic pressure",
-            significant(ratio, 3)
-        ),
-    };
-    lines.push(("branch", format!("{branch}; {divergence}")));
-    let stop = stop_moment_mn_mm(summary).map(|moment| significant(moment, 4));
-    lines.extend(stop.map(|moment| ("stop", format!("carries {moment} mN mm in pitch"))));
-    lines
-}
-
-/// What the pitch stop carries, positive as it pushes; none where a flexure stands between, or nothing flaps.
-fn stop_moment_mn_mm(summary: &RunSummary) -> Option<f64> {
-    let is_rigid = summary.design.root.pitch_stiffness_n_m_per_rad.is_none();
-    let flaps = matches!(summary.flow, Some(FlowSummary::Flapping { .. }));
-    (is_rigid && flaps).then(|| -summary.solve.reaction_moment_mn_mm[0])
-}
-
-/// The air in a line.
-fn air(flow: Option<&FlowSummary>) -> String {
-    match flow {
-        None => "none; bench loads only".to_string(),
-        Some(FlowSummary::Flapping {
-            frequency_hz,
-            half_amplitude_deg,
-            phase_deg,
-            root_angle_deg,
-            tip_speed_m_s,
-            density_kg_m3,
-        }) => {
-            let phase = match *phase_deg {
-                0.0 => "at mid-stroke".to_string(),
-                phase => format!("at phase {}°", number(phase, 1)),
-            };
-            format!(
-                "flapping at {} Hz, ±{}°, {phase}: tip at {} m/s; root held at {}°; density {} kg/m³",
-                significant(*frequency_hz, 3),
-                number(*half_amplitude_deg, 1),
-                number(*tip_speed_m_s, 2),
-                number(*root_angle_deg, 1),
-                number(*density_kg_m3, 3)
-            )
-        }
-        Some(FlowSummary::Steady {
-            speed_m_s,
-            root_angle_deg,
-            density_kg_m3,
-        }) => format!(
-            "steady stream of {} m/s; root held at {}°; density {} kg/m³",
-            significant(*speed_m_s, 4),
-            number(*root_angle_deg, 2),
-            number(*density_kg_m3, 3)
-        ),
-    }
-}
-
-fn twist(summary: &RunSummary) -> Vec<Part> {
-    let profile = Rows::of("/profile", &summary.profile)
+/// Twist at every station.
+fn profile(summary: &RunSummary) -> Table {
+    Rows::of("/profile", &summary.profile)
         .words("at", |row| row.place.as_str())
         .number(["r_mm", "r", "mm"], After(2), |row| row.r_mm)
         .number(["chord_mm", "chord", "mm"], After(2), |row| row.chord_mm)
@@ -250,12 +176,15 @@ fn twist(summary: &RunSummary) -> Vec<Part> {
             row.le_deflection_mm
         })
         .number(["le_sweep_mm", "sweep", "mm"], After(3), |row| row.le_sweep_mm)
-        .table();
+        .table()
+}
+
+fn twist(summary: &RunSummary) -> Vec<Part> {
     let tip = &summary.tip;
     let at = number(tip.r_mm, 1);
     let mut parts = vec![
         Part::Figure(profile::twist(summary)),
-        Part::Table(profile),
+        Part::Table(profile(summary)),
         Part::Text(
             "As the instrument of the design reads it; alpha: angle of attack of the chord; deflection and sweep: of the leading \
              edge, across and in the wing plane."

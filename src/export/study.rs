@@ -42,7 +42,12 @@ pub fn page(comparison: &StudyComparison) -> Page {
     let mut page = Page {
         title: comparison.study.clone(),
         kind: "comparison",
-        lead: vec![Part::Text(counts), chi_square(comparison)],
+        lead: vec![chi_square(comparison), Part::Text(counts)],
+        brief: vec![
+            Part::List(comparison.words.clone()),
+            Part::List(comparison.not_compared.clone()),
+            Part::Table(groups(comparison).without(&["bias/0", "bias/1", "sigma_of_inputs", "explained"])),
+        ],
         sections: Vec::new(),
     };
     let found = Compared::of_study(comparison);

@@ -2,6 +2,7 @@
 //!
 //! It holds no time, no host and no thread count, so that equal inputs give equal bytes.
 
+use crate::wing::DiscretizationError;
 use crate::wing::stroke::StrokeSummary;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -14,14 +15,9 @@ use crate::lift::LiftReport;
 use crate::origin::MadeOf;
 use crate::study::Uncertainty;
 
-/// Version of this document.
-pub const FORMAT: u32 = 1;
-
 /// The result of one solve.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct RunSummary {
-    /// Version of this document; 1.
-    pub format: u32,
     /// Name of the wing.
     pub name: String,
     /// Path of the design file as it was given.
@@ -55,6 +51,9 @@ pub struct RunSummary {
     pub tip: TipSummary,
     /// Lift, drag and power; absent without flow.
     pub lift: Option<LiftReport>,
+    /// What the mesh leaves of these.
+    #[serde(default)]
+    pub mesh_error: DiscretizationError,
     /// The wing over its stroke; absent unless asked for.
     pub stroke: Option<StrokeSummary>,
     /// What a builder wants to know besides the twist.

@@ -52,7 +52,7 @@ pub fn trust_page(report: &VerifyReport, studies: &[StudyComparison]) -> String 
 /// `verify.md`: the same tables with timings.
 pub fn markdown(report: &VerifyReport) -> String {
     format!(
-        "# washout {} verify\n\n{}\n{}{}",
+        "# washout {} verify\n\n{}\n\n{}{}",
         report.made_of.washout_version,
         report.summary(),
         tables(report, true),
@@ -62,7 +62,7 @@ pub fn markdown(report: &VerifyReport) -> String {
 
 fn tables(report: &VerifyReport, timed: bool) -> String {
     let mut text = String::new();
-    for (title, cases) in report.parts() {
+    for (_, title, cases) in report.parts() {
         if cases.is_empty() {
             continue;
         }

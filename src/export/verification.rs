@@ -7,7 +7,9 @@ use crate::origin::MadeOf;
 use crate::verify::{Confidence, Extent, Judged, Kind, Order, Outcome, Quantity, Verdict};
 
 use super::ExportError;
-use crate::page::text::{Table, number, significant};
+use crate::page::Digits::{After, Significant};
+use crate::page::text::{number, significant};
+use crate::page::{Page, Part, Rows, Table};
 
 /// Every case and what became of it; `verify.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -150,52 +152,42 @@ impl VerifyReport {
         failing.map(|case| case.name.clone()).collect()
     }
 
-    /// The tables to read.
-    pub fn page(&self) -> String {
-        let mut page = String::new();
-        for (title, cases) in self.parts() {
-            let mut table = Table::new([
-                "case",
-                "quantity",
-                "reference",
-                "ours",
-                "error_%",
-                "limit_%",
-                "order",
-                "mesh",
-                "time_s",
-                "verdict",
-                "source",
-            ]);
-            for (case, quantity) in rows(cases) {
-                let mesh = case.meshes.last();
-                table.row([
-                    case.name.clone(),
-                    quantity.words(),
-                    significant(quantity.reference, 5),
-                    quantity.ours.map_or("–".to_string(), |ours| significant(ours, 5)),
-                    percent(quantity.error()),
-                    quantity.limit(),
-                    quantity.order_words(),
-                    mesh.map_or(String::new(), |mesh| mesh.mesh.clone()),
-                    number(case.time_s(), 1),
-                    quantity.verdict.clone(),
-                    quantity.source.clone(),
-                ]);
-            }
-            if !table.is_empty() {
-                page += &format!("{title}\n{}", table.render());
-            }
-            for case in cases {
-                if let Some(failure) = &case.failure {
-                    page += &format!("  {}: no answer: {failure}\n", case.name);
-                }
-            }
-            if !cases.is_empty() {
-                page.push('\n');
-            }
+    /// What `washout verify` says.
+    pub fn page(&self) -> Page {
+        let failing: Vec<String> = self.failing();
+        let answer = match failing.as_slice() {
+            [] => self.summary(),
+            names => format!("{} Failing: {}.", self.summary(), names.join(", ")),
+        };
+        let mut page = Page {
+            title: format!("washout {} verify", self.made_of.washout_version),
+            kind: "verify",
+            lead: vec![Part::Sentence(answer)],
+            ..Page::default()
+        };
+        for (id, title, cases) in self.parts() {
+            let gave_none = |case: &CaseReport| {
+                let failure = case.failure.as_ref()?;
+                Some(format!("{}: no answer: {failure}", case.name))
+            };
+            let of_part: Vec<(String, Shown)> = shown(id, cases).collect();
+            let parts = vec![
+                Part::Table(table(&of_part)),
+                Part::List(cases.iter().filter_map(gave_none).collect()),
+            ];
+            page.section(id, title, parts);
         }
-        page + &self.summary()
+        let all = self.parts();
+        let mut nearest: Vec<(String, Shown)> =
+            all.iter().flat_map(|(id, _, cases)| shown(id, cases)).collect();
+        nearest.sort_by(|(_, a), (_, b)| b.share_of_limit().total_cmp(&a.share_of_limit()));
+        nearest.truncate(NEAREST);
+        let nearest = table(&nearest).without(&["reference", "observed_order", "source"]);
+        page.brief = vec![
+            Part::Text("Nearest to their limits, and beyond:".to_string()),
+            Part::Table(nearest),
+        ];
+        page
     }
 
     /// How many pass, in a line.
@@ -206,19 +198,24 @@ impl VerifyReport {
             "errors on the finest of three meshes"
         };
         format!(
-            "{} pass, {} fail, {} excluded (reference from memory only); {extent}\n",
+            "{} pass, {} fail, {} excluded (reference from memory only); {extent}.",
             self.passed, self.failed, self.excluded
         )
     }
 
-    /// Both parts with their headings.
-    pub fn parts(&self) -> [(&'static str, &[CaseReport]); 2] {
+    /// Both parts with their names and headings.
+    pub fn parts(&self) -> [(&'static str, &'static str, &[CaseReport]); 2] {
         [
             (
+                "verification",
                 "Verification: are the equations solved right?",
                 &self.verification,
             ),
-            ("Validation: are they the right equations?", &self.validation),
+            (
+                "validation",
+                "Validation: are they the right equations?",
+                &self.validation,
+            ),
         ]
     }
 
@@ -233,10 +230,7 @@ impl VerifyReport {
         };
         let mut writer = ::csv::Writer::from_writer(Vec::new());
         writer.write_record(CSV_HEAD).map_err(refuse)?;
-        for (kind, cases) in [
-            ("verification", &self.verification),
-            ("validation", &self.validation),
-        ] {
+        for (kind, _, cases) in self.parts() {
             for (case, q) in rows(cases) {
                 let plain = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
                 let [coarse, middle, fine] =
@@ -380,6 +374,52 @@ fn verdict_word(verdict: Verdict) -> &'static str {
         Verdict::OrderFails => "order",
         Verdict::Excluded => "excluded",
     }
+}
+
+/// Quantities that a terminal shows where all would be too many.
+const NEAREST: usize = 8;
+
+/// A quantity with its case.
+struct Shown<'a> {
+    case: &'a CaseReport,
+    quantity: &'a QuantityReport,
+}
+
+impl Shown<'_> {
+    /// Its error over its limit; what fails is beyond all, and what is not judged or not known is below.
+    fn share_of_limit(&self) -> f64 {
+        match (self.quantity.verdict.as_str(), self.quantity.error()) {
+            ("excluded", _) => f64::NEG_INFINITY,
+            ("pass", error) => error.unwrap_or(0.0) / self.quantity.tolerance,
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+/// Quantities of cases that stand at `/PART` of the document, each with where it stands below that.
+fn shown<'a>(part: &'static str, cases: &'a [CaseReport]) -> impl Iterator<Item = (String, Shown<'a>)> {
+    cases.iter().enumerate().flat_map(move |(i, case)| {
+        let quantities = case.quantities.iter().enumerate();
+        quantities.map(move |(j, quantity)| (format!("{part}/{i}/quantities/{j}"), Shown { case, quantity }))
+    })
+}
+
+fn table(rows: &[(String, Shown)]) -> Table {
+    Rows::keyed("", rows.iter().map(|(place, row)| (place.as_str(), row)))
+        .words("case", |row| row.case.name.as_str())
+        .words("quantity", |row| row.quantity.words())
+        .number(["reference", "reference", ""], Significant(5), |row| {
+            row.quantity.reference
+        })
+        .number(["ours", "ours", ""], Significant(5), |row| row.quantity.ours)
+        .words("error (%)", |row| percent(row.quantity.error()))
+        .words("limit (%)", |row| row.quantity.limit())
+        .number(["observed_order", "order", ""], After(2), |row| {
+            row.quantity.observed_order
+        })
+        .words("verdict", |row| row.quantity.verdict.as_str())
+        .words("source", |row| row.quantity.source.as_str())
+        .table()
 }
 
 /// Every quantity with its case.

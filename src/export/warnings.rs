@@ -11,6 +11,12 @@ pub const SLOW_RATIO: f64 = 1.5;
 /// Above this swing of the twist about that of standing still, a motion of linear modes is a hint.
 pub const LARGE_SWING_DEG: f64 = 15.0;
 
+/// Share of the tip's twist above which what the mesh leaves is said.
+const COARSE_SHARE: f64 = 0.02;
+
+/// Twist that no instrument reads, deg: what a mesh leaves below this is nobody's concern.
+const READABLE_DEG: f64 = 0.1;
+
 /// Sentences for a reader who must not take the numbers for more than they are; none if nothing is the matter.
 pub fn warnings(summary: &RunSummary) -> Vec<String> {
     let (solve, numbers) = (&summary.solve, &summary.engineering);
@@ -47,8 +53,22 @@ pub fn warnings(summary: &RunSummary) -> Vec<String> {
             significant(extreme.strength_mpa.unwrap_or_default(), 3)
         ));
     }
+    warnings.extend(of_mesh(summary));
     warnings.extend(of_design(&summary.design, summary.wing.tip_mm));
     warnings
+}
+
+/// What the mesh leaves of the tip's twist, where that is more than a fiftieth of it and more than any instrument reads.
+fn of_mesh(summary: &RunSummary) -> Option<String> {
+    let (error, tip) = (summary.mesh_error.tip_twist_deg?, summary.tip.twist_deg?);
+    let share = error / tip.abs();
+    (share > COARSE_SHARE && error > READABLE_DEG).then(|| {
+        format!(
+            "the mesh leaves about {} deg of the tip's twist ({} %), by a mesh half as fine; --accuracy 1 refines it until 1 % is left",
+            number(error, 1),
+            significant(100.0 * share, 2)
+        )
+    })
 }
 
 /// What limits the numbers of a stroke; none for phases that stand still.

@@ -41,6 +41,9 @@ pub fn load_stock(path: &Path) -> Result<(Vec<StockRod>, InputFile), InputError>
     Ok((stock_from_csv(&file::shown(path), &text)?, input))
 }
 
+/// Rods of a list: every two of them are a layout to try.
+const MOST: usize = 1000;
+
 /// The same from text.
 ///
 /// # Errors
@@ -55,6 +58,15 @@ pub fn stock_from_csv(file: &str, text: &str) -> Result<Vec<StockRod>, InputErro
     let mut rods: Vec<StockRod> = Vec::new();
     for record in &table.records {
         let rod = read(record)?;
+        if rods.len() == MOST {
+            let cure = "Leave out the rods that nobody would lay into this wing";
+            return Err(record.conflict(
+                "name",
+                format!("is rod {} of at most {MOST}", MOST + 1),
+                &[],
+                cure,
+            ));
+        }
         if rods.iter().any(|known| known.name == rod.name) {
             let cure = "Give every rod a name of its own";
             return Err(record.conflict("name", "stands in a row before", &[], cure));
@@ -130,6 +142,25 @@ fn read(record: &Record) -> Result<StockRod, InputError> {
 #[cfg(test)]
 mod tests {
     use super::stock_from_csv;
+
+    #[test]
+    fn a_list_of_more_rods_than_can_be_tried_is_refused_with_the_line_of_the_first_too_many() {
+        let rods = |count: usize| -> String {
+            let rods = (0..count).map(|rod| format!("r{rod},round,1.0,carbon-rod\n"));
+            "name,shape,diameter_mm,material\n".to_string() + &rods.collect::<String>()
+        };
+        assert_eq!(
+            stock_from_csv("s.csv", &rods(super::MOST)).expect("rods").len(),
+            super::MOST
+        );
+        let error = stock_from_csv("s.csv", &rods(80_000))
+            .expect_err("too many")
+            .to_string();
+        assert!(
+            error.contains("s.csv:1002") && error.contains("at most 1000"),
+            "{error}"
+        );
+    }
 
     #[test]
     fn a_shelf_of_three_shapes_is_read_and_bad_rows_are_refused_with_their_line() {

@@ -32,6 +32,21 @@ pub enum MeshError {
         /// Largest product that is allowed.
         largest: usize,
     },
+    /// More nodes than a machine holds.
+    #[error(
+        "mesh: chordwise = {chordwise} with refine = {refine} makes about {nodes:.1e} nodes of so slender a wing; at most {largest:.1e} are \
+         laid out: take fewer elements across the chord"
+    )]
+    TooMany {
+        /// About how many it would be.
+        nodes: f64,
+        /// Largest number that is allowed.
+        largest: f64,
+        /// `mesh.chordwise`.
+        chordwise: usize,
+        /// `mesh.refine`.
+        refine: f64,
+    },
     /// Mesh lines of a bay cross: the outline bends too strongly for so oblique a spar.
     #[error(
         "mesh: elements fold over near r = {at_mm:.2} mm; the spars there are too oblique for the outline: \

@@ -15,6 +15,9 @@ use crate::input::design::Design;
 /// Most elements across the chord: about 2 million triangles on a wing of the paper's shape.
 const MOST_CHORDWISE: usize = 512;
 
+/// Most nodes of a mesh: a structure of so many takes some 50 GB.
+const MOST_NODES: f64 = 1.5e6;
+
 /// Below this angle the better diagonal is taken instead of the alternating one.
 const PREFERRED_ANGLE_DEG: f64 = 25.0;
 
@@ -27,6 +30,7 @@ pub fn generate(design: &Design, planform: &Planform) -> Result<Mesh, MeshError>
     }
     let layout = Layout::from_design(design, planform)?;
     let chordwise = chordwise_elements(design)?;
+    refuse_too_many(design, planform, chordwise)?;
     let columns = lay_columns(planform, &layout, chordwise);
     let mut grid = grid(planform, &columns, chordwise);
     for &x_m in &columns.local_breaks_m {
@@ -52,6 +56,22 @@ pub fn generate(design: &Design, planform: &Planform) -> Result<Mesh, MeshError>
         keep_beams_only(&mut mesh);
     }
     Ok(mesh)
+}
+
+/// Refuses what no memory holds before anything is laid out.
+fn refuse_too_many(design: &Design, planform: &Planform, chordwise: usize) -> Result<(), MeshError> {
+    let across = chordwise as f64;
+    let along = planform.length_m() / planform.mean_chord_m() * across;
+    let nodes = along * across;
+    if nodes <= MOST_NODES {
+        return Ok(());
+    }
+    Err(MeshError::TooMany {
+        nodes,
+        largest: MOST_NODES,
+        chordwise: design.mesh.chordwise,
+        refine: design.mesh.refine,
+    })
 }
 
 /// A triangle whose area is not positive, or not a number.

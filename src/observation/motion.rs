@@ -72,7 +72,7 @@ impl<'a> ModeReader<'a> {
             moved_air_kg_m2,
             ..
         } = standing;
-        let pattern = Pattern::new(model);
+        let pattern = model.pattern();
         let mass = mass_matrix(model, &pattern, state, moved_air_kg_m2);
         let at = |node: usize| model.nodes[node] + state.displacement[node];
         let momentum = |motion: &dyn Fn(usize) -> [Vector3<f64>; 2]| {

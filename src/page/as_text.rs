@@ -1,19 +1,39 @@
 //! A page as text for a terminal.
 
 use super::table::UNKNOWN;
-use super::text::{self, wrapped};
+use super::text::{self, WIDTH, hanging, wrapped};
 use super::{Cell, Fact, Page, Part, Row, Section, Table};
 
 /// Spaces before what stands in a section.
 const INDENT: usize = 2;
 
+/// Lines of a page from which on its answer stands at its end once more.
+const LONG: usize = 30;
+/// Spaces before what a line of names and words says.
+const NAMED: usize = 12;
+
 impl Page {
-    /// The page as text; figures are left out.
+    /// All of the page as text; figures are left out. Where it is longer than a screen, the answer stands at the end once more.
     pub fn text(&self) -> String {
-        let lead: String = self.lead.iter().map(|part| part.text(0)).collect();
-        let mut blocks = vec![format!("{}\n\n{lead}", self.title)];
+        let mut blocks = vec![self.head()];
         blocks.extend(self.sections.iter().filter_map(Section::text));
-        blocks.join("\n")
+        let text = blocks.join("\n");
+        let is_answer = |part: &&Part| matches!(part, Part::Headline(_) | Part::Sentence(_));
+        match self.lead.iter().find(is_answer) {
+            Some(answer) if text.lines().count() > LONG => format!("{text}\n{}", answer.text(0)),
+            _ => text,
+        }
+    }
+
+    /// What of it fits on a screen; none where all of it does.
+    pub fn brief(&self) -> Option<String> {
+        let parts: String = self.brief.iter().map(|part| part.text(0)).collect();
+        (!self.brief.is_empty()).then(|| format!("{}\n{parts}", self.head()))
+    }
+
+    fn head(&self) -> String {
+        let lead: String = self.lead.iter().map(|part| part.text(0)).collect();
+        format!("{}\n\n{lead}", self.title)
     }
 }
 
@@ -28,17 +48,20 @@ impl Part {
     fn text(&self, indent: usize) -> String {
         let all = |lines: &[String]| lines.iter().map(|line| wrapped(line, indent)).collect();
         match self {
-            Part::Headline(facts) => facts.iter().filter_map(|fact| fact.text(indent)).collect(),
+            Part::Headline(facts) => headline(facts, indent),
             Part::Sentence(words) | Part::Text(words) | Part::Subtitle(words) => wrapped(words, indent),
             Part::List(lines) => all(lines),
             Part::Notes(lines) => lines
                 .iter()
                 .map(|line| wrapped(&format!("Note: {line}"), indent))
                 .collect(),
-            Part::Named(entries) => {
-                let line = |(name, words): &(&str, String)| format!("{:indent$}{name:<12}{words}\n", "");
-                entries.iter().map(line).collect()
-            }
+            Part::Named(lines) => lines
+                .iter()
+                .map(|line| {
+                    let name = format!("{:indent$}{:<NAMED$}", "", line.name);
+                    hanging(&name, &line.text(), indent + NAMED)
+                })
+                .collect(),
             Part::Code(code) => code.lines().map(|line| format!("  {line}\n")).collect(),
             Part::Table(table) => table.text(indent),
             Part::Figure(_) | Part::Folded(..) => String::new(),
@@ -46,13 +69,34 @@ impl Part {
     }
 }
 
+/// Facts, two in a line where both fit.
+fn headline(facts: &[Fact], indent: usize) -> String {
+    let half = (WIDTH - indent) / 2;
+    let (mut lines, mut open): (Vec<String>, bool) = (Vec::new(), false);
+    for fact in facts.iter().filter_map(Fact::text) {
+        let length = fact.chars().count();
+        match lines.last_mut().filter(|_| open && length <= half) {
+            Some(line) => {
+                let fill = half.saturating_sub(line.chars().count());
+                line.push_str(&" ".repeat(fill));
+                line.push_str(&fact);
+                open = false;
+            }
+            None => {
+                open = length < half - 1;
+                lines.push(fact);
+            }
+        }
+    }
+    let line = |line: &String| format!("{:indent$}{line}\n", "");
+    lines.iter().map(line).collect()
+}
+
 impl Fact {
-    fn text(&self, indent: usize) -> Option<String> {
+    fn text(&self) -> Option<String> {
         let number = self.digits.show(self.value?);
-        Some(wrapped(
-            &format!("{}: {number} {}", self.label, self.unit),
-            indent,
-        ))
+        let text = format!("{}: {number} {}", self.label, self.unit);
+        Some(text.trim_end().to_string())
     }
 }
 

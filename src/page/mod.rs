@@ -21,6 +21,8 @@ pub struct Page {
     pub kind: &'static str,
     /// What stands above all sections.
     pub lead: Vec<Part>,
+    /// What a terminal shows of the sections unless all is asked for: what fits on a screen. Empty where all of them do.
+    pub brief: Vec<Part>,
     /// The sections, in order.
     pub sections: Vec<Section>,
 }
@@ -49,8 +51,8 @@ pub enum Part {
     List(Vec<String>),
     /// What a reader must keep in mind.
     Notes(Vec<String>),
-    /// Names, and what each is in words.
-    Named(Vec<(&'static str, String)>),
+    /// Names, and what each is in words and numbers.
+    Named(Vec<Line>),
     /// A title within the section.
     Subtitle(String),
     /// Text of a file, as it is.
@@ -61,6 +63,55 @@ pub enum Part {
     Figure(Figure),
     /// A figure under a line that opens it; not shown in text.
     Folded(String, Figure),
+}
+
+/// A name and what it is, in words and numbers.
+#[derive(Debug, Clone, Default)]
+pub struct Line {
+    /// The name; empty for one more line of the name before.
+    pub name: &'static str,
+    /// What it is.
+    pub pieces: Vec<Piece>,
+}
+
+/// Words, or a number between words.
+#[derive(Debug, Clone)]
+pub enum Piece {
+    /// Words, with the spaces around them.
+    Words(String),
+    /// A number: where it stands in the document (JSON pointer), its value, its digits.
+    Number(String, f64, Digits),
+}
+
+impl Line {
+    /// A line in which nothing stands yet.
+    pub fn new(name: &'static str) -> Self {
+        Line {
+            name,
+            pieces: Vec::new(),
+        }
+    }
+
+    /// With words.
+    pub fn words(mut self, words: impl Into<String>) -> Self {
+        self.pieces.push(Piece::Words(words.into()));
+        self
+    }
+
+    /// With a number.
+    pub fn number(mut self, place: &str, value: f64, digits: Digits) -> Self {
+        self.pieces.push(Piece::Number(place.to_string(), value, digits));
+        self
+    }
+
+    /// What it is, as text.
+    pub fn text(&self) -> String {
+        let text = |piece: &Piece| match piece {
+            Piece::Words(words) => words.clone(),
+            Piece::Number(_, value, digits) => digits.show(*value),
+        };
+        self.pieces.iter().map(text).collect()
+    }
 }
 
 /// A number with its name.
@@ -91,7 +142,12 @@ impl Page {
             found.map(f64::to_bits) != Some(value.to_bits())
         };
         let sections = self.sections.iter().flat_map(|section| &section.parts);
-        let numbers = self.lead.iter().chain(sections).flat_map(Part::numbers);
+        let numbers = self
+            .lead
+            .iter()
+            .chain(&self.brief)
+            .chain(sections)
+            .flat_map(Part::numbers);
         numbers.filter(differs).map(|(place, _)| place).collect()
     }
 }
@@ -105,6 +161,14 @@ impl Part {
                 facts.iter().filter_map(known).collect()
             }
             Part::Table(table) => table.numbers(),
+            Part::Named(lines) => {
+                let pieces = lines.iter().flat_map(|line| &line.pieces);
+                let number = |piece: &Piece| match piece {
+                    Piece::Words(_) => None,
+                    Piece::Number(place, value, _) => Some((place.clone(), *value)),
+                };
+                pieces.filter_map(number).collect()
+            }
             _ => Vec::new(),
         }
     }

@@ -244,6 +244,26 @@ impl Table {
         format!("{}/{}/{key}", self.place, row.key)
     }
 
+    /// The same without the columns of these keys or, where they hold words, labels.
+    pub fn without(mut self, names: &[&str]) -> Table {
+        let name = |column: &Column| match column.key {
+            "" => column.label,
+            key => key,
+        };
+        let kept: Vec<bool> = self
+            .columns
+            .iter()
+            .map(|column| !names.contains(&name(column)))
+            .collect();
+        let mut keep = kept.iter();
+        self.columns.retain(|_| keep.next() == Some(&true));
+        for row in &mut self.rows {
+            let mut keep = kept.iter();
+            row.cells.retain(|_| keep.next() == Some(&true));
+        }
+        self
+    }
+
     /// All numbers in it, with where each stands.
     pub(super) fn numbers(&self) -> Vec<(String, f64)> {
         let mut all = Vec::new();

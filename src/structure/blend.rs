@@ -7,7 +7,6 @@
 use nalgebra::Vector3;
 
 use super::loads::Loads;
-use super::model::{Aid, Assembled, Model};
 use super::pattern::Pattern;
 use super::rotation::{moment_correction, spin_to_vector};
 use super::state::State;
@@ -24,11 +23,8 @@ pub struct Blend {
 }
 
 impl Blend {
-    /// Of a model whose shape without load is `rest`.
-    pub fn new(model: &Model, pattern: &Pattern, rest: State, linear_share: f64) -> Self {
-        let mut tangent = vec![0.0; pattern.entries()];
-        let none = Loads::none(model.nodes.len());
-        model.large_assemble(pattern, &rest, &none, None, &mut tangent);
+    /// About the shape without load `rest`, where the tangent is `tangent`.
+    pub fn new(rest: State, tangent: Vec<f64>, linear_share: f64) -> Self {
         Blend {
             linear_share,
             rest,
@@ -48,9 +44,14 @@ impl Blend {
         moved
     }
 
-    /// Internal forces less loads of the linear model, against displacements and rotation vectors.
-    fn linear_residual(&self, model: &Model, pattern: &Pattern, loads: &Loads, moved: &[f64]) -> Vec<f64> {
-        let mut residual = model.large_residual(pattern, &self.rest, loads);
+    /// Internal forces less loads of the linear model, against displacements and rotation vectors; `residual`: the same at the rest.
+    fn linear_residual(
+        &self,
+        pattern: &Pattern,
+        loads: &Loads,
+        mut residual: Vec<f64>,
+        moved: &[f64],
+    ) -> Vec<f64> {
         let stretched = pattern.multiply(&self.tangent, moved);
         residual.iter_mut().zip(stretched).for_each(|(r, k)| *r += k);
         if !loads.linear.is_empty() {
@@ -62,11 +63,11 @@ impl Blend {
         residual
     }
 
-    /// Mixes its share into the residual of the large-rotation model, and into its tangent if that is asked for.
-    fn mix(
+    /// Mixes its share into the residual of the large-rotation model, and into its tangent if that is asked for; `at_rest`: the residual
+    /// of that model at the rest.
+    pub(super) fn mix(
         &self,
-        model: &Model,
-        pattern: &Pattern,
+        (pattern, at_rest): (&Pattern, Vec<f64>),
         state: &State,
         loads: &Loads,
         residual: &mut [f64],
@@ -74,10 +75,10 @@ impl Blend {
     ) {
         let moved = self.moved(pattern, state);
         let turn = |node: usize| Vector3::from_column_slice(&moved[pattern.freedom(node, 3)..][..3]);
-        let linear = self.linear_residual(model, pattern, loads, &moved);
+        let linear = self.linear_residual(pattern, loads, at_rest, &moved);
         let moment = |node: usize| Vector3::from_column_slice(&linear[pattern.freedom(node, 3)..][..3]);
         let (share, rest) = (self.linear_share, 1.0 - self.linear_share);
-        for node in 0..model.nodes.len() {
+        for node in 0..state.rotation.len() {
             let at = pattern.freedom(node, 0);
             let turned = spin_to_vector(&turn(node)).transpose() * moment(node);
             for i in 0..3 {
@@ -91,7 +92,7 @@ impl Blend {
         let mut grown = self.tangent.clone();
         loads.growing().add_tangent(pattern, &self.rest, &mut grown);
         let mut turned = pattern.congruent(&grown, |node| spin_to_vector(&turn(node)));
-        for node in 0..model.nodes.len() {
+        for node in 0..state.rotation.len() {
             let correction = moment_correction(&turn(node), &moment(node));
             let correction = 0.5 * (correction + correction.transpose());
             pattern.add_node(&mut turned, node, |i, j| {
@@ -105,55 +106,5 @@ impl Blend {
         for ((value, large), linear) in values.iter_mut().zip(large).zip(turned) {
             *value += rest * large + share * linear;
         }
-    }
-}
-
-impl Model {
-    /// Internal forces less loads by freedom of `pattern` (N, N·m), held freedoms included.
-    pub fn residual(&self, pattern: &Pattern, state: &State, loads: &Loads) -> Vec<f64> {
-        let mut residual = self.large_residual(pattern, state, loads);
-        if let Some(blend) = &self.blend {
-            blend.mix(self, pattern, state, loads, &mut residual, None);
-        }
-        residual
-    }
-
-    /// Residual as in [`Model::residual`], and its tangent added to `values`; the tangent with the help of
-    /// `aid` if there is one.
-    pub fn tangent(
-        &self,
-        pattern: &Pattern,
-        state: &State,
-        loads: &Loads,
-        aid: Option<&Aid>,
-        values: &mut [f64],
-    ) -> Vec<f64> {
-        self.assemble(pattern, state, loads, aid, values).residual
-    }
-
-    /// As [`Model::tangent`], with the residual that a mixed step starts from too.
-    pub fn assemble(
-        &self,
-        pattern: &Pattern,
-        state: &State,
-        loads: &Loads,
-        aid: Option<&Aid>,
-        values: &mut [f64],
-    ) -> Assembled {
-        let Some(blend) = &self.blend else {
-            return self.large_assemble(pattern, state, loads, aid, values);
-        };
-        let mut large = vec![0.0; values.len()];
-        let Assembled {
-            mut residual,
-            mut linearized,
-        } = self.large_assemble(pattern, state, loads, aid, &mut large);
-        linearized.iter_mut().zip(&residual).for_each(|(l, r)| *l -= r);
-        let tangent = Some((large.as_slice(), values));
-        blend.mix(self, pattern, state, loads, &mut residual, tangent);
-        for (more, r) in linearized.iter_mut().zip(&residual) {
-            *more = r + (1.0 - blend.linear_share) * *more;
-        }
-        Assembled { residual, linearized }
     }
 }

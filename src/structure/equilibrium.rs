@@ -98,7 +98,7 @@ impl<'m> Equilibrium<'m> {
     /// # Errors
     /// If it cannot be analysed.
     pub fn new(model: &'m Model) -> Result<Self, StructureError> {
-        let pattern = Pattern::new(model);
+        let pattern = model.pattern();
         let factor = Factor::new(&pattern)?;
         let mut held = vec![false; pattern.len()];
         for (node, flags) in model.held.iter().enumerate() {

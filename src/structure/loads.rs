@@ -223,7 +223,7 @@ mod tests {
     /// Spins do not commute: the rest of the differences is that of every moment, and cancels in equilibrium.
     #[test]
     fn stiffness_of_a_linear_force_on_an_arm_is_the_symmetric_part_of_its_differences() {
-        let pattern = Pattern::new(&Model::new(vec![Vector3::zeros()]));
+        let pattern = Model::new(vec![Vector3::zeros()]).pattern();
         let mut loads = Loads::none(1);
         loads.linear.push(LinearForce {
             node: 0,

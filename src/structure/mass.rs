@@ -294,7 +294,7 @@ mod tests {
         spin: &Vector3<f64>,
         point: &Vector3<f64>,
     ) -> f64 {
-        let pattern = Pattern::new(model);
+        let pattern = model.pattern();
         let mass = mass_matrix(model, &pattern, state, &[]);
         let mut motion = vec![0.0; pattern.len()];
         for node in 0..model.nodes.len() {
@@ -388,7 +388,7 @@ mod tests {
     #[test]
     fn mass_across_a_shell_resists_motion_along_its_normal_alone() {
         let (model, state) = frame(&UnitQuaternion::identity());
-        let pattern = Pattern::new(&model);
+        let pattern = model.pattern();
         let [without, with] = [&[][..], &[0.02, 0.0][..]].map(|a| mass_matrix(&model, &pattern, &state, a));
         let added: Vec<f64> = with.iter().zip(&without).map(|(a, b)| a - b).collect();
         for (component, expected) in [(0, 0.0), (2, 0.02 * model.shells[0].area_m2())] {

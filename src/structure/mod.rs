@@ -1,5 +1,7 @@
 //! Beams, plate and membrane, supports, assembly, nonlinear solve, modes. Knows no air.
 
+pub mod assembly;
+
 pub mod beam;
 
 pub mod blend;

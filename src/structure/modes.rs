@@ -256,7 +256,7 @@ mod tests {
         assert!((modes[0].frequency_hz / modes[1].frequency_hz - 1.0).abs() < 1e-8);
         assert!((modes[2].frequency_hz / modes[3].frequency_hz - 1.0).abs() < 1e-8);
         assert!(modes[2].frequency_hz > 6.0 * modes[1].frequency_hz);
-        let pattern = crate::structure::pattern::Pattern::new(&model);
+        let pattern = model.pattern();
         let mass = mass_matrix(&model, &pattern, &State::at_rest(13), &[]);
         let motion = |mode: &Mode| {
             let mut motion = vec![0.0; pattern.len()];

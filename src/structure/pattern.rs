@@ -6,8 +6,6 @@ use faer::sparse::linalg::amd;
 use nalgebra::{Matrix3, Matrix6};
 use sprs::{CsMat, TriMat};
 
-use super::model::Model;
-
 /// Lower triangle of the stiffness matrix of a model: freedoms are ordered node by node, six each.
 #[derive(Debug, Clone)]
 pub struct Pattern {
@@ -25,13 +23,12 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// Of a model.
-    pub fn new(model: &Model) -> Self {
-        let count = model.nodes.len();
+    /// Of so many nodes, and of the elements between them.
+    pub fn new(count: usize, shells: &[[usize; 3]], beams: &[[usize; 2]]) -> Self {
         let shell_pairs =
             |nodes: [usize; 3]| [[nodes[0], nodes[1]], [nodes[0], nodes[2]], [nodes[1], nodes[2]]];
-        let pairs: Vec<[usize; 2]> = (model.shells.iter().flat_map(|s| shell_pairs(s.nodes)))
-            .chain(model.beams.iter().map(|b| b.nodes))
+        let pairs: Vec<[usize; 2]> = (shells.iter().flat_map(|&nodes| shell_pairs(nodes)))
+            .chain(beams.iter().copied())
             .collect();
         let position = order(count, &pairs);
         let mut node_at = vec![0; count];
@@ -65,12 +62,8 @@ impl Pattern {
             let found = column.and_then(|view| view.indices().binary_search(&a.max(b)).ok());
             found.unwrap_or(0) as u32
         };
-        let shell_block = model
-            .shells
-            .iter()
-            .map(|s| shell_pairs(s.nodes).map(rank))
-            .collect();
-        let beam_block = model.beams.iter().map(|b| rank(b.nodes)).collect();
+        let shell_block = shells.iter().map(|&nodes| shell_pairs(nodes).map(rank)).collect();
+        let beam_block = beams.iter().copied().map(rank).collect();
         Pattern {
             position,
             node_at,

@@ -23,6 +23,9 @@ pub struct OutputBand {
     pub median: f64,
     /// 95 % of the samples lie below.
     pub q95: f64,
+    /// What the mesh leaves of it, by a mesh half as fine; absent where that is not known.
+    #[serde(default)]
+    pub mesh_error: Option<f64>,
     /// How well a quadratic polynomial explains the samples; absent where they do not vary.
     pub surrogate: Option<SurrogateQuality>,
     /// Shares of the inputs in the variance, largest first; inputs that are not seen in it are left out.
@@ -61,6 +64,7 @@ impl OutputBand {
             median: at(0.5),
             q95: at(0.95),
             shares: surrogate.as_ref().map_or_else(Vec::new, |fit| shares(fit, keys)),
+            mesh_error: None,
             surrogate: surrogate.map(|fit| SurrogateQuality {
                 terms: fit.terms.len(),
                 r_squared: fit.r_squared,

@@ -67,6 +67,9 @@ pub struct DivergenceLimit {
     pub reason: String,
 }
 
+/// The largest half amplitude that a design may have, deg.
+const LARGEST_HALF_AMPLITUDE_DEG: f64 = 90.0;
+
 /// Raises the speed of a steady stream, or else the half amplitude of a stroke, in `steps` even steps up to `highest` (m/s or deg; twice that
 /// of the design if it is not given), and narrows down where the equilibria end.
 ///
@@ -79,7 +82,7 @@ pub fn divergence(
     progress: &Progress,
 ) -> Result<DivergenceReport, WingError> {
     let sweep = Sweep::new(wing, progress)?;
-    let highest = highest.unwrap_or(2.0 * sweep.design_value);
+    let highest = highest.unwrap_or_else(|| sweep.twice());
     for end in [highest / f64::from(steps), highest] {
         sweep.at(end).map_err(|error| WingError::Question {
             question: "--to",
@@ -128,6 +131,15 @@ struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
+    /// Twice the design's own value, or the largest that a stroke can have.
+    fn twice(&self) -> f64 {
+        let twice = 2.0 * self.design_value;
+        match self.wing.design().steady {
+            Some(_) => twice,
+            None => twice.min(LARGEST_HALF_AMPLITUDE_DEG),
+        }
+    }
+
     fn new(wing: &'a WingModel, progress: &'a Progress) -> Result<Sweep<'a>, WingError> {
         let design = wing.design();
         let steady = design

@@ -53,6 +53,22 @@ pub enum WingError {
         /// Why not, and what to do instead.
         reason: String,
     },
+    /// No mesh that is tried leaves as little as was asked for.
+    #[error(
+        "{}: at mesh.refine = {refine} the mesh leaves {found_percent:.2} % of the tip's twist, {asked_percent} % was asked for, and no finer \
+         mesh is tried; ask for less, or read the twist where spars hold the film",
+        design.display()
+    )]
+    MeshTooCoarse {
+        /// The design file.
+        design: PathBuf,
+        /// The finest mesh.
+        refine: f64,
+        /// What it leaves, % of the tip's twist.
+        found_percent: f64,
+        /// What was asked for.
+        asked_percent: f64,
+    },
     /// The user asked to stop.
     #[error(transparent)]
     Interrupted(#[from] Cancelled),
@@ -71,6 +87,7 @@ impl WingError {
     pub fn is_not_converged(&self) -> bool {
         match self {
             WingError::Solve { source, .. } | WingError::Phase { source, .. } => source.is_not_converged(),
+            WingError::MeshTooCoarse { .. } => true,
             _ => false,
         }
     }

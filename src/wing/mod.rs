@@ -6,6 +6,8 @@ pub mod model;
 
 pub mod solved;
 
+pub mod discretization;
+
 pub mod flown;
 
 pub mod lift_ratios;
@@ -18,6 +20,7 @@ pub mod stroke_quasi_static;
 
 pub mod divergence;
 
+pub use discretization::{DiscretizationError, Meshes};
 pub use error::WingError;
 pub use flown::{Flown, TwistSource};
 pub use model::WingModel;

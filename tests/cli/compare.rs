@@ -11,7 +11,7 @@ fn the_document_conforms_and_the_page_begins_with_words() {
     let said = washout(here.path(), &["compare", &design, "--json"]);
     assert_eq!((said.code, said.err.as_str()), (Some(0), ""));
     conforms(&said.document(), &schema(&["--output", "compare"]));
-    let said = washout(here.path(), &["compare", &design]);
+    let said = washout(here.path(), &["compare", &design, "--verbose"]);
     let place = |words: &str| {
         said.out
             .find(words)

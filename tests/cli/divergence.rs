@@ -46,3 +46,24 @@ fn a_sweep_that_does_not_settle_prints_its_result_and_ends_with_3() {
     assert_eq!(said.document()["undecided"].as_array().expect("a list").len(), 2);
     assert!(said.err.contains("2 of the steps did not settle"), "{}", said.err);
 }
+
+#[test]
+fn an_amplitude_whose_double_no_stroke_has_is_raised_to_the_largest_that_one_has() {
+    let here = folder();
+    let set = [
+        "--set",
+        "flapping.half_amplitude_deg=50",
+        "--refine",
+        "0.3",
+        "--steps",
+        "2",
+        "--json",
+    ];
+    let said = washout(
+        here.path(),
+        &[&["divergence", &design("twist-v1.toml")], &set[..]].concat(),
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let steps = said.document()["steps"].clone();
+    assert_eq!(steps[1]["value"], serde_json::json!(90.0), "{steps}");
+}

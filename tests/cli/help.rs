@@ -39,7 +39,7 @@ fn help_names_every_verb_and_the_exit_codes() {
         assert!(said.out.contains(&format!("\n  {verb} ")), "{verb}\n{}", said.out);
     }
     assert!(
-        said.out.contains("3 not converged, 130 interrupted"),
+        said.out.contains("3 not converged,\n130 interrupted"),
         "{}",
         said.out
     );

@@ -68,7 +68,7 @@ fn the_ruler_that_it_tells_is_taken_by_a_study() {
         &said.out[start..end]
     );
     fs::write(here.path().join("s.toml"), study).expect("written");
-    let said = washout(here.path(), &["compare", "s.toml"]);
+    let said = washout(here.path(), &["compare", "s.toml", "--verbose"]);
     assert_eq!(said.code, Some(0), "{}", said.err);
     assert!(said.out.contains("scale of twist"), "{}", said.out);
 }

@@ -17,23 +17,23 @@ const FILES: [&str; 6] = [
 #[test]
 fn a_solve_prints_what_a_builder_needs_and_writes_what_it_lists() {
     let here = folder();
-    let said = washout(here.path(), &["solve", &design("twist-v2.toml")]);
+    let said = washout(here.path(), &["solve", &design("twist-v2.toml"), "--verbose"]);
     assert_eq!((said.code, said.err.as_str()), (Some(0), ""));
+    let plain = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
     for words in [
         "degrees of freedom",
         "residual",
         "stable (no negative pivot)",
         "flapping.half_amplitude_deg",
         "root.chord",
-        "twist (deg)",
         "Tip twist, washout positive: 20.58 °",
         "Stages of the modelled profile",
         "beside modelled",
         "mid-stroke",
         "mean over the stroke",
-        "Files in output/twist-v2: ",
+        "Files in output/twist-v2:",
     ] {
-        assert!(said.out.contains(words), "{words:?} is not in\n{}", said.out);
+        assert!(plain.contains(words), "{words:?} is not in\n{}", said.out);
     }
     assert_eq!(entries(&here.path().join("output/twist-v2")), FILES);
     assert_eq!(entries(here.path()), ["output"]);
@@ -356,5 +356,60 @@ fn a_slow_mode_and_a_stress_beyond_strength_are_warned_of_and_a_sound_wing_has_n
             .as_str()
             .is_some_and(|text| text.contains("lowest natural frequency")),
         "{slow}"
+    );
+}
+
+#[test]
+fn an_answer_fits_on_a_screen_of_eighty_columns_and_all_of_it_ends_with_what_it_begins_with() {
+    let here = folder();
+    let solve = |more: &[&str]| {
+        let said = washout(
+            here.path(),
+            &[&["solve", &design("twist-v2.toml")], more].concat(),
+        );
+        assert_eq!(said.code, Some(0), "{}", said.err);
+        said.out
+    };
+    let (brief, all) = (solve(&[]), solve(&["--verbose"]));
+    for text in [&brief, &all] {
+        assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    }
+    assert!(brief.lines().count() <= 30, "{brief}");
+    assert!(brief.ends_with("All there is to say: --verbose\n"), "{brief}");
+    assert_eq!(
+        all.matches("Tip twist, washout positive: 20.58").count(),
+        2,
+        "{all}"
+    );
+}
+
+#[test]
+fn a_mesh_is_refined_until_the_share_that_was_asked_for_and_a_share_of_nothing_is_refused() {
+    let here = folder();
+    let wing = design("twist-v2.toml");
+    let solve = |accuracy: &str| {
+        let arguments = [
+            "solve",
+            &wing,
+            "--refine",
+            "0.25",
+            "--accuracy",
+            accuracy,
+            "--json",
+        ];
+        washout(here.path(), &arguments)
+    };
+    let said = solve("2.5%");
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let document = said.document();
+    let number = |place: &str| document.pointer(place).and_then(serde_json::Value::as_f64);
+    assert_eq!(number("/design/mesh/refine"), Some(0.5));
+    assert!(number("/mesh_error/tip_twist_deg") <= number("/tip/twist_deg").map(|tip| 0.025 * tip));
+    let said = solve("0");
+    assert_eq!(said.code, Some(2), "{}", said.out);
+    assert!(
+        said.err.contains("--accuracy") && said.err.contains("0.01 to 100"),
+        "{}",
+        said.err
     );
 }

@@ -1,5 +1,7 @@
 //! `washout verify`.
 
+use washout::export::verification::VerifyReport;
+
 use crate::{conforms, entries, folder, schema, washout};
 
 #[test]
@@ -30,6 +32,9 @@ fn one_case_is_run_on_three_meshes_and_written() {
             .len(),
         3
     );
+    let report: VerifyReport = serde_json::from_value(document.clone()).expect("a report");
+    assert_eq!(report.page().astray(&document), [""; 0]);
+    assert!(!report.page().astray(&serde_json::Value::Null).is_empty());
     let proof = here.path().join("proof");
     assert_eq!(entries(&proof), ["verify.csv", "verify.json", "verify.md"]);
     let written = std::fs::read_to_string(proof.join("verify.json")).expect("a document");

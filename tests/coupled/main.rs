@@ -3,6 +3,7 @@
 mod film;
 mod independence;
 mod load_transfer;
+mod mesh_error;
 mod mesh_study;
 mod random_wing;
 mod reliability;

@@ -228,6 +228,16 @@ fn impossible_densities_and_folds_are_refused() {
             "{refine}"
         );
     }
+    // a hundred metres of a tenth of a millimetre: sixteen gigabytes of columns, were it laid out
+    let mut thread = design(FULL, &[], 1.0, FILM);
+    thread.planform.length_mm = 1e5.into();
+    thread.planform.mean_chord_mm = Some(0.1.into());
+    thread.mesh.refine = 40.0;
+    let planform = Planform::from_design(&thread).unwrap();
+    assert!(matches!(
+        generate(&thread, &planform),
+        Err(MeshError::TooMany { .. })
+    ));
     // The film is narrow at mid-span: a line across it runs through air, and its neighbours cross it.
     let mut waist = design(FULL, &[[5.0, 60.0]], 1.0, FILM);
     waist.planform.r2_hat = None;

@@ -1,6 +1,5 @@
 //! A JSON document that stands in the page, and the numbers that are shown of it.
 
-use serde::Serialize;
 use serde_json::Value;
 
 use crate::export::{ExportError, json};
@@ -50,9 +49,14 @@ impl Document {
     ///
     /// # Errors
     /// If it cannot be written as JSON.
-    pub fn new(id: &'static str, content: &impl Serialize) -> Result<Document, ExportError> {
-        let value = json::tree(content)?;
+    pub fn new(id: &'static str, content: &impl json::Document) -> Result<Document, ExportError> {
+        let value = json::document(content)?;
         Ok(Document { id, value })
+    }
+
+    /// A document that was read.
+    pub fn of(id: &'static str, value: Value) -> Document {
+        Document { id, value }
     }
 
     /// The number at a place (JSON pointer); nothing where there is none.
@@ -111,8 +115,7 @@ mod tests {
 
     #[test]
     fn a_shown_number_says_where_it_stands_and_keeps_all_its_digits() {
-        let document =
-            Document::new("summary", &serde_json::json!({"tip": [{"twist_deg": 20.583}]})).expect("JSON");
+        let document = Document::of("summary", serde_json::json!({"tip": [{"twist_deg": 20.583}]}));
         let shown = document.number("/tip/0/twist_deg", Digits::After(1));
         assert_eq!(
             shown.html,

@@ -118,7 +118,7 @@ mod tests {
 
     #[test]
     fn pictures_stand_in_the_page_and_tables_keep_their_numbers() {
-        let document = Document::new("summary", &serde_json::json!({"lift_mn": 12.5})).expect("JSON");
+        let document = Document::of("summary", serde_json::json!({"lift_mn": 12.5}));
         let files = ["span.csv", "span.svg", "wing.vtu"].map(str::to_string);
         let contents = Contents {
             title: "lift",

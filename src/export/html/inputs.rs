@@ -130,7 +130,7 @@ mod tests {
             "rod": [{"from_mm": 0.0, "section": {"diameter_mm": 1.0}}],
             "outline": [[0.0, 20.0], [70.0, 10.0]],
         });
-        let document = Document::new("summary", &json!({ "design": design })).expect("JSON");
+        let document = Document::of("summary", json!({ "design": design }));
         let html = inputs(&document, "/design");
         for words in [
             "◆",
@@ -147,11 +147,11 @@ mod tests {
 
     #[test]
     fn every_number_of_a_document_appears() {
-        let document = Document::new(
+        let document = Document::of(
             "summary",
-            &json!({"a": {"b": [1.5, 2.5]}, "c": [{"d": -3}], "e": null}),
+            json!({"a": {"b": [1.5, 2.5]}, "c": [{"d": -3}], "e": null}),
         );
-        let html = all_numbers(&document.expect("JSON"));
+        let html = all_numbers(&document);
         for number in [">1.5<", ">2.5<", ">-3<"] {
             assert!(html.contains(number), "{html}");
         }

@@ -2,7 +2,7 @@
 
 use crate::export::ExportError;
 use crate::page::table::UNKNOWN;
-use crate::page::{Cell, Column, Page as Answer, Part, Row, Table};
+use crate::page::{Cell, Column, Line, Page as Answer, Part, Piece, Row, Table};
 use crate::plot::pen::escaped;
 
 use super::document::{Document, Shown};
@@ -44,7 +44,7 @@ fn part_html(part: &Part, document: &Document) -> Result<String, ExportError> {
         Part::Text(words) => paragraph(words),
         Part::List(lines) => list(lines),
         Part::Notes(lines) => mind(lines),
-        Part::Named(entries) => named(entries),
+        Part::Named(lines) => named(lines, document),
         Part::Subtitle(words) => format!("<h3>{}</h3>\n", escaped(words)),
         Part::Code(code) => format!("<pre>{}</pre>\n", escaped(code)),
         Part::Table(table) => table_html(table, document),
@@ -53,10 +53,19 @@ fn part_html(part: &Part, document: &Document) -> Result<String, ExportError> {
     })
 }
 
-fn named(entries: &[(&str, String)]) -> String {
+fn named(lines: &[Line], document: &Document) -> String {
     let mut table = HtmlTable::new(&["", "what"]);
-    for (name, words) in entries {
-        table.row(vec![Shown::text(name), Shown::text(words)]);
+    for line in lines {
+        let piece = |piece: &Piece| match piece {
+            Piece::Words(words) => escaped(words),
+            Piece::Number(place, _, digits) => document.number(place, *digits).html,
+        };
+        let html = line.pieces.iter().map(piece).collect();
+        let what = Shown {
+            html,
+            is_number: false,
+        };
+        table.row(vec![Shown::text(line.name), what]);
     }
     table.html()
 }

@@ -14,12 +14,12 @@ use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use serde::Serialize;
 use serde::de::DeserializeOwned;
 use tempfile::TempDir;
 
 use super::file::sync_folder;
 use super::html::REPORT;
+use super::json::Document;
 use super::lock::Lock;
 use super::summary::RunSummary;
 use super::{ExportError, json, place};
@@ -144,7 +144,7 @@ impl RunFolder {
     /// Refuses a document that would not read back as it is, above all numbers that are not finite.
     pub fn add_summary<T>(&mut self, document: &T) -> Result<(), ExportError>
     where
-        T: Serialize + DeserializeOwned + PartialEq,
+        T: Document + DeserializeOwned + PartialEq,
     {
         let text = to_json(document)?;
         self.add(self.summary, text.as_bytes())
@@ -181,13 +181,13 @@ fn parent_of(place: &Path) -> PathBuf {
 /// The text of a document, ended by a line feed; refuses what would not read back as it is.
 fn to_json<T>(document: &T) -> Result<String, ExportError>
 where
-    T: Serialize + DeserializeOwned + PartialEq,
+    T: Document + DeserializeOwned + PartialEq,
 {
     let refuse = |reason: String| ExportError::Encoding {
         format: "JSON",
         reason,
     };
-    let mut text = json::text(document)?;
+    let mut text = json::text(&json::document(document)?)?;
     // JSON writes a number that is not finite as null.
     let back: T = json::read(text.as_bytes())
         .map_err(|error| refuse(format!("a number that is not finite, or the like: {error}")))?;
@@ -213,6 +213,8 @@ pub fn read_summary(folder: &Path) -> Result<RunSummary, ExportError> {
 
 #[cfg(test)]
 mod tests {
+    use serde::Serialize;
+
     use super::*;
 
     fn write_run(target: &Path, text: &str) -> Result<PathBuf, ExportError> {
@@ -380,12 +382,24 @@ mod tests {
     }
 
     #[test]
-    fn a_document_with_a_number_that_is_not_finite_is_refused() {
-        assert!(to_json(&[1.0, f64::NAN].to_vec()).is_err());
-        assert!(to_json(&vec![Some(f64::INFINITY)]).is_err());
+    fn a_document_with_a_number_that_is_not_finite_is_refused_and_a_finite_one_says_what_it_is() {
+        #[derive(Serialize, serde::Deserialize, PartialEq)]
+        struct Numbers {
+            values: Vec<Option<f64>>,
+        }
+        impl Document for Numbers {
+            const KIND: &'static str = "numbers";
+        }
+        let text = |values: &[Option<f64>]| {
+            to_json(&Numbers {
+                values: values.to_vec(),
+            })
+        };
+        assert!(text(&[Some(1.0), Some(f64::NAN)]).is_err());
+        assert!(text(&[Some(f64::INFINITY)]).is_err());
         assert_eq!(
-            to_json(&vec![Some(0.1), None]).expect("finite"),
-            "[\n  0.1,\n  null\n]\n"
+            text(&[Some(0.1), None]).expect("finite"),
+            "{\n  \"kind\": \"numbers\",\n  \"format\": 1,\n  \"values\": [\n    0.1,\n    null\n  ]\n}\n"
         );
     }
 
