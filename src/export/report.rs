@@ -116,7 +116,7 @@ fn headline(summary: &RunSummary) -> Part {
     );
     fact(
         "/mesh_error/tip_twist_deg",
-        "Error that the mesh leaves there",
+        "Mesh error of the tip twist",
         summary.mesh_error.tip_twist_deg,
         "°",
         After(2),

@@ -58,8 +58,11 @@ pub fn warnings(summary: &RunSummary) -> Vec<String> {
     warnings
 }
 
-/// What the mesh leaves of the tip's twist, where that is more than a fiftieth of it and more than any instrument reads.
+/// That the mesh error is not known; or what the mesh leaves of the tip's twist, where that is more than a fiftieth of it and more than any instrument reads.
 fn of_mesh(summary: &RunSummary) -> Option<String> {
+    if let Some(reason) = &summary.mesh_error.unknown_because {
+        return Some(format!("the mesh error is not known: {reason}"));
+    }
     let (error, tip) = (summary.mesh_error.tip_twist_deg?, summary.tip.twist_deg?);
     let share = error / tip.abs();
     (share > COARSE_SHARE && error > READABLE_DEG).then(|| {

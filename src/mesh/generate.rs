@@ -15,7 +15,7 @@ use crate::input::design::Design;
 /// Most elements across the chord: about 2 million triangles on a wing of the paper's shape.
 const MOST_CHORDWISE: usize = 512;
 
-/// Most nodes of a mesh: a structure of so many takes some 50 GB.
+/// Most nodes of a mesh: the factor of a structure of so many takes tens of gigabytes.
 const MOST_NODES: f64 = 1.5e6;
 
 /// Below this angle the better diagonal is taken instead of the alternating one.

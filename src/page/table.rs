@@ -193,13 +193,8 @@ impl<'a, T> Rows<'a, T> {
     pub fn table(mut self) -> Table {
         let stands = |column: usize| self.rows.iter().any(|(_, row)| !row.cells[column].is_blank());
         let kept: Vec<bool> = (0..self.table.columns.len()).map(stands).collect();
-        let mut keep = kept.iter();
-        self.table.columns.retain(|_| keep.next() == Some(&true));
-        for (_, mut row) in self.rows {
-            let mut keep = kept.iter();
-            row.cells.retain(|_| keep.next() == Some(&true));
-            self.table.rows.push(row);
-        }
+        self.table.rows = self.rows.into_iter().map(|(_, row)| row).collect();
+        self.table.keep(&kept);
         self.table
     }
 
@@ -255,13 +250,18 @@ impl Table {
             .iter()
             .map(|column| !names.contains(&name(column)))
             .collect();
+        self.keep(&kept);
+        self
+    }
+
+    /// Leaves out the columns that are not kept.
+    fn keep(&mut self, kept: &[bool]) {
         let mut keep = kept.iter();
         self.columns.retain(|_| keep.next() == Some(&true));
         for row in &mut self.rows {
             let mut keep = kept.iter();
             row.cells.retain(|_| keep.next() == Some(&true));
         }
-        self
     }
 
     /// All numbers in it, with where each stands.

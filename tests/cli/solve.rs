@@ -375,7 +375,7 @@ fn an_answer_fits_on_a_screen_of_eighty_columns_and_all_of_it_ends_with_what_it_
         assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
     }
     assert!(brief.lines().count() <= 30, "{brief}");
-    assert!(brief.ends_with("All there is to say: --verbose\n"), "{brief}");
+    assert!(brief.ends_with("Full output: --verbose\n"), "{brief}");
     assert_eq!(
         all.matches("Tip twist, washout positive: 20.58").count(),
         2,
