@@ -19,6 +19,7 @@ use washout::input::{Design, Loaded};
 use washout::mesh::generate;
 use washout::progress::Progress;
 use washout::structure::Equilibrium;
+use washout::structure::analysis::Analysis;
 use washout::structure::factor::Factor;
 
 /// Refinement in both directions, from 2,000 to half a million freedoms.
@@ -173,7 +174,7 @@ fn one(refine: f64, by_two: bool) -> Grown {
         assert!(residual.iter().all(|r| r.is_finite()));
     });
     equilibrium.factorize(&solution.state, &loads).expect("a factor");
-    let mut factor = Factor::new(&equilibrium.pattern).expect("memory");
+    let mut factor = Factor::new(Analysis::of(&wing.model).expect("memory").symbolic);
     let pattern = &equilibrium.pattern;
     let (factorization, _) = least(|| assert!(factor.positive(pattern, equilibrium.tangent_values())));
     let factor_bytes = 8.0 * factor.entries() as f64;

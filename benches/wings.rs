@@ -11,6 +11,7 @@ use washout::coupling::{solution::Solution, wing::Wing};
 use washout::mesh::generate;
 use washout::progress::Progress;
 use washout::structure::Equilibrium;
+use washout::structure::analysis::Analysis;
 use washout::structure::factor::Factor;
 use washout::verify::{ALL, Extent, run};
 use washout::wing::WingModel;
@@ -72,7 +73,7 @@ mod newton_step {
     #[divan::bench(args = WINGS)]
     fn factorization(bencher: Bencher, wing: &str) {
         with_loaded(wing, |_, _, equilibrium| {
-            let mut factor = Factor::new(&equilibrium.pattern).expect("memory");
+            let mut factor = Factor::new(Analysis::of(equilibrium.model).expect("memory").symbolic);
             bencher.bench_local(|| factor.positive(&equilibrium.pattern, equilibrium.tangent_values()));
         });
     }

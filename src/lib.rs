@@ -42,6 +42,10 @@
 //! cli: one file per verb   progress: for every room   origin: what results are made of   task: parts of long work
 //! ```
 //!
+//! The command line, pages, reports and pictures are the feature `cli`, which is on by default. A program of its own needs none of it:
+//! `washout = { version = "0.1", default-features = false }` leaves out clap, plotters, resvg and fonts, and what is left is licensed
+//! `MIT OR Apache-2.0`. `parquet` (off by default) writes every table as Parquet too.
+//!
 //! Data flows one way; `tests/floor_plan` keeps it so. The shortest way through: `examples/first_run.rs`.
 
 pub mod progress;
@@ -86,10 +90,13 @@ pub mod diagnose;
 
 pub mod blind;
 
+#[cfg(feature = "cli")]
 pub mod page;
 
+#[cfg(feature = "cli")]
 pub mod plot;
 
 pub mod export;
 
+#[cfg(feature = "cli")]
 pub mod cli;

@@ -7,6 +7,7 @@ use pyo3::types::PyDict;
 use washout::cli::solve::Run;
 use washout::cli::{Failure, Verb};
 use washout::export::csv::{STRIPS_HEAD, strip_row};
+use washout::export::json;
 use washout::export::run::RunFolder;
 use washout::input::Design;
 use washout::observation::field::twist_at_nodes;
@@ -52,7 +53,9 @@ pub struct Solved {
 impl Solved {
     /// The document `summary.json`, without files.
     fn summary(&self, py: Python<'_>) -> PyResult<String> {
-        serde_json::to_string(&self.run.summary()).map_err(|error| other(py, &error.to_string()))
+        json::document(&self.run.summary())
+            .and_then(|document| json::text(&document))
+            .map_err(|error| other(py, &error.to_string()))
     }
 
     /// Writes the folder of the run, as `washout solve --output` does.

@@ -36,7 +36,7 @@ def test_the_notebook_prints_what_it_shows() -> None:
     path = REPOSITORY / NOTEBOOK
     shown = nbformat.reads(path.read_text(), as_version=4)  # type: ignore[no-untyped-call]
     fresh = copy.deepcopy(shown)
-    nbclient.NotebookClient(fresh, timeout=300, resources={"metadata": {"path": path.parent}}).execute()
+    nbclient.NotebookClient(fresh, timeout=300, coalesce_streams=True, resources={"metadata": {"path": path.parent}}).execute()
     assert said(fresh) == said(shown) and len(said(shown)) > 8
     pictures = [output for cell in fresh.cells for output in cell.get("outputs", []) if "image/png" in output.get("data", {})]
     assert len(pictures) >= 3

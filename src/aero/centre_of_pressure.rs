@@ -22,6 +22,14 @@ pub enum CentreOfPressureLaw {
 
 impl CentreOfPressureLaw {
     /// Fraction of the chord from the leading edge at the angle of attack `alpha`, rad in (−π, π].
+    ///
+    /// # Example
+    /// ```
+    /// use washout::aero::CentreOfPressureLaw;
+    ///
+    /// let at_90_deg = CentreOfPressureLaw::Dickson.fraction(std::f64::consts::FRAC_PI_2);
+    /// assert!((at_90_deg - 0.46).abs() < 1e-12);
+    /// ```
     pub fn fraction<D: Number>(&self, alpha: D) -> D {
         match *self {
             CentreOfPressureLaw::Dickson => {

@@ -30,6 +30,14 @@ pub enum CoefficientLaw {
 
 impl CoefficientLaw {
     /// Lift and drag coefficient at the angle of attack `alpha`, rad.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::aero::CoefficientLaw;
+    ///
+    /// let (cl, cd) = CoefficientLaw::WhitneyWood.lift_and_drag(45_f64.to_radians());
+    /// assert!((cl - 1.8).abs() < 1e-12 && (cd - 1.9).abs() < 1e-12);
+    /// ```
     pub fn lift_and_drag<D: Number>(&self, alpha: D) -> (D, D) {
         match self {
             CoefficientLaw::Dickinson => {

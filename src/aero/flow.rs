@@ -64,6 +64,14 @@ impl Flow {
 
     /// Velocity of the air relative to the wing at span position `r_m`, m/s, wing frame at rest, at the phase
     /// of the design.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::aero::Flow;
+    ///
+    /// let stream = Flow::Steady { speed_m_s: 10.0, root_angle_rad: 0.0, sweep_rad: 0.0 };
+    /// assert!((stream.velocity(0.03).norm() - 10.0).abs() < 1e-12);
+    /// ```
     pub fn velocity(&self, r_m: f64) -> Vector3<f64> {
         let phase_rad = match self {
             Flow::Flapping { phase_rad, .. } => *phase_rad,

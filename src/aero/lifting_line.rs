@@ -24,6 +24,17 @@ impl LiftingLine {
     ///
     /// Glauert's series at as many stations, θ from the tip: Σ A_n sin nθ (n μ + sin θ) = μ α sin θ, μ = c a₀/(4b); with a wall, odd n alone.
     /// None where the chord makes no wing.
+    ///
+    /// # Example
+    /// ```
+    /// use std::f64::consts::PI;
+    /// use washout::aero::LiftingLine;
+    ///
+    /// // an ellipse of aspect ratio 8, from tip to tip: 1/(π A) everywhere
+    /// let chord_m = |r_m: f64| 4.0 / (8.0 * PI) * (1.0 - (2.0 * r_m - 1.0).powi(2)).max(0.0).sqrt();
+    /// let line = LiftingLine::new(1.0, chord_m, false).unwrap();
+    /// assert!((line.downwash_per_lift(0.3) * 8.0 * PI - 1.0).abs() < 0.01);
+    /// ```
     pub fn new(length_m: f64, chord_m: impl Fn(f64) -> f64, has_wall: bool) -> Option<Self> {
         let span_m = if has_wall { 2.0 * length_m } else { length_m };
         let order = |k: usize| {

@@ -19,6 +19,16 @@ pub const LARGEST_CENTRE: f64 = 0.99;
 /// Exact integrals: Σ w = 1, Σ w η = x_cp, and every field that is linear between the points does the exact work.
 /// Points that coincide share one weight (the later ones get none from the empty gap). A centre of pressure outside
 /// [[`SMALLEST_CENTRE`], [`LARGEST_CENTRE`]] is held at that end. Fewer than 2 points give equal weights.
+///
+/// # Example
+/// ```
+/// use washout::aero::pressure_weights;
+///
+/// let eta = [0.0, 0.4, 1.0];
+/// let weights: Vec<f64> = pressure_weights(0.3, &eta);
+/// let centre: f64 = weights.iter().zip(eta).map(|(share, eta)| share * eta).sum();
+/// assert!((centre - 0.3).abs() < 1e-12 && (weights.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+/// ```
 pub fn pressure_weights<D: Number>(x_cp: D, eta: &[f64]) -> Vec<D> {
     let count = eta.len();
     if count < 2 {

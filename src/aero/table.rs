@@ -30,6 +30,16 @@ impl CoefficientTable {
     ///
     /// # Errors
     /// Fewer than 2 rows, values that are not finite, angles that do not rise or exceed one turn.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::aero::table::CoefficientTable;
+    ///
+    /// let table = CoefficientTable::new(&[[0.0, 0.0, 0.1], [45.0, 1.6, 1.5], [90.0, 0.0, 3.0]])?;
+    /// let (cl, cd) = table.lift_and_drag(45_f64.to_radians());
+    /// assert!((cl - 1.6).abs() < 1e-9 && (cd - 1.5).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(rows: &[[f64; 3]]) -> Result<Self, AeroError> {
         if rows.len() < 2 {
             return Err(AeroError::TableTooShort { rows: rows.len() });

@@ -106,102 +106,150 @@ fn middle(what: &str, asked: &str, mut values: Vec<f64>) -> Row {
 
 /// The scoreboard of `outcomes`, whatever their order, of the cases that came to none, and of what was not hidden.
 pub fn scoreboard(outcomes: &[Outcome], failed: &[Failed], turned: &[Turned]) -> Scoreboard {
-    let of = |kind: Kind| outcomes.iter().filter(move |o| o.kind == kind);
-    let seen = |kind: Kind| of(kind).filter(|o| o.is_alarm());
-    let clear = |o: &&Outcome| o.is_separable && o.detectability.iter().all(|d| *d >= 5.0);
-    let right: Vec<&Outcome> = seen(Kind::Single).filter(|o| o.is_right()).collect();
-    let falls: Vec<[f64; 3]> = right.iter().filter_map(|o| o.held_out).collect();
-    let errors: Vec<[f64; 2]> = right.iter().filter_map(|o| o.strength_error).collect();
-    let sizes = seen(Kind::Single).map(|o| o.set_size as f64);
-    let names = seen(Kind::Single).map(|o| o.names_in_set as f64);
-    let known = outcomes
-        .iter()
-        .filter(|o| o.is_alarm() && matches!(o.kind, Kind::Single | Kind::Pair | Kind::Twin));
-    let rows = vec![
-        share(
-            "false alarms, nothing missing",
-            "<= 2 %",
-            of(Kind::Null),
-            Outcome::is_alarm,
-        ),
-        share(
-            "false alarms, sigma 30 % short",
-            "<= 2 %",
-            of(Kind::NullQuiet),
-            Outcome::is_alarm,
-        ),
-        share(
-            "false alarms, one outlier",
-            "<= 2 %",
-            of(Kind::NullOutlier),
-            Outcome::is_alarm,
-        ),
+    let rows = [
+        false_alarms(outcomes),
+        single_effects(outcomes),
+        pairs(outcomes),
+        twins(outcomes),
+        novel_causes(outcomes),
+        corrections(outcomes),
+    ];
+    let (reliability, calibration_error) = reliability(outcomes);
+    let mut seconds: Vec<f64> = outcomes.iter().map(|o| o.seconds).collect();
+    seconds.sort_by(f64::total_cmp);
+    Scoreboard {
+        cases: outcomes.len(),
+        failed: failed.to_vec(),
+        turned: turned.to_vec(),
+        rows: rows.concat(),
+        reliability,
+        calibration_error,
+        simpler: simpler(outcomes),
+        median_seconds: seconds.get(seconds.len() / 2).copied().unwrap_or(0.0),
+    }
+}
+
+fn of(outcomes: &[Outcome], kind: Kind) -> impl Iterator<Item = &Outcome> {
+    outcomes.iter().filter(move |o| o.kind == kind)
+}
+
+fn seen(outcomes: &[Outcome], kind: Kind) -> impl Iterator<Item = &Outcome> {
+    of(outcomes, kind).filter(|o| o.is_alarm())
+}
+
+fn false_alarms(outcomes: &[Outcome]) -> Vec<Row> {
+    let share_of_alarms =
+        |what: &str, kind: Kind| share(what, "<= 2 %", of(outcomes, kind), Outcome::is_alarm);
+    vec![
+        share_of_alarms("false alarms, nothing missing", Kind::Null),
+        share_of_alarms("false alarms, sigma 30 % short", Kind::NullQuiet),
+        share_of_alarms("false alarms, one outlier", Kind::NullOutlier),
         share(
             "false alarms, all of these",
             "<= 2 %",
             outcomes.iter().filter(|o| o.kind.is_null()),
             Outcome::is_alarm,
         ),
-        share("one effect: seen", "", of(Kind::Single), Outcome::is_alarm),
+    ]
+}
+
+fn single_effects(outcomes: &[Outcome]) -> Vec<Row> {
+    let clear = |o: &&Outcome| o.is_separable && o.detectability.iter().all(|d| *d >= 5.0);
+    let sizes = seen(outcomes, Kind::Single).map(|o| o.set_size as f64);
+    let names = seen(outcomes, Kind::Single).map(|o| o.names_in_set as f64);
+    vec![
+        share(
+            "one effect: seen",
+            "",
+            of(outcomes, Kind::Single),
+            Outcome::is_alarm,
+        ),
         share(
             "one effect: right name, detectable and separable",
             ">= 90 %",
-            of(Kind::Single).filter(clear),
+            of(outcomes, Kind::Single).filter(clear),
             Outcome::is_right,
         ),
         share(
             "one effect: truth in the 95 % set, where seen",
             "88 to 99 %",
-            seen(Kind::Single),
+            seen(outcomes, Kind::Single),
             |o| o.in_set,
         ),
         mean("one effect: names in the set", "<= 2.5", names.collect()),
         mean("one effect: hypotheses in the set", "", sizes.collect()),
+    ]
+}
+
+fn pairs(outcomes: &[Outcome]) -> Vec<Row> {
+    vec![
         share(
             "two effects: one of them right, where seen",
             ">= 85 %",
-            seen(Kind::Pair),
+            seen(outcomes, Kind::Pair),
             Outcome::has_one_right,
         ),
         share(
             "two effects: both right, where seen",
             ">= 50 %",
-            seen(Kind::Pair),
+            seen(outcomes, Kind::Pair),
             Outcome::is_right,
         ),
         share(
             "two effects: truth in the 95 % set, where seen",
             "88 to 99 %",
-            seen(Kind::Pair),
+            seen(outcomes, Kind::Pair),
             |o| o.in_set,
         ),
+    ]
+}
+
+fn twins(outcomes: &[Outcome]) -> Vec<Row> {
+    vec![
         share(
             "twins: both in the set and no name at 0.8, where seen",
             ">= 90 %",
-            seen(Kind::Twin),
+            seen(outcomes, Kind::Twin),
             |o| o.in_set && o.probability < 0.8,
         ),
         share(
             "twins: the measurement asked for, made, leaves fewer names than another of the list",
             ">= 65 %",
-            of(Kind::Twin).filter(|o| o.followed.is_some()),
+            of(outcomes, Kind::Twin).filter(|o| o.followed.is_some()),
             |o| o.followed.as_ref().is_some_and(Followed::is_better),
         ),
+    ]
+}
+
+fn novel_causes(outcomes: &[Outcome]) -> Vec<Row> {
+    let known = outcomes
+        .iter()
+        .filter(|o| o.is_alarm() && matches!(o.kind, Kind::Single | Kind::Pair | Kind::Twin));
+    vec![
         share(
             "novel: recognised, misfit over 10 sigma",
             ">= 75 %",
-            of(Kind::Novel).filter(|o| o.misfit_sigma > PLAIN),
+            of(outcomes, Kind::Novel).filter(|o| o.misfit_sigma > PLAIN),
             Outcome::is_right,
         ),
         share(
             "novel: in the set, where seen",
             "88 to 99 %",
-            seen(Kind::Novel),
+            seen(outcomes, Kind::Novel),
             |o| o.in_set,
         ),
         share("falsely declared novel", "<= 5 %", known, |o| {
             o.verdict == Verdict::Novel
         }),
+    ]
+}
+
+/// Strength and held-out error of the effects that were rightly named.
+fn corrections(outcomes: &[Outcome]) -> Vec<Row> {
+    let right: Vec<&Outcome> = seen(outcomes, Kind::Single).filter(|o| o.is_right()).collect();
+    let falls: Vec<[f64; 3]> = right.iter().filter_map(|o| o.held_out).collect();
+    let errors: Vec<[f64; 2]> = right.iter().filter_map(|o| o.strength_error).collect();
+    vec![
         middle(
             "strength: median relative error",
             "<= 15 %",
@@ -229,20 +277,7 @@ pub fn scoreboard(outcomes: &[Outcome], failed: &[Failed], turned: &[Turned]) ->
             right.iter().copied().filter(|o| o.held_out.is_some()),
             |o| o.held_out.is_some_and(|f| f[1] > f[0]),
         ),
-    ];
-    let (reliability, calibration_error) = reliability(outcomes);
-    let mut seconds: Vec<f64> = outcomes.iter().map(|o| o.seconds).collect();
-    seconds.sort_by(f64::total_cmp);
-    Scoreboard {
-        cases: outcomes.len(),
-        failed: failed.to_vec(),
-        turned: turned.to_vec(),
-        rows,
-        reliability,
-        calibration_error,
-        simpler: simpler(outcomes),
-        median_seconds: seconds.get(seconds.len() / 2).copied().unwrap_or(0.0),
-    }
+    ]
 }
 
 fn mean(what: &str, asked: &str, values: Vec<f64>) -> Row {

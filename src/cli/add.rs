@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use toml_edit::{ArrayOfTables, DocumentMut, Item, value};
 
 use crate::compare::ladder::{StudyLadderStep, ladder};
 use crate::compare::study::compare_study;
@@ -22,7 +21,8 @@ use crate::origin::{InputFile, MadeOf};
 use crate::page::text::{significant, wrapped};
 use crate::study::Campaign;
 
-use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths, written};
+use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths};
+use super::effect_tables::{EffectEntry, is_added, without};
 use super::study::{listed, target as target_of};
 use super::study_file::StudyFile;
 use super::{Console, Failure, joining};
@@ -33,16 +33,14 @@ pub const LADDER: &str = "ladder.json";
 /// Arguments of `washout add`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout add skin-bending --to studies/pre-pazy-skin.toml --output with-skin.toml
+  washout add skin-bending --to studies/pre-pazy-skin.toml \\
+    --output with-skin.toml
   washout add skin-bending --to with-skin.toml --remove
   washout add rod-split --number from=0.53 --on twist-v2 --to my-study.toml
-  washout add glue-seam --own examples/effect_of_ones_own.toml --to my-study.toml
+  washout add glue-seam --own examples/effect_of_ones_own.toml \\
+    --to my-study.toml
 
-The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of
-the strength stays as wide as what is plausible. Comments of the study are kept.
-The error is shown rung by rung: as stated and calibrated without any effect that was added, then with one after the other of
-those in the study, this one last (or taken out), down to the noise; fitted, left out (each case predicted from the others), held out.
-Writes output/NAME-ladder/ besides: the same as a picture (SVG), with its numbers (CSV); ladder.json.")]
+The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of the strength stays as wide as what is plausible. Comments of the study are kept. The error is shown rung by rung: as stated and calibrated without any effect that was added, then with one after the other of those in the study, this one last (or taken out), down to the noise; fitted, left out (each case predicted from the others), held out. Writes output/NAME-ladder/ besides: the same as a picture (SVG), with its numbers (CSV); ladder.json.")]
 pub struct Add {
     /// The effect: its name, or with --own that of a table [effects.NAME]
     pub effect: String,
@@ -94,6 +92,16 @@ pub struct AddReport {
     pub files: Vec<String>,
 }
 
+/// A study with the effect in it, or out of it, fitted.
+struct Fit {
+    /// The study's text.
+    text: String,
+    strength: Option<[f64; 2]>,
+    others: Vec<Other>,
+    notes: Vec<String>,
+    ladder: Vec<StudyLadderStep>,
+}
+
 impl Add {
     /// Fits, writes and shows.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
@@ -102,24 +110,84 @@ impl Add {
         }
         let study = LoadedStudy::load(&self.to, &[])?;
         let file = StudyFile::read(&self.to, self.output.as_ref())?;
-        let text = file.text.as_str();
         let (scale, table, own) = self.effect(&study)?;
-        let name = study.study.name.clone();
-        let mut folder =
-            RunFolder::listed_by(&target_of(self.ladder.as_ref(), &name, "ladder"), "add", LADDER)?;
+        let target = target_of(self.ladder.as_ref(), &study.study.name, "ladder");
+        let folder = RunFolder::listed_by(&target, "add", LADDER)?;
         let on = match self.on.is_empty() {
             true => study.study.candidates_on.as_deref().unwrap_or_default(),
             false => &self.on,
         };
         // what is all or none is written as it is, and not fitted
         let is_whole = named(&self.effect).is_some_and(|effect| effect.is_all_or_none());
-        let (first, sigma) = match is_whole {
-            true => (scale, None),
-            false => (0.0, Some(1.5 * scale)),
+        let entry = EffectEntry {
+            study: &self.to,
+            effect: &self.effect,
+            is_removed: self.remove,
+            sigma: (!is_whole).then_some(1.5 * scale),
+            numbers: &table,
+            on,
+            is_on_named: !self.on.is_empty(),
         };
-        let changed = self.changed(text, first, sigma, &table, on)?;
-        let compared = |text: &str| self.compared(&LoadedStudy::from_text(&self.to, text, &[])?, console);
-        let added = added_effects(&study);
+        let whole = is_whole.then_some(scale);
+        let fit = self.fitted(&study, &file.text, &entry, whole, console)?;
+        let made_of = MadeOf::files(study.files.iter().chain(&own));
+        self.write(fit, made_of, &study, &file, folder, console)
+    }
+
+    /// `whole`: the strength of an effect that is all or none.
+    fn fitted(
+        &self,
+        study: &LoadedStudy,
+        text: &str,
+        entry: &EffectEntry,
+        whole: Option<f64>,
+        console: &Console,
+    ) -> Result<Fit, Failure> {
+        let changed = entry.changed(text, whole.unwrap_or(0.0))?;
+        let mut steps = self.steps_before(study, text, console)?;
+        let stands = study.study.effect.iter().any(|effect| effect.name == self.effect);
+        let change = match (self.remove, added_effects(study).contains(&self.effect), stands) {
+            (true, ..) => format!("− {}", self.effect),
+            (false, true, _) => format!("{} anew", self.effect),
+            (false, false, true) => format!("{} fitted", self.effect),
+            (false, false, false) => format!("+ {}", self.effect),
+        };
+        console.progress().say(&change);
+        let after = self.compared(&changed, console)?;
+        let key = format!("effects.{}.strength", self.effect);
+        let found = after.unknowns.iter().find(|unknown| unknown.unknown.name == key);
+        let whole = whole.filter(|_| !self.remove).map(|scale| [scale, 0.0]);
+        let strength = whole.or(found.map(|unknown| [unknown.value, unknown.standard_error]));
+        let others = others(study, &after, &self.effect);
+        let mut notes = implausible(&after);
+        notes.extend(elsewhere(study, &self.effect, &self.on));
+        steps.push((change, after));
+        let ladder = ladder(&steps);
+        let written = match strength {
+            Some([value, _]) => entry.changed(text, value)?,
+            None => changed,
+        };
+        // one that stood there had its fall before
+        if !self.remove && !stands {
+            notes.extend(no_fall(&ladder));
+        }
+        Ok(Fit {
+            text: with_strengths(&written, &others)?,
+            strength,
+            others,
+            notes,
+            ladder,
+        })
+    }
+
+    /// The study without any effect that was added, and with one after the other of them.
+    fn steps_before(
+        &self,
+        study: &LoadedStudy,
+        text: &str,
+        console: &Console,
+    ) -> Result<Vec<(String, StudyComparison)>, Failure> {
+        let added = added_effects(study);
         let mut steps = Vec::new();
         for count in 0..=added.len() {
             let step = match count {
@@ -127,44 +195,30 @@ impl Add {
                 _ => format!("+ {}", added[count - 1]),
             };
             console.progress().say(&step);
-            steps.push((step, compared(&without(text, &added[count..])?)?));
+            steps.push((step, self.compared(&without(text, &added[count..])?, console)?));
         }
-        let stands = study.study.effect.iter().any(|effect| effect.name == self.effect);
-        let change = match (self.remove, added.contains(&self.effect), stands) {
-            (true, ..) => format!("− {}", self.effect),
-            (false, true, _) => format!("{} anew", self.effect),
-            (false, false, true) => format!("{} fitted", self.effect),
-            (false, false, false) => format!("+ {}", self.effect),
-        };
-        console.progress().say(&change);
-        let after = compared(&changed)?;
-        let key = format!("effects.{}.strength", self.effect);
-        let found = after.unknowns.iter().find(|unknown| unknown.unknown.name == key);
-        let whole = (is_whole && !self.remove).then_some([scale, 0.0]);
-        let strength = whole.or(found.map(|unknown| [unknown.value, unknown.standard_error]));
-        let others = others(&study, &after, &self.effect);
-        let mut notes = implausible(&after);
-        notes.extend(elsewhere(&study, &self.effect, &self.on));
-        steps.push((change, after));
-        let ladder = ladder(&steps);
-        let written = match strength {
-            Some([value, _]) => self.changed(text, value, sigma, &table, on)?,
-            None => changed,
-        };
-        let written = with_strengths(&written, &others)?;
-        // one that stood there had its fall before
-        if !self.remove && !stands {
-            notes.extend(no_fall(&ladder));
-        }
-        add_falls(&mut folder, &name, &Fall::of_study(&ladder))?;
+        Ok(steps)
+    }
+
+    /// Writes the study and the folder, and says what was found.
+    fn write(
+        &self,
+        fit: Fit,
+        made_of: MadeOf,
+        study: &LoadedStudy,
+        file: &StudyFile,
+        mut folder: RunFolder,
+        console: &Console,
+    ) -> Result<(), Failure> {
+        add_falls(&mut folder, &study.study.name, &Fall::of_study(&fit.ladder))?;
         let report = AddReport {
             written: file.target.clone(),
             effect: self.effect.clone(),
-            strength,
-            others,
-            notes,
-            ladder,
-            made_of: MadeOf::files(study.files.iter().chain(&own)),
+            strength: fit.strength,
+            others: fit.others,
+            notes: fit.notes,
+            ladder: fit.ladder,
+            made_of,
             files: folder.listed_with(self.report),
         };
         if self.report {
@@ -172,7 +226,7 @@ impl Add {
         }
         folder.add_summary(&report)?;
         console.progress().check()?;
-        file.write(&written)?;
+        file.write(&fit.text)?;
         let pictures = folder.commit()?;
         let page = format!("{}\n{}", page(&report), listed(&pictures, &report.files));
         console.result(&page, &report)
@@ -225,84 +279,14 @@ impl Add {
         Ok(numbers)
     }
 
-    fn compared(&self, study: &LoadedStudy, console: &Console) -> Result<StudyComparison, Failure> {
+    fn compared(&self, text: &str, console: &Console) -> Result<StudyComparison, Failure> {
+        let study = LoadedStudy::from_text(&self.to, text, &[])?;
         let fault = |source| Failure::OfStudy {
             study: self.to.clone(),
             source,
         };
-        let campaign = Campaign::new(study, &[], console.progress()).map_err(fault)?;
+        let campaign = Campaign::new(&study, &[], console.progress()).map_err(fault)?;
         compare_study(&campaign, &study.study.title).map_err(fault)
-    }
-
-    /// The study's text with the effect in it, or out of it.
-    fn changed(
-        &self,
-        text: &str,
-        strength: f64,
-        sigma: Option<f64>,
-        numbers: &toml::Table,
-        on: &[String],
-    ) -> Result<String, Failure> {
-        let fault = |reason: String| Failure::Option {
-            option: "--to",
-            reason,
-        };
-        let mut document: DocumentMut = text
-            .parse()
-            .map_err(|error: toml_edit::TomlError| fault(error.to_string()))?;
-        let tables = document
-            .entry("effect")
-            .or_insert(Item::ArrayOfTables(ArrayOfTables::new()));
-        let Some(tables) = tables.as_array_of_tables_mut() else {
-            return Err(fault(format!(
-                "{}: effect = {}: write each effect as a table of its own, [[effect]], to add one or take one out",
-                self.to.display(),
-                document
-                    .get("effect")
-                    .map_or(String::new(), |own| own.to_string().trim().to_string())
-            )));
-        };
-        let is_it =
-            |table: &toml_edit::Table| table.get("name").and_then(Item::as_str) == Some(self.effect.as_str());
-        let stands = tables.iter().any(is_it);
-        if self.remove {
-            tables.retain(|table| !is_it(table));
-        } else {
-            if !stands {
-                let mut table = toml_edit::Table::new();
-                table["name"] = value(self.effect.as_str());
-                table["strength"] = value(written(strength));
-                tables.push(table);
-            }
-            // one that stands there already takes what is given now, and keeps the rest
-            if let Some(table) = tables.iter_mut().find(|table| is_it(table)) {
-                table["strength"] = value(written(strength));
-                if let Some(sigma) = sigma {
-                    table.entry("sigma").or_insert(value(written(sigma)));
-                }
-                if !self.on.is_empty() || (!stands && !on.is_empty()) {
-                    let wings: toml_edit::Array = on.iter().map(String::as_str).collect();
-                    table["designs"] = value(wings);
-                }
-                let text = toml::to_string(numbers).map_err(|error| fault(error.to_string()))?;
-                let given: DocumentMut = text
-                    .parse()
-                    .map_err(|error: toml_edit::TomlError| fault(error.to_string()))?;
-                let given = given.as_table().clone().into_inline_table();
-                if !given.is_empty() {
-                    let own = table
-                        .entry("numbers")
-                        .or_insert(value(toml_edit::InlineTable::new()));
-                    for (name, number) in given.iter() {
-                        own[name] = value(number.clone());
-                    }
-                }
-            }
-        }
-        if tables.is_empty() {
-            document.remove("effect");
-        }
-        Ok(document.to_string())
     }
 }
 
@@ -330,11 +314,6 @@ pub(super) fn own_effects(file: &Path) -> Result<(BTreeMap<String, toml::Table>,
     }
 }
 
-/// Whether an effect of a study was added to its model: its strength is fitted, or it is all or none.
-fn is_added(name: &str, is_fitted: bool) -> bool {
-    is_fitted || named(name).is_some_and(|effect| effect.is_all_or_none())
-}
-
 /// Names of the effects of a study that were added, in its order.
 fn added_effects(study: &LoadedStudy) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
@@ -344,25 +323,6 @@ fn added_effects(study: &LoadedStudy) -> Vec<String> {
         }
     }
     names
-}
-
-/// The study's text without these effects, as far as they were added.
-fn without(text: &str, effects: &[String]) -> Result<String, Failure> {
-    let mut document: DocumentMut = text
-        .parse()
-        .map_err(|error: toml_edit::TomlError| Failure::Option {
-            option: "--to",
-            reason: error.to_string(),
-        })?;
-    if let Some(tables) = document.get_mut("effect").and_then(Item::as_array_of_tables_mut) {
-        let is_out = |table: &toml_edit::Table| {
-            let name = table.get("name").and_then(Item::as_str);
-            let is_fitted = table.contains_key("sigma");
-            name.is_some_and(|name| is_added(name, is_fitted) && effects.iter().any(|effect| effect == name))
-        };
-        tables.retain(|table| !is_out(table));
-    }
-    Ok(document.to_string())
 }
 
 /// What the tables of errors tell.

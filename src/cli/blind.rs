@@ -51,17 +51,22 @@ struct Run {
 /// Arguments of `washout blind`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout blind 12                              a dozen cases of all kinds
-  washout blind 290 --output night              150 without anything missing, 60 single, 30 pairs, 30 novel, 20 twins
-  washout blind 20 --kind pair --kind twin      ten of each
-  washout blind 20 --kind single --detectability 30..60   effects that stand out
-  washout blind 29 --background 0.01..0.03      wings further from their model than the study admits
-  washout blind 290 --output night              the same again after an interruption: goes on where it stopped
-  washout blind 290 --output night --slurm --partition night --minutes 120 --task-size 2
+  # a dozen cases of all kinds
+  washout blind 12
+  # 150 without anything missing, 60 single, 30 pairs, 30 novel, 20 twins
+  washout blind 290 --output night
+  # ten of each
+  washout blind 20 --kind pair --kind twin
+  # effects that stand out
+  washout blind 20 --kind single --detectability 30..60
+  # wings further from their model than the study admits
+  washout blind 29 --background 0.01..0.03
+  # the same again after an interruption: goes on where it stopped
+  washout blind 290 --output night
+  washout blind 290 --output night --slurm --partition night --minutes 120 \\
+    --task-size 2
 
-A development benchmark: the cases are made by washout itself, with other meshes and formulas and with background errors.
-Writes output/blind/: scoreboard.md, which lists the figures, every case and every miss, and scoreboard.json. Every case is a file
-in output/blind-tasks/cases/, and is diagnosed only once.")]
+A development benchmark: the cases are made by washout itself, with other meshes and formulas and with background errors. Writes output/blind/: scoreboard.md, which lists the figures, every case and every miss, and scoreboard.json. Every case is a file in output/blind-tasks/cases/, and is diagnosed only once.")]
 pub struct TryBlind {
     /// How many cases
     #[arg(value_parser = clap::value_parser!(u32).range(1..=100_000))]

@@ -46,11 +46,33 @@ pub fn candidates(study: &LoadedStudy, asked: &[String], console: &Console) -> R
             ));
         }
     }
+    let names = listed(study, asked);
+    let unable = unable(study, &names)?;
+    if unable.len() == names.len() {
+        return Err(none_left(study, asked, &unable));
+    }
+    let is_named = !asked.is_empty() || of_study.is_some();
+    let left_out = unable
+        .iter()
+        .filter(|unable| is_named && !unable.stands_already)
+        .map(|unable| {
+            format!(
+                "{} is not tried: it cannot join the model: {}",
+                unable.name, unable.reason
+            )
+        });
+    let left_out: Vec<String> = left_out.collect();
+    left_out.iter().for_each(|words| console.note(words));
+    Ok(Candidates { names, left_out })
+}
+
+/// Their names, each once.
+fn listed(study: &LoadedStudy, asked: &[String]) -> Vec<String> {
     let is_stated = |effect: &&'static dyn Effect| {
         let key = effect.is_error_of();
         key.is_some_and(|key| study.study.uncertain.iter().any(|uncertain| uncertain.key == key))
     };
-    let listed = match (asked, of_study) {
+    let listed = match (asked, study.study.candidates.as_deref()) {
         ([], None) => all()
             .filter(|effect| !is_stated(effect))
             .map(|effect| effect.card().name.to_string())
@@ -64,24 +86,12 @@ pub fn candidates(study: &LoadedStudy, asked: &[String], console: &Console) -> R
             names.push(name);
         }
     }
-    let unable = unable(study, &names)?;
-    if unable.len() < names.len() {
-        let is_named = !asked.is_empty() || of_study.is_some();
-        let left_out = unable
-            .iter()
-            .filter(|unable| is_named && !unable.stands_already)
-            .map(|unable| {
-                format!(
-                    "{} is not tried: it cannot join the model: {}",
-                    unable.name, unable.reason
-                )
-            });
-        let left_out: Vec<String> = left_out.collect();
-        left_out.iter().for_each(|words| console.note(words));
-        return Ok(Candidates { names, left_out });
-    }
-    let reason = none_joins(&unable);
-    Err(match (asked, of_study) {
+    names
+}
+
+fn none_left(study: &LoadedStudy, asked: &[String], unable: &[Unable]) -> Failure {
+    let reason = none_joins(unable);
+    match (asked, study.study.candidates.as_deref()) {
         ([], None) => Failure::Diagnosis {
             study: study.path.clone(),
             source: DiagnoseError::NoEffects,
@@ -100,7 +110,7 @@ pub fn candidates(study: &LoadedStudy, asked: &[String], console: &Console) -> R
                 study.path.display()
             ),
         },
-    })
+    }
 }
 
 fn refused(study: &LoadedStudy, key: &str, message: &str, cure: &str) -> Failure {

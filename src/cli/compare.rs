@@ -19,7 +19,7 @@ use crate::input::Loaded;
 use crate::input::measurement::Channel;
 use crate::input::study::LoadedStudy;
 use crate::lift::{Ratios, StrokeMeans};
-use crate::origin::MadeOf;
+use crate::origin::{InputFile, MadeOf};
 use crate::page::text::number;
 use crate::page::{Digits, Page as Answer, Part, Rows, Table};
 
@@ -33,14 +33,16 @@ use crate::wing::{DiscretizationError, SolvedWing, WingError, WingModel};
 #[command(mut_arg("design", |design| design.value_name("DESIGN|STUDY").help("Design or study file")))]
 #[command(after_help = "Examples:
   washout compare designs/twist-v1.toml
-  washout compare designs/twist-v2.toml --with measurements/colmenares-as-restated.csv
-  washout compare designs/twist-v2.toml --reference designs/rigid.toml      ratios of lift and efficiency too
-  washout compare studies/paper-wings.toml                                  all cases of a study, before and after calibration
-  washout compare designs/twist-v2.toml --report                            report.html besides: the wing in 3D, pictures, tables
+  washout compare designs/twist-v2.toml \\
+    --with measurements/colmenares-as-restated.csv
+  # ratios of lift and efficiency too
+  washout compare designs/twist-v2.toml --reference designs/rigid.toml
+  # all cases of a study, before and after calibration
+  washout compare studies/paper-wings.toml
+  # report.html besides: the wing in 3D, pictures, tables
+  washout compare designs/twist-v2.toml --report
 
-Columns of a measurement file: see the files in measurements/.
-Writes output/NAME-compare/: model against measurement, and residuals in units and in sigma, as pictures (SVG) with the
-numbers behind each (CSV); comparison.json. An earlier comparison there is replaced only when all of that is complete.")]
+Columns of a measurement file: see the files in measurements/. Writes output/NAME-compare/: model against measurement, and residuals in units and in sigma, as pictures (SVG) with the numbers behind each (CSV); comparison.json. An earlier comparison there is replaced only when all of that is complete.")]
 pub struct Compare {
     /// The design
     #[command(flatten)]
@@ -120,6 +122,15 @@ impl CompareReport {
     }
 }
 
+/// A wing against the reference wing, if there is one.
+#[derive(Default)]
+struct AgainstReference {
+    whole_wing: BTreeMap<Channel, f64>,
+    ratios: Option<ModelledRatios>,
+    /// What the reference wing was read from.
+    files: Vec<InputFile>,
+}
+
 impl Compare {
     /// Solves and compares.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
@@ -141,21 +152,8 @@ impl Compare {
         let mut folder = RunFolder::listed_by(&target, "compare", COMPARISON)?;
         progress.say(format_args!("solving {}", loaded.design.name));
         let wing = WingModel::new(loaded)?.solve(progress)?;
-        let mut whole_wing = BTreeMap::new();
-        let mut modelled = None;
-        let mut of_reference = Vec::new();
-        if let Some(path) = &self.reference {
-            let means = wing.means_on_ramp()?;
-            let reference = self.reference(path, console)?;
-            of_reference.clone_from(&reference.loaded.files);
-            let (name, reference) = reference_means(&reference, console)?;
-            let found = ratios(&wing.model, means, reference)?;
-            whole_wing.insert(Channel::LiftRatio, found.lift);
-            whole_wing.insert(Channel::DragRatio, found.drag);
-            whole_wing.insert(Channel::EfficiencyRatio, found.local_lift_to_drag);
-            modelled = Some(named(name, &found, &wing.model)?);
-        }
-        let reading = Reading::of(&wing, &whole_wing)?;
+        let reference = self.against_reference(&wing, console)?;
+        let reading = Reading::of(&wing, &reference.whole_wing)?;
         let run = self
             .report
             .then(|| run_page(&wing, &reading, console))
@@ -166,8 +164,8 @@ impl Compare {
         add_wing(&mut folder, &comparison, &reading.profile)?;
         let report = CompareReport {
             comparison,
-            ratios: modelled,
-            made_of: MadeOf::files(wing.model.loaded.files.iter().chain(&of_reference)),
+            ratios: reference.ratios,
+            made_of: MadeOf::files(wing.model.loaded.files.iter().chain(&reference.files)),
             files: folder.listed_with(self.report),
         };
         let ratios = report.page_of_ratios();
@@ -181,6 +179,25 @@ impl Compare {
         let sketch = console.sketch(&wing_figure(&report.comparison, Some(&reading.profile)));
         let files = listed(&written, &report.files);
         console.answer(&report.page(), &format!("{files}{sketch}"), &report)
+    }
+
+    fn against_reference(&self, wing: &SolvedWing, console: &Console) -> Result<AgainstReference, Failure> {
+        let Some(path) = &self.reference else {
+            return Ok(AgainstReference::default());
+        };
+        let means = wing.means_on_ramp()?;
+        let case = self.reference(path, console)?;
+        let (name, reference) = reference_means(&case, console)?;
+        let found = ratios(&wing.model, means, reference)?;
+        Ok(AgainstReference {
+            whole_wing: BTreeMap::from([
+                (Channel::LiftRatio, found.lift),
+                (Channel::DragRatio, found.drag),
+                (Channel::EfficiencyRatio, found.local_lift_to_drag),
+            ]),
+            ratios: Some(named(name, &found, &wing.model)?),
+            files: case.loaded.files,
+        })
     }
 
     /// What the command line changes in every design of a study.

@@ -9,7 +9,8 @@ use super::{Console, Failure};
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout completions bash > ~/.local/share/bash-completion/completions/washout
-  washout completions zsh > ~/.zfunc/_washout        with fpath+=~/.zfunc before compinit
+  # with fpath+=~/.zfunc before compinit
+  washout completions zsh > ~/.zfunc/_washout
   washout completions fish > ~/.config/fish/completions/washout.fish")]
 pub struct Completions {
     /// The shell

@@ -31,20 +31,19 @@ pub const DIAGNOSIS: &str = "diagnosis.json";
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout diagnose studies/pre-pazy-skin.toml
-  washout diagnose my-wing.toml --with sheet.csv         a design and a table of readings, long or wide, or .xlsx
-  washout diagnose my-study.toml --effect root-flexure --effect tip-loss-prandtl       these two only
-  washout diagnose my-study.toml --on repaired-wing      what that wing has and the others have not
-  washout diagnose my-study.toml --plan                  before any measurement: what could be seen, what told apart
-  washout diagnose my-study.toml --report                report.html besides: the wings with and without what is found
+  # a design and a table of readings, long or wide, or .xlsx
+  washout diagnose my-wing.toml --with sheet.csv
+  # these two only
+  washout diagnose my-study.toml --effect root-flexure --effect tip-loss-prandtl
+  # what that wing has and the others have not
+  washout diagnose my-study.toml --on repaired-wing
+  # before any measurement: what could be seen, what told apart
+  washout diagnose my-study.toml --plan
+  # report.html besides: the wings with and without what is found
+  washout diagnose my-study.toml --report
   washout diagnose my-study.toml --json | jq .verdict
 
-The verdict comes first, in one sentence; then what it rests on. Where explanations compete it says what to measure next:
-of tables [[experiment]] in the study (as [[case]], the values of their measurement files empty), which one; without such tables, the
-cheapest of these that decides: one more station, the still wing under a torque or a push, half the frequency or the speed.
-Writes output/NAME-diagnosis/: effects against the residual, residuals in sigma, the error step by step and what is
-missing as pictures (SVG), with the numbers behind each (CSV); diagnosis.json. With --plan it writes no files.
-How the model answers to every effect takes most of the time. It does not depend on what was measured, and is kept for the next
-question in the cache folder of the user: $XDG_CACHE_HOME/washout or ~/.cache/washout; WASHOUT_CACHE names another, and none if empty.")]
+The verdict comes first, in one sentence; then what it rests on. Where explanations compete it says what to measure next: of tables [[experiment]] in the study (as [[case]], the values of their measurement files empty), which one; without such tables, the cheapest of these that decides: one more station, the still wing under a torque or a push, half the frequency or the speed. Writes output/NAME-diagnosis/: effects against the residual, residuals in sigma, the error step by step and what is missing as pictures (SVG), with the numbers behind each (CSV); diagnosis.json. With --plan it writes no files. How the model answers to every effect takes most of the time. It does not depend on what was measured, and is kept for the next question in the cache folder of the user: $XDG_CACHE_HOME/washout or ~/.cache/washout; WASHOUT_CACHE names another, and none if empty.")]
 pub struct Diagnose {
     /// The study; with --with the design
     #[arg(value_name = "STUDY|DESIGN")]

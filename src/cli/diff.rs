@@ -13,7 +13,8 @@ use super::{Console, Failure};
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout solve designs/twist-v2.toml --output output/v2
-  washout solve designs/twist-v2.toml --set flapping.frequency_hz=25 --output output/v2-25hz
+  washout solve designs/twist-v2.toml --set flapping.frequency_hz=25 \\
+    --output output/v2-25hz
   washout diff output/v2 output/v2-25hz")]
 pub struct Diff {
     /// Folder of the first run

@@ -11,11 +11,12 @@ use super::{Console, Failure};
 /// Arguments of `washout divergence`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout divergence my-wind-tunnel-wing.toml --to 40       up to 40 m/s
-  washout divergence designs/twist-v2.toml --to 60          up to 60 deg of half amplitude
+  # up to 40 m/s
+  washout divergence my-wind-tunnel-wing.toml --to 40
+  # up to 60 deg of half amplitude
+  washout divergence designs/twist-v2.toml --to 60
 
-A wing that is loaded behind its axis washes out and does not diverge: then the answer is that it did not.
-Where steps do not settle, the result is printed all the same, and the exit code is 3.")]
+A wing that is loaded behind its axis washes out and does not diverge: then the answer is that it did not. Where steps do not settle, the result is printed all the same, and the exit code is 3.")]
 pub struct Divergence {
     /// The design
     #[command(flatten)]

@@ -15,8 +15,10 @@ const CHECKS: [&str; 3] = ["elastica", "taut-rectangle", "uniform-wing-twist"];
 /// Arguments of `washout doctor`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout doctor                                version, features, threads, and three solves with a known answer
-  washout doctor --json                         the same for a bug report
+  # version, features, threads, and three solves with a known answer
+  washout doctor
+  # the same for a bug report
+  washout doctor --json
 
 Exit code 1 if a check fails; `washout verify` runs all of them.")]
 pub struct Doctor {}

@@ -19,8 +19,10 @@ use super::{Console, Failure};
 /// Arguments of `washout effects`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout effects                               all effects, one line each
-  washout effects tip-loss-prandtl              formula, source, when it is right, what it gets wrong, a picture
+  # all effects, one line each
+  washout effects
+  # formula, source, when it is right, what it gets wrong, a picture
+  washout effects tip-loss-prandtl
   washout solve designs/twist-v2.toml --set effects.tip-loss-prandtl.strength=1")]
 pub struct ListEffects {
     /// Print the card of this effect

@@ -25,13 +25,18 @@ chordwise = 6
 /// Arguments of `washout init`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout init my-wing                          writes my-wing.toml here
-  washout init my-wing --output designs         writes designs/my-wing.toml
-  washout solve my-wing.toml                    solves it
-  washout init my-study --study                 writes my-study.toml, my-study-wing.toml and my-study-measured.csv
-  washout compare my-study.toml                 compares them
-  washout init my-study --study --design my-wing.toml --readings sheet.csv
-                                                a study of your own wing and table, long or wide, .csv or .xlsx")]
+  # writes my-wing.toml here
+  washout init my-wing
+  # writes designs/my-wing.toml
+  washout init my-wing --output designs
+  # solves it
+  washout solve my-wing.toml
+  # writes my-study.toml, my-study-wing.toml and my-study-measured.csv
+  washout init my-study --study
+  # compares them
+  washout compare my-study.toml
+  # a study of your own wing and table, long or wide, .csv or .xlsx
+  washout init my-study --study --design my-wing.toml --readings sheet.csv")]
 pub struct Init {
     /// Name of the wing or study: letters, digits, '-' and '_'
     pub name: String,

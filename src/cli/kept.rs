@@ -83,13 +83,11 @@ pub fn prepared(
             note: kept.note,
         });
     }
-    let mesh = finer.map(|finer| campaign.mesh_error_by(&finer, candidates, progress));
-    let (mesh, note) = match mesh {
-        Some(Ok(mesh)) => (Some(mesh), note),
-        Some(Err(StudyError::Cancelled(cancelled))) => return Err(StudyError::Cancelled(cancelled).into()),
-        Some(Err(error)) => (None, Some(not_known("twice as fine", &error))),
-        None => (None, note),
+    let (mesh, unknown) = match &finer {
+        Some(finer) => mesh_error(&campaign, finer, candidates, progress)?,
+        None => (None, None),
     };
+    let note = unknown.or(note);
     let campaign = with(campaign, mesh.clone());
     let before = campaign.work();
     let table = Table::new(&campaign, &settings, progress)?;
@@ -137,6 +135,20 @@ fn on_coarser_mesh(
             finer: None,
             note: Some(not_known("half as fine", &error)),
         }),
+    }
+}
+
+/// What the mesh leaves, or that it is not known.
+fn mesh_error(
+    campaign: &Campaign,
+    finer: &LoadedStudy,
+    candidates: &[&str],
+    progress: &Progress,
+) -> Result<(Option<MeshError>, Option<String>), StudyError> {
+    match campaign.mesh_error_by(finer, candidates, progress) {
+        Ok(mesh) => Ok((Some(mesh), None)),
+        Err(error @ StudyError::Cancelled(_)) => Err(error),
+        Err(error) => Ok((None, Some(not_known("twice as fine", &error)))),
     }
 }
 

@@ -2,8 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::builder::PossibleValue;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use crate::export::lift::{LiftSummary, SpanCurve, StrokeCurve, SweepCurve, WingLift};
@@ -30,14 +29,17 @@ const INSTANTS: usize = 181;
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout lift designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml
-  washout lift designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml --twist measured --sensitivity
-  washout lift designs/rigid.toml my-profile.csv          a profile (r_mm, twist_deg) on the stroke of the first design
-  washout lift designs/twist-v2.toml --sweep 8            lift against power over the amplitude
-  washout lift designs/twist-v2.toml --twist ramp --with rotational-lift --inertial-power
+  washout lift designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml \\
+    --twist measured --sensitivity
+  # a profile (r_mm, twist_deg) on the stroke of the first design
+  washout lift designs/rigid.toml my-profile.csv
+  # lift against power over the amplitude
+  washout lift designs/twist-v2.toml --sweep 8
+  washout lift designs/twist-v2.toml --twist ramp --with rotational-lift \\
+    --inertial-power
   washout lift designs/*.toml --json | jq '.ratios[].equal_rate'
 
-Ratios refer to the first wing, or to --reference. Writes output/lift/ (or output/NAME-lift/ for one wing): lift.csv,
-ratios.csv, span, stroke and sweep as pictures (SVG) with the numbers behind each (CSV), summary.json.")]
+Ratios refer to the first wing, or to --reference. Writes output/lift/ (or output/NAME-lift/ for one wing): lift.csv, ratios.csv, span, stroke and sweep as pictures (SVG) with the numbers behind each (CSV), summary.json.")]
 pub struct Lift {
     /// Designs, and twist profiles as CSV (r_mm, twist_deg, and phase_deg where there are several)
     #[arg(required = true, value_name = "DESIGN|PROFILE")]
@@ -105,42 +107,12 @@ impl Lift {
             files: Vec::new(),
         };
         for (index, (wing, mean)) in flown.iter().zip(&means).enumerate() {
-            let fault = |error: LiftError| WingError::design(&wing.file, error);
-            let instants = wing.flight.instants(INSTANTS).map_err(fault)?;
-            summary.stroke.push(StrokeCurve {
-                wing: wing.name.clone(),
-                phase_deg: instants.iter().map(|i| i.phase_rad.to_degrees()).collect(),
-                lift_mn: instants.iter().map(|i| i.lift_n * 1e3).collect(),
-                drag_mn: instants.iter().map(|i| i.drag_n * 1e3).collect(),
-                power_mw: instants.iter().map(|i| i.power_w * 1e3).collect(),
-            });
-            summary.span.push(SpanCurve::of(wing, mean, &means[reference]));
-            let inertia = if self.inertial_power {
-                wing.inertia_kg_m2()?
-            } else {
-                None
-            };
-            let inertial = inertia.map(|inertia| InertialPower::of(&wing.flight, inertia, &instants));
-            summary.wings.push(WingLift::of(wing, mean, inertial));
+            self.add_wing(&mut summary, wing, mean, &means[reference])?;
             if index != reference {
-                let ratios = Ratios::between(mean, &means[reference]).map_err(fault)?;
-                let frequency = wing.flight.stroke.frequency_hz / flown[reference].flight.stroke.frequency_hz;
-                let found: WingRatios =
-                    wing_ratios(&wing.name, &ratios, frequency, measured(wing)).map_err(fault)?;
-                summary.ratios.push(found);
-                if self.sensitivity {
-                    summary.sensitivity.extend(sensitivity(wing, &flown[reference])?);
-                }
+                let against = (&flown[reference], &means[reference]);
+                self.add_ratios(&mut summary, (wing, mean), against)?;
             }
-            if let Some(sweep) = self.swept(wing, &parts)? {
-                summary.sweep.push(sweep);
-            } else if !parts.is_empty() {
-                summary.warnings.push(format!(
-                    "{} is left out of the sweep: an effect on it knows the phase or the motion, so its twist does not follow \
-                     the speed alone.",
-                    wing.name
-                ));
-            }
+            self.add_sweep(&mut summary, wing, &parts)?;
         }
         summary.warnings.extend(flown.iter().filter_map(held));
         summary
@@ -153,6 +125,63 @@ impl Lift {
         let words = self.report.then_some(page.as_str());
         finished(folder, words, ("summary", &summary), console)?;
         console.result(&page, &summary)
+    }
+
+    fn add_wing(
+        &self,
+        summary: &mut LiftSummary,
+        wing: &Flown,
+        mean: &StrokeMeans,
+        reference: &StrokeMeans,
+    ) -> Result<(), Failure> {
+        let instants = wing.flight.instants(INSTANTS);
+        let instants = instants.map_err(|error| WingError::design(&wing.file, error))?;
+        summary.stroke.push(StrokeCurve {
+            wing: wing.name.clone(),
+            phase_deg: instants.iter().map(|i| i.phase_rad.to_degrees()).collect(),
+            lift_mn: instants.iter().map(|i| i.lift_n * 1e3).collect(),
+            drag_mn: instants.iter().map(|i| i.drag_n * 1e3).collect(),
+            power_mw: instants.iter().map(|i| i.power_w * 1e3).collect(),
+        });
+        summary.span.push(SpanCurve::of(wing, mean, reference));
+        let inertia = if self.inertial_power {
+            wing.inertia_kg_m2()?
+        } else {
+            None
+        };
+        let inertial = inertia.map(|inertia| InertialPower::of(&wing.flight, inertia, &instants));
+        summary.wings.push(WingLift::of(wing, mean, inertial));
+        Ok(())
+    }
+
+    fn add_ratios(
+        &self,
+        summary: &mut LiftSummary,
+        (wing, mean): (&Flown, &StrokeMeans),
+        (reference, reference_mean): (&Flown, &StrokeMeans),
+    ) -> Result<(), Failure> {
+        let fault = |error: LiftError| WingError::design(&wing.file, error);
+        let ratios = Ratios::between(mean, reference_mean).map_err(fault)?;
+        let frequency = wing.flight.stroke.frequency_hz / reference.flight.stroke.frequency_hz;
+        let found: WingRatios = wing_ratios(&wing.name, &ratios, frequency, measured(wing)).map_err(fault)?;
+        summary.ratios.push(found);
+        if self.sensitivity {
+            summary.sensitivity.extend(sensitivity(wing, reference)?);
+        }
+        Ok(())
+    }
+
+    fn add_sweep(&self, summary: &mut LiftSummary, wing: &Flown, parts: &[f64]) -> Result<(), Failure> {
+        if let Some(sweep) = self.swept(wing, parts)? {
+            summary.sweep.push(sweep);
+        } else if !parts.is_empty() {
+            summary.warnings.push(format!(
+                "{} is left out of the sweep: an effect on it knows the phase or the motion, so its twist does not follow \
+                 the speed alone.",
+                wing.name
+            ));
+        }
+        Ok(())
     }
 
     fn target(&self) -> PathBuf {
@@ -382,36 +411,6 @@ fn held(wing: &Flown) -> Option<String> {
             tip_m * 1e3
         )
     })
-}
-
-impl ValueEnum for TwistSource {
-    fn value_variants<'a>() -> &'a [TwistSource] {
-        &[
-            TwistSource::Phases,
-            TwistSource::Ramp,
-            TwistSource::Measured,
-            TwistSource::Flat,
-        ]
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let (name, help) = match self {
-            TwistSource::Phases => (
-                "phases",
-                "Solved at phases of the stroke, each as if it stood still",
-            ),
-            TwistSource::Ramp => (
-                "ramp",
-                "Solved at mid-stroke, and ramped up and down over each half-stroke (20/60/20)",
-            ),
-            TwistSource::Measured => (
-                "measured",
-                "The measured profile that the design names, on the same ramp",
-            ),
-            TwistSource::Flat => ("flat", "None"),
-        };
-        Some(PossibleValue::new(name).help(help))
-    }
 }
 
 /// A wing before its twist is known.

@@ -16,8 +16,7 @@ use super::{Console, Failure};
   washout measure examples/video.toml --output my-wing.csv
   washout compare designs/twist-v2.toml --with my-wing.csv --case mid-stroke
 
-The file says how the camera stood and names the CSV of marks; docs/from-video-to-twist.md has both, and what a single
-view can tell. All keys: washout schema --video")]
+The file says how the camera stood and names the CSV of marks; docs/from-video-to-twist.md has both, and what a single view can tell. All keys: washout schema --video")]
 pub struct Measure {
     /// The video file
     pub video: PathBuf,

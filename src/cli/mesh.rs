@@ -18,10 +18,12 @@ use super::{Console, Failure};
 /// Arguments of `washout mesh`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout mesh designs/twist-v2.toml                        output/twist-v2-mesh: mesh.vtu, mesh.msh, outline.geo
+  # output/twist-v2-mesh: mesh.vtu, mesh.msh, outline.geo
+  washout mesh designs/twist-v2.toml
   washout mesh designs/twist-v2.toml --refine 2
   washout solve designs/twist-v2.toml --mesh output/twist-v2-mesh/mesh.msh
-  gmsh -2 -clscale 0.5 output/twist-v2-mesh/outline.geo     Gmsh's own mesh, half as coarse, for --mesh; MSH 4.1 or 2.2")]
+  # Gmsh's own mesh, half as coarse, for --mesh; MSH 4.1 or 2.2
+  gmsh -2 -clscale 0.5 output/twist-v2-mesh/outline.geo")]
 pub struct WriteMesh {
     /// The design
     #[command(flatten)]

@@ -15,20 +15,8 @@ pub fn tell(error: &clap::Error) {
 
 /// What is wrong, the usage and where all options are listed; none for what is no fault.
 pub fn words(error: &clap::Error) -> Option<String> {
-    let context = |kind| match error.get(kind) {
-        Some(ContextValue::String(text)) => Some(text.clone()),
-        Some(ContextValue::Strings(texts)) => Some(texts.join(", ")).filter(|text| !text.is_empty()),
-        _ => None,
-    };
-    let usage = match error.get(ContextKind::Usage) {
-        Some(ContextValue::StyledStr(usage)) => usage.to_string(),
-        _ => String::new(),
-    };
-    let usage = usage
-        .trim_start_matches("Usage:")
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let sentence = sentence(error)?;
+    let usage = usage(error);
     let verb = usage
         .split(' ')
         .nth(1)
@@ -36,9 +24,43 @@ pub fn words(error: &clap::Error) -> Option<String> {
     let help = verb.map_or("washout --help".to_string(), |verb| {
         format!("washout {verb} --help")
     });
-    let argument = context(ContextKind::InvalidArg).unwrap_or_default();
-    let near = |kind| context(kind).map_or(String::new(), |near| format!("; did you mean {near}?"));
-    let sentence = match error.kind() {
+    let usage = if usage.is_empty() {
+        String::new()
+    } else {
+        format!("\n  Usage: {usage}")
+    };
+    let stop = if sentence.ends_with('?') { "" } else { "." };
+    Some(format!("{sentence}{stop}{usage}\n  All options: {help}"))
+}
+
+/// The usage in one line.
+fn usage(error: &clap::Error) -> String {
+    let usage = match error.get(ContextKind::Usage) {
+        Some(ContextValue::StyledStr(usage)) => usage.to_string(),
+        _ => String::new(),
+    };
+    usage
+        .trim_start_matches("Usage:")
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+fn context(error: &clap::Error, kind: ContextKind) -> Option<String> {
+    match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.clone()),
+        Some(ContextValue::Strings(texts)) => Some(texts.join(", ")).filter(|text| !text.is_empty()),
+        _ => None,
+    }
+}
+
+fn did_you_mean(error: &clap::Error, suggested: ContextKind) -> String {
+    context(error, suggested).map_or(String::new(), |near| format!("; did you mean {near}?"))
+}
+
+fn sentence(error: &clap::Error) -> Option<String> {
+    let argument = context(error, ContextKind::InvalidArg).unwrap_or_default();
+    Some(match error.kind() {
         ErrorKind::DisplayHelp
         | ErrorKind::DisplayVersion
         | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => return None,
@@ -48,49 +70,44 @@ pub fn words(error: &clap::Error) -> Option<String> {
         ErrorKind::UnknownArgument if argument.starts_with('-') => {
             format!(
                 "{argument}: there is no such option here{}",
-                near(ContextKind::SuggestedArg)
+                did_you_mean(error, ContextKind::SuggestedArg)
             )
         }
         ErrorKind::UnknownArgument => {
             format!("{argument}: one word too many. Quote a path or a value that has spaces")
         }
         ErrorKind::InvalidSubcommand => {
-            let verb = context(ContextKind::InvalidSubcommand).unwrap_or_default();
+            let verb = context(error, ContextKind::InvalidSubcommand).unwrap_or_default();
             format!(
                 "there is no verb {verb}{}",
-                near(ContextKind::SuggestedSubcommand)
+                did_you_mean(error, ContextKind::SuggestedSubcommand)
             )
         }
         ErrorKind::MissingRequiredArgument => format!("{argument} is missing"),
-        ErrorKind::ArgumentConflict => match context(ContextKind::PriorArg) {
+        ErrorKind::ArgumentConflict => match context(error, ContextKind::PriorArg) {
             Some(prior) if prior == argument => format!("{argument} stands twice; give it once"),
             Some(prior) => format!("{argument} does not go together with {prior}; leave one out"),
             None => format!("{argument} does not go together with the others; leave it out"),
         },
-        ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
-            let value = context(ContextKind::InvalidValue).unwrap_or_default();
-            let why = std::error::Error::source(error).map_or(String::new(), |why| format!(": {why}"));
-            let near = near(ContextKind::SuggestedValue);
-            match (value.is_empty(), context(ContextKind::ValidValue)) {
-                (true, None) => format!("{argument}: its value is missing"),
-                (true, Some(all)) => format!("{argument}: its value is missing; it is one of {all}"),
-                (false, Some(all)) => format!("{argument} = {value}: is none of {all}{near}"),
-                (false, None) => format!("{argument} = {value}: is not what it takes{why}"),
-            }
-        }
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => wrong_value(error, &argument),
         _ => {
             let rendered = error.render().to_string();
             let first = rendered.lines().next().unwrap_or_default();
             first.trim_start_matches("error: ").to_string()
         }
-    };
-    let usage = if usage.is_empty() {
-        String::new()
-    } else {
-        format!("\n  Usage: {usage}")
-    };
-    let stop = if sentence.ends_with('?') { "" } else { "." };
-    Some(format!("{sentence}{stop}{usage}\n  All options: {help}"))
+    })
+}
+
+fn wrong_value(error: &clap::Error, argument: &str) -> String {
+    let value = context(error, ContextKind::InvalidValue).unwrap_or_default();
+    let why = std::error::Error::source(error).map_or(String::new(), |why| format!(": {why}"));
+    let near = did_you_mean(error, ContextKind::SuggestedValue);
+    match (value.is_empty(), context(error, ContextKind::ValidValue)) {
+        (true, None) => format!("{argument}: its value is missing"),
+        (true, Some(all)) => format!("{argument}: its value is missing; it is one of {all}"),
+        (false, Some(all)) => format!("{argument} = {value}: is none of {all}{near}"),
+        (false, None) => format!("{argument} = {value}: is not what it takes{why}"),
+    }
 }
 
 #[cfg(test)]

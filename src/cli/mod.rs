@@ -21,9 +21,15 @@ pub mod compare;
 
 pub mod lift;
 
+mod twist_source;
+
 pub mod pareto;
 
 pub mod fronts;
+
+mod marked_wings;
+
+mod fitted_factor;
 
 mod finished;
 
@@ -38,6 +44,10 @@ pub mod sweep;
 pub mod design;
 
 pub mod layouts;
+
+mod layout_summary;
+
+mod rod_aim;
 
 pub mod divergence;
 
@@ -68,6 +78,8 @@ pub mod kept;
 pub mod add;
 
 pub mod added;
+
+mod effect_tables;
 
 pub mod joining;
 
@@ -104,13 +116,16 @@ pub use failure::Failure;
 #[derive(Debug, Parser)]
 #[command(name = "washout", version, about, color = clap::ColorChoice::Never, max_term_width = 80)]
 #[command(after_help = "Examples:
-  washout init my-wing                          write a design to start from
-  washout solve designs/twist-v2.toml           twist, forces, stresses, ParaView files
-  washout compare designs/twist-v1.toml         where the model misses the measurement
-  washout help solve                            all options of a verb
+  # write a design to start from
+  washout init my-wing
+  # twist, forces, stresses, ParaView files
+  washout solve designs/twist-v2.toml
+  # where the model misses the measurement
+  washout compare designs/twist-v1.toml
+  # all options of a verb
+  washout help solve
 
-Exit codes: 0 done, 1 cannot write or other, 2 input at fault, 3 not converged,
-130 interrupted")]
+Exit codes: 0 done, 1 cannot write or other, 2 input at fault, 3 not converged, 130 interrupted")]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]

@@ -24,13 +24,16 @@ use crate::wing::WingModel;
 /// Arguments of `washout modes`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout modes designs/twist-v2.toml --loaded              in flight: about the loaded shape, stiffened by the load
-  washout modes designs/twist-v2.toml --loaded --with-air   the same with the air that moves with the film
-  washout modes designs/twist-v2.toml --set film.pretension_n_per_m=20 --count 12
-  washout modes designs/twist-v2.toml --loaded --json | jq '.modes[0].frequency_hz'
+  # in flight: about the loaded shape, stiffened by the load
+  washout modes designs/twist-v2.toml --loaded
+  # the same with the air that moves with the film
+  washout modes designs/twist-v2.toml --loaded --with-air
+  washout modes designs/twist-v2.toml --set film.pretension_n_per_m=20 \\
+    --count 12
+  washout modes designs/twist-v2.toml --loaded \\
+    --json | jq '.modes[0].frequency_hz'
 
-Writes output/NAME-modes/: modes.pvd and one mode-NN.vtu for each, to be warped by displacement_mm in ParaView;
-summary.json. An unloaded film without pre-tension is slack, and swings by its bending alone.")]
+Writes output/NAME-modes/: modes.pvd and one mode-NN.vtu for each, to be warped by displacement_mm in ParaView; summary.json. An unloaded film without pre-tension is slack, and swings by its bending alone.")]
 pub struct Modes {
     /// The design
     #[command(flatten)]

@@ -4,44 +4,42 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use crate::effects::acting;
 use crate::explore::shape_factor::{Gained, with_strength};
 use crate::explore::twist_front::{efficiency_at, other_stops};
 use crate::explore::{Efficiency, ExploreError, Nsga2, ShapeFactor, StagedTwist, TwistFront};
-use crate::export::pareto::{
-    Algorithm, FittedFactor, FittedWing, Front, Gap, Marked, ParetoSummary, UntwistedPoint,
-};
+use crate::export::pareto::{Algorithm, Front, Gap, Marked, ParetoSummary, UntwistedPoint};
 use crate::export::pictures;
 use crate::export::run::RunFolder;
 use crate::input::Design;
-use crate::lift::{Stroke, TwistAlongSpan, TwistHistory};
-use crate::origin::{InputFile, MadeOf};
-use crate::progress::Progress;
+use crate::lift::{Stroke, TwistAlongSpan};
+use crate::origin::MadeOf;
 
 use super::design_arguments::DesignArguments;
 use super::finished::finished;
+use super::fitted_factor::{fitted, misfit, without};
 use super::fronts::Searches;
 use super::job::Job;
+use super::marked_wings::{Named, marked, named};
 use super::tasks::{TaskArguments, beside};
 use super::{Console, Failure};
-use crate::wing::flown::{can_fly, is_profile, of_design, of_profile};
-use crate::wing::lift_ratios::measured;
-use crate::wing::{TwistSource, WingModel};
+use crate::wing::WingModel;
+use crate::wing::flown::can_fly;
 
 /// Arguments of `washout pareto`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout pareto designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml
-  washout pareto designs/rigid.toml designs/twist-v1.toml designs/twist-v2.toml --rates 0.001,0.83 --exhaustive
-  washout pareto designs/rigid.toml --no-gain --ramp 0      blade elements alone, the twist held over the stroke
-  washout pareto designs/rigid.toml my-profile.csv --gain lift-gain-saturating --gain-strength 0.5
-  washout pareto designs/rigid.toml --no-gain --restarts 16 --slurm --partition night      sixteen seeds, one front, on a cluster
+  washout pareto designs/rigid.toml designs/twist-v1.toml \\
+    designs/twist-v2.toml --rates 0.001,0.83 --exhaustive
+  # blade elements alone, the twist held over the stroke
+  washout pareto designs/rigid.toml --no-gain --ramp 0
+  washout pareto designs/rigid.toml my-profile.csv \\
+    --gain lift-gain-saturating --gain-strength 0.5
+  # sixteen seeds, one front, on a cluster
+  washout pareto designs/rigid.toml --no-gain --restarts 16 --slurm \\
+    --partition night
 
-The first design gives outline, air and stroke; the others, with their measured twist, and profiles (CSV: r_mm, twist_deg)
-are marked at that stroke, and the shape factor is fitted to the effective lift coefficients that were measured of them.
-Writes output/NAME-pareto/: front.svg, front.csv, profiles.svg, untwisted.csv, summary.json, and the ends of the front as profiles,
-highest-lift.csv and highest-efficiency.csv (of the front with the shape factor, unless --no-gain). The same seed gives the same
-front at any number of threads. The front of each seed is kept in output/NAME-pareto-tasks/ and found only once.")]
+The first design gives outline, air and stroke; the others, with their measured twist, and profiles (CSV: r_mm, twist_deg) are marked at that stroke, and the shape factor is fitted to the effective lift coefficients that were measured of them. Writes output/NAME-pareto/: front.svg, front.csv, profiles.svg, untwisted.csv, summary.json, and the ends of the front as profiles, highest-lift.csv and highest-efficiency.csv (of the front with the shape factor, unless --no-gain). The same seed gives the same front at any number of threads. The front of each seed is kept in output/NAME-pareto-tasks/ and found only once.")]
 pub struct Pareto {
     /// Design that gives outline, air and stroke
     pub design: PathBuf,
@@ -109,12 +107,27 @@ pub enum EfficiencyName {
     LiftPerPower,
 }
 
-/// A wing that is marked, with what was measured of it.
-struct Named {
-    name: String,
-    files: Vec<InputFile>,
-    twist: TwistAlongSpan,
-    gained: Option<Gained>,
+/// A wing without shape factor, and with it, by name.
+type NamedWings = Vec<(&'static str, TwistFront)>;
+
+/// What the fronts are sought for.
+struct Problem<'a> {
+    case: &'a WingModel,
+    stroke: Stroke,
+    family: StagedTwist,
+    factor: Option<ShapeFactor>,
+    marks: Vec<Named>,
+}
+
+impl Problem<'_> {
+    /// The design without the shape factor: it may name that itself, with numbers of its own.
+    fn without_factor(&self) -> Design {
+        let design = &self.case.loaded.design;
+        match &self.factor {
+            Some(factor) => without(design, &factor.effect),
+            None => design.clone(),
+        }
+    }
 }
 
 impl Pareto {
@@ -134,7 +147,7 @@ impl Pareto {
         }
         let case = WingModel::new(DesignArguments::of_file(&self.design, &self.set, None).load(&[])?)?;
         can_fly(&case)?;
-        let marks = self.named(&case, console.progress())?;
+        let marks = named(&self.marks, &self.set, &case, console.progress())?;
         let stroke = case.stroke()?;
         let family = self.family(&case, &stroke)?;
         let factor = self.factor(&case, stroke, &marks)?;
@@ -142,7 +155,14 @@ impl Pareto {
         let target = self.output.clone();
         let target = target.unwrap_or_else(|| PathBuf::from("output").join(format!("{name}-pareto")));
         RunFolder::refuse(&target, "pareto")?;
-        let found = self.searched(&case, stroke, &family, factor, &marks, &beside(&target), console)?;
+        let problem = Problem {
+            case: &case,
+            stroke,
+            family,
+            factor,
+            marks,
+        };
+        let found = self.searched(&problem, &beside(&target), console)?;
         let Some(mut summary) = found else {
             return Ok(());
         };
@@ -159,38 +179,6 @@ impl Pareto {
         let rates = [self.rates[0], self.rates[1]];
         let (length_mm, stop_deg) = (case.planform.length_m() * 1e3, stroke.stop_angle_rad.to_degrees());
         StagedTwist::new(self.stages, length_mm, rates, stop_deg).map_err(|source| refused(case, source))
-    }
-
-    /// The marked wings with their twist at mid-stroke.
-    fn named(&self, base: &WingModel, progress: &Progress) -> Result<Vec<Named>, Failure> {
-        let mut marks = Vec::new();
-        for file in &self.marks {
-            let flown = if is_profile(file) {
-                of_profile(file, base)?
-            } else {
-                let case = WingModel::new(DesignArguments::of_file(file, &self.set, None).load(&[])?)?;
-                of_design(case, TwistSource::Measured, 2, &[], progress)?
-            };
-            let twist = match &flown.flight.twist {
-                TwistHistory::Ramp { full, .. } => full.clone(),
-                TwistHistory::Solved(phases) => {
-                    phases.first().map_or_else(TwistAlongSpan::flat, |p| p.1.clone())
-                }
-            };
-            let effective = measured(&flown).and_then(|measured| measured.effective_lift);
-            marks.push(Named {
-                gained: effective.map(|[effective, sigma]| Gained {
-                    name: flown.name.clone(),
-                    twist: twist.clone(),
-                    effective,
-                    sigma,
-                }),
-                name: flown.name,
-                files: flown.files,
-                twist,
-            });
-        }
-        Ok(marks)
     }
 
     fn factor(
@@ -224,58 +212,15 @@ impl Pareto {
     }
 
     /// What was found; none if it is not for this process to put it together.
-    #[allow(clippy::too_many_arguments)]
     fn searched(
         &self,
-        case: &WingModel,
-        stroke: Stroke,
-        family: &StagedTwist,
-        factor: Option<ShapeFactor>,
-        marks: &[Named],
+        problem: &Problem,
         parts: &Path,
         console: &Console,
     ) -> Result<Option<ParetoSummary>, Failure> {
-        let design = &case.loaded.design;
-        let efficiency = self.efficiency();
-        let fault = |source: ExploreError| refused(case, source);
-        let table = case.loaded.air_table.as_deref();
-        // a design may name its shape factor itself, with numbers of its own
-        let bare = match &factor {
-            Some(factor) => without(design, &factor.effect),
-            None => design.clone(),
-        };
-        let design = &bare;
-        let mut models: Vec<(&'static str, Design)> = vec![("without shape factor", design.clone())];
-        if let Some(factor) = &factor {
-            models.push((
-                "with shape factor",
-                with_strength(design, &factor.effect, factor.strength),
-            ));
-        }
-        let mut wings = Vec::new();
-        let mut named: Vec<Marked> = Vec::new();
-        for (name, gained) in &models {
-            let share = self.ramp;
-            let wing = TwistFront::new(
-                design,
-                gained,
-                &case.planform,
-                stroke,
-                table,
-                efficiency,
-                family.clone(),
-                share,
-            );
-            let wing = wing.map_err(fault)?;
-            for (index, mark) in marks.iter().enumerate() {
-                let [lift, efficiency] = wing.aims(&mark.twist).map_err(fault)?;
-                match named.get_mut(index) {
-                    Some(marked) => marked.lift.push(lift),
-                    None => named.push(marked(mark, lift, efficiency, case.planform.length_m())),
-                }
-            }
-            wings.push((*name, wing));
-        }
+        let case = problem.case;
+        let design = problem.without_factor();
+        let (wings, marks) = self.wings(problem, &design)?;
         let mut searches = Searches {
             folder: parts.to_path_buf(),
             design: &case.loaded.path,
@@ -287,7 +232,7 @@ impl Pareto {
                 ..Nsga2::default()
             },
             restarts: self.restarts.into(),
-            content: self.content(case, family, marks),
+            content: self.content(case, &problem.family, &problem.marks),
         };
         let job = Job::as_said(parts)?;
         if !self.tasks.finish(&mut searches, &job, console)? {
@@ -295,37 +240,85 @@ impl Pareto {
         }
         let fronts = searches.fronts(self.exhaustive, console.progress())?;
         let stops: Vec<f64> = (2..=120).map(|half| 0.5 * f64::from(half)).collect();
-        let curve = other_stops(design, &case.planform, stroke, table, efficiency, &stops).map_err(fault)?;
-        let below: Vec<[f64; 3]> = curve.iter().copied().filter(|p| p[0] <= 60.0).collect();
-        let largest_gap = fronts.first().and_then(|front| gap(front, &below));
-        let mut warnings = Vec::new();
-        if let Some(factor) = &factor
-            && factor.freedom > 0
-            && factor.chi_squared > 4.0 * factor.freedom as f64
-        {
-            warnings.push(format!(
-                "No single strength of {} explains all measured wings (chi² {:.1} with {} degree(s) of freedom): its form is an \
-                 assumption, and the front with it follows that form.",
-                factor.effect, factor.chi_squared, factor.freedom
+        let table = case.loaded.air_table.as_deref();
+        let curve = other_stops(
+            &design,
+            &case.planform,
+            problem.stroke,
+            table,
+            self.efficiency(),
+            &stops,
+        )
+        .map_err(|source| refused(case, source))?;
+        self.summary(problem, fronts, &curve, marks).map(Some)
+    }
+
+    /// The marked wings come with their lift by each of the others.
+    fn wings(&self, problem: &Problem, design: &Design) -> Result<(NamedWings, Vec<Marked>), Failure> {
+        let case = problem.case;
+        let fault = |source: ExploreError| refused(case, source);
+        let mut models: Vec<(&'static str, Design)> = vec![("without shape factor", design.clone())];
+        if let Some(factor) = &problem.factor {
+            models.push((
+                "with shape factor",
+                with_strength(design, &factor.effect, factor.strength),
             ));
         }
-        let marked = marks.iter().flat_map(|mark| &mark.files);
-        Ok(Some(ParetoSummary {
-            name: design.name.clone(),
+        let mut wings = Vec::new();
+        let mut named: Vec<Marked> = Vec::new();
+        for (name, gained) in &models {
+            let wing = TwistFront::new(
+                design,
+                gained,
+                &case.planform,
+                problem.stroke,
+                case.loaded.air_table.as_deref(),
+                self.efficiency(),
+                problem.family.clone(),
+                self.ramp,
+            );
+            let wing = wing.map_err(fault)?;
+            for (index, mark) in problem.marks.iter().enumerate() {
+                let [lift, efficiency] = wing.aims(&mark.twist).map_err(fault)?;
+                match named.get_mut(index) {
+                    Some(marked) => marked.lift.push(lift),
+                    None => named.push(marked(mark, lift, efficiency, case.planform.length_m())),
+                }
+            }
+            wings.push((*name, wing));
+        }
+        Ok((wings, named))
+    }
+
+    /// `curve`: stop angle (deg), lift and efficiency of the wing without twist.
+    fn summary(
+        &self,
+        problem: &Problem,
+        fronts: Vec<Front>,
+        curve: &[[f64; 3]],
+        marks: Vec<Marked>,
+    ) -> Result<ParetoSummary, Failure> {
+        let (case, stroke) = (problem.case, problem.stroke);
+        let below: Vec<[f64; 3]> = curve.iter().copied().filter(|p| p[0] <= 60.0).collect();
+        let factor = problem.factor.as_ref();
+        let files = problem.marks.iter().flat_map(|mark| &mark.files);
+        Ok(ParetoSummary {
+            name: case.loaded.design.name.clone(),
             frequency_hz: stroke.frequency_hz,
             half_amplitude_deg: stroke.half_amplitude_rad.to_degrees(),
             stop_angle_deg: stroke.stop_angle_rad.to_degrees(),
             ramp: self.ramp,
-            efficiency: efficiency.words().to_string(),
+            efficiency: self.efficiency().words().to_string(),
             stages: self.stages,
-            rates_deg_per_mm: family.rates_deg_per_mm,
-            shortest_stage_mm: family.shortest_mm,
+            rates_deg_per_mm: problem.family.rates_deg_per_mm,
+            shortest_stage_mm: problem.family.shortest_mm,
             algorithm: Algorithm {
                 population: self.population,
                 generations: self.generations,
                 seed: self.seed,
                 restarts: self.restarts,
             },
+            largest_gap: fronts.first().and_then(|front| gap(front, &below)),
             fronts,
             untwisted: curve
                 .iter()
@@ -335,13 +328,12 @@ impl Pareto {
                     efficiency,
                 })
                 .collect(),
-            largest_gap,
-            marks: named,
-            shape_factor: factor.map(|factor| self.fitted(case, factor)).transpose()?,
-            warnings,
-            made_of: MadeOf::files(case.loaded.files.iter().chain(marked)),
+            marks,
+            warnings: factor.and_then(misfit).into_iter().collect(),
+            shape_factor: factor.map(|factor| fitted(case, factor.clone())).transpose()?,
+            made_of: MadeOf::files(case.loaded.files.iter().chain(files)),
             files: Vec::new(),
-        }))
+        })
     }
 
     /// What a front hangs on besides the search; the shape factor is told by what it is fitted to, for another machine may fit it
@@ -368,67 +360,12 @@ impl Pareto {
             EfficiencyName::LiftPerPower => Efficiency::LiftPerPower,
         }
     }
-
-    fn fitted(&self, case: &WingModel, factor: ShapeFactor) -> Result<FittedFactor, Failure> {
-        let design = with_strength(&case.loaded.design, &factor.effect, factor.strength);
-        let effect = acting(&factor.effect, &design.effects[&factor.effect], &design);
-        let effect = effect.map_err(|error| case.fault(error))?;
-        let card = effect.card();
-        let is_fitted = !factor.fitted.is_empty();
-        Ok(FittedFactor {
-            formula: card.formula.to_string(),
-            unit: card
-                .parameters
-                .first()
-                .map_or(String::new(), |parameter| parameter.unit.to_string()),
-            strength: factor.strength,
-            sigma: is_fitted.then_some(factor.sigma),
-            chi_squared: is_fitted.then_some(factor.chi_squared),
-            freedom: factor.freedom,
-            wings: factor
-                .fitted
-                .into_iter()
-                .map(|(wing, fitted)| FittedWing {
-                    name: wing.name,
-                    measured: wing.effective,
-                    sigma: wing.sigma,
-                    fitted,
-                })
-                .collect(),
-            effect: factor.effect,
-        })
-    }
-}
-
-/// The design with an effect off.
-fn without(design: &Design, effect: &str) -> Design {
-    match design.effects.contains_key(effect) {
-        true => with_strength(design, effect, 0.0),
-        false => design.clone(),
-    }
 }
 
 fn refused(case: &WingModel, source: ExploreError) -> Failure {
     Failure::Explore {
         design: case.loaded.path.clone(),
         source,
-    }
-}
-
-fn marked(mark: &Named, lift: f64, efficiency: f64, length_m: f64) -> Marked {
-    let mut profile: Vec<[f64; 2]> = mark.twist.points().to_vec();
-    if profile.last().is_some_and(|[r, _]| *r < length_m) {
-        profile.push([length_m, mark.twist.twist_rad(length_m)]);
-    }
-    Marked {
-        name: mark.name.clone(),
-        efficiency,
-        lift: vec![lift],
-        tip_deg: mark.twist.twist_rad(length_m).to_degrees(),
-        profile: profile
-            .into_iter()
-            .map(|[r, twist]| [r * 1e3, twist.to_degrees()])
-            .collect(),
     }
 }
 

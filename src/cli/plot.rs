@@ -21,14 +21,16 @@ pub const PLOT: &str = "plot.json";
 /// Arguments of `washout plot`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout plot output/twist-v2                             wing, twist, air (and stroke) as SVG and PNG
+  # wing, twist, air (and stroke) as SVG and PNG
+  washout plot output/twist-v2
   washout plot output/twist-v2 --only twist --to png --width-mm 85 --dpi 600
                                                            a column of a journal
-  washout plot output/paper-wings-compare --to png         what compare drew, as PNG
-  washout plot output/three-rods-diagnosis --list          which pictures there are
+  # what compare drew, as PNG
+  washout plot output/paper-wings-compare --to png
+  # which pictures there are
+  washout plot output/three-rods-diagnosis --list
 
-A run is the folder that solve, compare, diagnose, add, lift, pareto or another verb wrote. The letters of a PNG are Latin and
-Greek; those of an SVG are whatever its reader has.")]
+A run is the folder that solve, compare, diagnose, add, lift, pareto or another verb wrote. The letters of a PNG are Latin and Greek; those of an SVG are whatever its reader has.")]
 pub struct Plot {
     /// Folder of a run
     #[arg(value_name = "RUN")]

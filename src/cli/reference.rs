@@ -62,7 +62,12 @@ fn section(verb: &Command) -> String {
     let own = |arg: &&Arg| !arg.is_global_set() && arg.get_id() != "help" && !arg.is_hide_set();
     text.push_str(&options(verb.get_arguments().filter(own)));
     if let Some(after) = verb.get_after_help() {
-        let _ = write!(text, "\n```text\n{}\n```\n", after.to_string().trim_end());
+        let after = after.to_string();
+        let (examples, words) = after.split_once("\n\n").unwrap_or((&after, ""));
+        let _ = write!(text, "\n```text\n{}\n```\n", examples.trim_end());
+        if !words.trim().is_empty() {
+            let _ = write!(text, "\n{}\n", words.trim());
+        }
     }
     text
 }

@@ -41,14 +41,16 @@ const A_REPORT: &str = "a report of washout";
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout solve designs/twist-v2.toml
-  washout report output/twist-v2                           output/twist-v2/report.html
-  washout report studies/paper-wings.toml                  solved, compared, and every wing before and after calibration
-  washout report studies/paper-wings.toml --diagnose       what the model lacks besides
-  washout solve designs/twist-v2.toml --report             the same as the first two in one
+  # output/twist-v2/report.html
+  washout report output/twist-v2
+  # solved, compared, and every wing before and after calibration
+  washout report studies/paper-wings.toml
+  # what the model lacks besides
+  washout report studies/paper-wings.toml --diagnose
+  # the same as the first two in one
+  washout solve designs/twist-v2.toml --report
 
-A run is the folder that solve, compare, diagnose, add, lift, pareto, design, modes, sweep or verify wrote; each of them
-takes --report too. The file needs no network and no other file; what is not 3D is there without JavaScript too. The
-documents that its numbers come from stand in it, for programs.")]
+A run is the folder that solve, compare, diagnose, add, lift, pareto, design, modes, sweep or verify wrote; each of them takes --report too. The file needs no network and no other file; what is not 3D is there without JavaScript too. The documents that its numbers come from stand in it, for programs.")]
 pub struct Report {
     /// Folder of a run, or a study file
     #[arg(value_name = "RUN|STUDY")]

@@ -15,11 +15,16 @@ use super::{Console, Failure};
 /// Arguments of `washout schema`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout schema > design.schema.json           of design files, for editors
-  washout schema --output                       of `washout solve --json` and summary.json
-  washout schema --study                        of study files
-  washout schema --video                        of video files
-  washout schema --output diff                  of `washout diff --json`")]
+  # of design files, for editors
+  washout schema > design.schema.json
+  # of `washout solve --json` and summary.json
+  washout schema --output
+  # of study files
+  washout schema --study
+  # of video files
+  washout schema --video
+  # of `washout diff --json`
+  washout schema --output diff")]
 pub struct Schema {
     /// Of the JSON document that a verb prints, instead of design files
     #[arg(long, value_name = "VERB", num_args = 0..=1, default_missing_value = "solve")]

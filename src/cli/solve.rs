@@ -30,17 +30,21 @@ use super::{Console, Failure};
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout solve designs/twist-v2.toml
-  washout solve designs/twist-v2.toml --set flapping.frequency_hz=25 --output output/v2-25hz
-  washout solve designs/twist-v2.toml --accuracy 1%        on a mesh that leaves no more than 1 % of the tip's twist
-  washout solve designs/twist-v2.toml --uncertainty        a band instead of a line, and what it comes from
-  washout solve designs/twist-v2.toml --stroke 36          the wing in motion over its stroke, for ParaView: stroke.pvd
-  washout solve designs/twist-v2.toml --stroke-quasi-static 9        the same as if each phase stood still
-  washout solve designs/twist-v2.toml --report             report.html besides: the wing in 3D, pictures, tables
+  washout solve designs/twist-v2.toml --set flapping.frequency_hz=25 \\
+    --output output/v2-25hz
+  # on a mesh that leaves no more than 1 % of the tip's twist
+  washout solve designs/twist-v2.toml --accuracy 1%
+  # a band instead of a line, and what it comes from
+  washout solve designs/twist-v2.toml --uncertainty
+  # the wing in motion over its stroke, for ParaView: stroke.pvd
+  washout solve designs/twist-v2.toml --stroke 36
+  # the same as if each phase stood still
+  washout solve designs/twist-v2.toml --stroke-quasi-static 9
+  # report.html besides: the wing in 3D, pictures, tables
+  washout solve designs/twist-v2.toml --report
   washout solve designs/twist-v2.toml --json | jq .tip
 
-Writes output/NAME/: wing.vtu, wing-rest.vtu and wing.pvd for ParaView, profile.csv, strips.csv, summary.json;
-with --stroke also stroke.pvd and its shapes, stroke.csv (twist, lift, what the stop carries), stroke-twist.csv.
-An earlier run there is replaced only when all of that is complete.")]
+Writes output/NAME/: wing.vtu, wing-rest.vtu and wing.pvd for ParaView, profile.csv, strips.csv, summary.json; with --stroke also stroke.pvd and its shapes, stroke.csv (twist, lift, what the stop carries), stroke-twist.csv. An earlier run there is replaced only when all of that is complete.")]
 pub struct Solve {
     /// The design
     #[command(flatten)]

@@ -34,14 +34,16 @@ const VERB: &str = "sweep";
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=15..27:13
-  washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=18..26 --vary 'rod[0].section.diameter_mm=0.9..1.1' --samples 64
-  washout sweep studies/paper-wings.toml --vary material.carbon-rod.g_gpa=3..6:7      what a study says of each
-  washout sweep --resume output/twist-v2-sweep            after an interruption: only what is missing is done
-  washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=15..27:500 --slurm --partition night
+  washout sweep designs/twist-v2.toml --vary flapping.frequency_hz=18..26 \\
+    --vary 'rod[0].section.diameter_mm=0.9..1.1' --samples 64
+  # what a study says of each
+  washout sweep studies/paper-wings.toml --vary material.carbon-rod.g_gpa=3..6:7
+  # after an interruption: only what is missing is done
+  washout sweep --resume output/twist-v2-sweep
+  washout sweep designs/twist-v2.toml \\
+    --vary flapping.frequency_hz=15..27:500 --slurm --partition night
 
-Writes output/NAME-sweep/: sweep.csv (one row a case; a case that fails keeps its row and says why), scatter.svg, summary.json.
-The finished parts, from which an interrupted sweep goes on, are kept in output/NAME-sweep-tasks/. The table is the same bit for
-bit for any number of threads, tasks and machines.")]
+Writes output/NAME-sweep/: sweep.csv (one row a case; a case that fails keeps its row and says why), scatter.svg, summary.json. The finished parts, from which an interrupted sweep goes on, are kept in output/NAME-sweep-tasks/. The table is the same bit for bit for any number of threads, tasks and machines.")]
 pub struct Sweep {
     /// The design or study
     #[arg(required_unless_present = "resume")]

@@ -23,14 +23,17 @@ const VERB: &str = "synthesize";
 /// Arguments of `washout synthesize`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  washout synthesize studies/three-rods.toml --effect root-flexure=0.2 --seed 7 --output try
-  washout diagnose try/three-rods.toml                    finds it, or not
+  washout synthesize studies/three-rods.toml --effect root-flexure=0.2 \\
+    --seed 7 --output try
+  # finds it, or not
+  washout diagnose try/three-rods.toml
   cat try/answer.json                                     tells what it was
-  washout synthesize studies/three-rods.toml --seed 8     nothing hidden: is anything found?
-  washout synthesize studies/three-rods.toml --own examples/effect_of_ones_own.toml --output own
+  # nothing hidden: is anything found?
+  washout synthesize studies/three-rods.toml --seed 8
+  washout synthesize studies/three-rods.toml \\
+    --own examples/effect_of_ones_own.toml --output own
 
-The wing that is measured has other meshes than the study, its uncertain inputs are drawn from their priors, outline,
-stiffness and air law have errors that nobody states, and the hidden effect has another formula where there is one.")]
+The wing that is measured has other meshes than the study, its uncertain inputs are drawn from their priors, outline, stiffness and air law have errors that nobody states, and the hidden effect has another formula where there is one.")]
 pub struct Synthesize {
     /// The study: its cases and the sigmas of its rows are kept, values are made
     pub study: PathBuf,

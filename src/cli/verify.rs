@@ -27,8 +27,7 @@ pub const DOCUMENT: &str = "verify.json";
   washout verify --list                         what cases there are
   washout verify cook-membrane elastica         these alone
 
-A case passes if its error on the finest mesh is within the limit that good elements reach, and if the order of
-convergence is that of theory where theory gives one. Exit code 1 if one fails.")]
+A case passes if its error on the finest mesh is within the limit that good elements reach, and if the order of convergence is that of theory where theory gives one. Exit code 1 if one fails.")]
 pub struct Verify {
     /// Cases to run [default: all]
     #[arg(value_name = "CASE")]

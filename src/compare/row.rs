@@ -106,6 +106,14 @@ pub fn compare_row(
 ///
 /// If the wing does at most the measured value, or the model at least the modelled one, then the true error is at
 /// most `error`, and only a negative one is a misfit; and the other way round.
+///
+/// # Example
+/// ```
+/// use washout::{compare::row::misfit, input::measurement::Bound};
+///
+/// // measured "at most 5", modelled 3: no misfit
+/// assert_eq!(misfit(5.0 - 3.0, Bound::Upper, Bound::None), 0.0);
+/// ```
 pub fn misfit(error: f64, measured: Bound, modelled: Bound) -> f64 {
     let is_at_most = measured == Bound::Upper || modelled == Bound::Lower;
     let is_at_least = measured == Bound::Lower || modelled == Bound::Upper;

@@ -19,6 +19,17 @@ use super::verdict;
 ///
 /// `whole_wing` holds what the model gives for channels of the whole wing (lift in mN, ratios to the rigid wing, …);
 /// rows of channels that are not in it are listed as not compared.
+///
+/// # Example
+/// ```
+/// # use std::{collections::BTreeMap, path::Path};
+/// # use washout::{input::measurement::Measurement, progress::Progress, wing::WingModel};
+/// let wing = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.5"])?.solve(&Progress::quiet())?;
+/// let measured = Measurement::load_for(Path::new("measurements/colmenares-as-stated.csv"), wing.model.design())?;
+/// let comparison = washout::compare::compare(&wing.observer()?, &measured, &BTreeMap::new());
+/// assert!(!comparison.rows.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn compare(
     observer: &Observer,
     measurement: &Measurement,

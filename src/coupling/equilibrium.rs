@@ -26,7 +26,7 @@ pub fn solve_wing(
     near: Option<&Near>,
     progress: &Progress,
 ) -> Result<(Solution, Tangent), CouplingError> {
-    let mut equilibrium = Equilibrium::new(&wing.model)?;
+    let mut equilibrium = wing.equilibrium()?;
     if design.structure.factorization == Factorization::Parallel {
         equilibrium.spread();
     }
@@ -71,7 +71,8 @@ fn couple(
     let Design {
         coupling, structure, ..
     } = design;
-    let asked = near.map_or(Care::Full, |near| near.care).tolerances(coupling);
+    let care = near.map_or(Care::Full, |near| near.care);
+    let asked = care.tolerances(coupling);
     let mut lost = 0;
     if coupling.accelerator == Accelerator::Newton && !wing.linear && structure.load_increments == 1 {
         let nearby = near.and_then(|near| {
@@ -90,7 +91,7 @@ fn couple(
                 Ok(mut found) => {
                     lost += found.newton_steps;
                     found.newton_steps = lost;
-                    match fixed_point::stable(wing, equilibrium, rest, found) {
+                    match fixed_point::stable(wing, equilibrium, rest, found, care) {
                         Ok(found) if found.negative_pivots == 0 => return Ok(found),
                         _ => {}
                     }
@@ -106,12 +107,9 @@ fn couple(
     let mut found = match by_fixed_point {
         Err(told) if !wing.linear && is_unsettled(&told) => {
             let settled = pseudo_time::settle(wing, equilibrium, rest, coupling, progress)?;
-            let settled = settled
-                .ok()
-                .map(|found| fixed_point::stable(wing, equilibrium, rest, found));
             match settled {
-                Some(Ok(found)) => found,
-                _ => return Err(told),
+                Ok(found) => fixed_point::stable(wing, equilibrium, rest, found, Care::Full)?,
+                Err(_) => return Err(told),
             }
         }
         found => found?,

@@ -1,5 +1,7 @@
 //! Motions of a flapping wing by freedom, and the masses that resist them.
 
+use std::sync::Arc;
+
 use super::air_resistance::AirResistance;
 use super::error::CouplingError;
 use super::feedback::{EXACT, Feedback};
@@ -17,7 +19,7 @@ use nalgebra::{DVector, Vector3};
 /// Motions by freedom, and the masses that resist them.
 #[derive(Debug, Clone)]
 pub struct Fields {
-    pub pattern: Pattern,
+    pub pattern: Arc<Pattern>,
     pub nodes: usize,
     /// Mass of the wing alone, and with the air that it moves.
     pub mass: [Vec<f64>; 2],

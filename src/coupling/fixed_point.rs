@@ -3,6 +3,7 @@
 use super::accelerate::Accelerator;
 use super::error::CouplingError;
 use super::feedback::Feedback;
+use super::near::Care;
 use super::wing::Wing;
 use crate::input::design::{self, Coupling, Structure};
 use crate::progress::Progress;
@@ -136,7 +137,7 @@ pub fn iterate(
             && coupled.residual <= larger(coupling.residual_tolerance, floor)
         {
             coupled.loads = actual;
-            return stable(wing, equilibrium, rest, coupled);
+            return stable(wing, equilibrium, rest, coupled, Care::Full);
         }
         if !(coupled.twist_change_deg.is_finite() && coupled.residual.is_finite()) {
             break;
@@ -172,6 +173,7 @@ pub(super) fn stable(
     equilibrium: &mut Equilibrium,
     rest: &State,
     mut coupled: Coupled,
+    care: Care,
 ) -> Result<Coupled, CouplingError> {
     let shapes = wing.strips.shapes(&coupled.state);
     coupled.negative_pivots = if wing.linear {
@@ -179,7 +181,9 @@ pub(super) fn stable(
     } else {
         equilibrium.factorize(&coupled.state, &coupled.loads)?
     };
-    coupled.critical_ratio = Feedback::new(wing, equilibrium, &shapes)?.critical_ratio()?;
+    if care != Care::RoughBetween {
+        coupled.critical_ratio = Feedback::new(wing, equilibrium, &shapes)?.critical_ratio()?;
+    }
     match coupled.critical_ratio {
         Some(critical_ratio) if critical_ratio <= 1.0 => {
             let linear_film = wing.has_linear_film();
@@ -244,7 +248,7 @@ fn patience_lost(
         .filter(|strip| strip.force.alpha.abs() < FEATHERED_RAD)
         .count();
     let feathered = 2 * feathered > air.len();
-    match stable(wing, equilibrium, rest, coupled) {
+    match stable(wing, equilibrium, rest, coupled, Care::Full) {
         Err(told @ (CouplingError::Diverged { .. } | CouplingError::NotFinite { .. })) => Err(told),
         _ => Err(CouplingError::OutOfPatience {
             iterations,

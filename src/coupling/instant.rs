@@ -74,26 +74,11 @@ impl Periodic {
         let [pitch_rad, turning, jerking] = self.stroke.pitch(phase);
         let rate = self.stroke.rate_rad_s;
         let state = self.shape(phase);
-        let shapes = wing.strips.shapes(&state);
         let mut moving: Vec<f64> = self.velocity(phase);
         (moving.iter_mut().zip(&self.fields.pitch)).for_each(|(v, pitch)| *v += rate * turning * pitch);
         let moving = self.fields.displacement(&moving);
         let direction = Vector3::new(0.0, pitch_rad.sin(), pitch_rad.cos()) * phase.cos();
-        let (mut air, mut forces) = (Vec::new(), AirForces::default());
-        for (strip, shape) in wing.strips.strips.iter().zip(shapes.chunks_exact(6)) {
-            let Some(law) = &wing.air else { break };
-            let shape = StripShape::from_column_slice(shape);
-            let stream = law.flow.velocity(strip.r_m).norm() * direction;
-            let own = three_quarters(strip, &moving) * self.settings.air_damping;
-            let met = |velocity: Vector3<f64>| {
-                let found = strip.air_at(law, &velocity, &shape);
-                refuse_air(strip, law, &velocity, &shape, &found)?;
-                Ok::<StripAir, CouplingError>(found)
-            };
-            let felt = met(stream - own)?;
-            forces.add(strip, &met(stream)?, &felt);
-            air.push(felt);
-        }
+        let (air, forces) = self.air(&state, &moving, &direction)?;
         let air_force = wing.air_force(&air);
         let (sweep, pitch) = (self.stroke.sweep_acceleration(phase), rate * rate * jerking);
         let mut acceleration = self.acceleration(phase);
@@ -131,6 +116,33 @@ impl Periodic {
             root_offset_m: self.root_offset_m(),
             state,
         })
+    }
+
+    /// Air on each strip of a shape that moves against the stream of this direction, and the forces of it all.
+    fn air(
+        &self,
+        state: &State,
+        moving: &[Vector3<f64>],
+        direction: &Vector3<f64>,
+    ) -> Result<(Vec<StripAir>, AirForces), CouplingError> {
+        let wing = &self.wing;
+        let shapes = wing.strips.shapes(state);
+        let (mut air, mut forces) = (Vec::new(), AirForces::default());
+        for (strip, shape) in wing.strips.strips.iter().zip(shapes.chunks_exact(6)) {
+            let Some(law) = &wing.air else { break };
+            let shape = StripShape::from_column_slice(shape);
+            let stream = law.flow.velocity(strip.r_m).norm() * direction;
+            let own = three_quarters(strip, moving) * self.settings.air_damping;
+            let met = |velocity: Vector3<f64>| {
+                let found = strip.air_at(law, &velocity, &shape);
+                refuse_air(strip, law, &velocity, &shape, &found)?;
+                Ok::<StripAir, CouplingError>(found)
+            };
+            let felt = met(stream - own)?;
+            forces.add(strip, &met(stream)?, &felt);
+            air.push(felt);
+        }
+        Ok((air, forces))
     }
 
     /// Means of the air's forces over the stroke.

@@ -25,7 +25,7 @@ use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Loads, Mode, Vibration, lowest_modes};
+use crate::structure::{Loads, Mode, Vibration, lowest_modes};
 
 /// How the periodic motion is computed.
 #[derive(Debug, Clone, PartialEq)]
@@ -144,20 +144,9 @@ pub fn periodic_near(
         (still.state.clone(), wing.loads_on(&still.state)?)
     };
     let air = moved_air(&wing, settings.moved_air);
-    let mut equilibrium = Equilibrium::new(&wing.model)?;
-    let modes = match lowest_modes(&mut equilibrium, &about, &loads, &air, settings.modes, progress)? {
-        Vibration::Stable(modes) if !modes.is_empty() => modes,
-        Vibration::Stable(_) => {
-            return Err(CouplingError::NoPeriodic {
-                reason: "the wing has no mass; give its materials a density",
-            });
-        }
-        Vibration::Unstable { .. } => {
-            return Err(CouplingError::NoPeriodic {
-                reason: "the loaded shape is not stable",
-            });
-        }
-    };
+    let mut equilibrium = wing.equilibrium()?;
+    let modes = lowest_modes(&mut equilibrium, &about, &loads, &air, settings.modes, progress)?;
+    let modes = stable(modes)?;
     let fields = Fields::new(&wing, &mut equilibrium, &still, &about, &air, &modes)?;
     let air_resistance = AirResistance::new(&wing, &still.state, &modes, settings.air_damping)?;
     let system = oscillators(&wing, &still.state, &stroke, settings, &modes, &air_resistance)?;
@@ -179,6 +168,16 @@ pub fn periodic_near(
         wing,
         fields,
     })
+}
+
+/// The modes of a wing that can swing.
+fn stable(vibration: Vibration) -> Result<Vec<Mode>, CouplingError> {
+    let reason = match vibration {
+        Vibration::Stable(modes) if !modes.is_empty() => return Ok(modes),
+        Vibration::Stable(_) => "the wing has no mass; give its materials a density",
+        Vibration::Unstable { .. } => "the loaded shape is not stable",
+    };
+    Err(CouplingError::NoPeriodic { reason })
 }
 
 impl Periodic {

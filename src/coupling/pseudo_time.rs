@@ -16,6 +16,9 @@ use crate::structure::{Damper, Equilibrium, Loads, Mixed, larger};
 
 /// Steps after which it is given up, for each step that the design allows the fixed point: one of those solves the whole structure.
 const PATIENCE: usize = 7;
+/// A wing that leaves less than this of its load creeps to rest: it is granted as many steps again, as long as it was so near within the last few.
+const NEARLY: f64 = 1e-3;
+const LAST: usize = 60;
 /// Residual of the linear solve over that of the step.
 const TOLERANCE: f64 = 1e-4;
 /// Turn of a node in a step beyond which steps are made shorter, rad.
@@ -53,11 +56,18 @@ pub fn settle(
     // turn and rate since which the turn is alike
     let mut mark = (turn, rate);
     let mut softer = SOFTER;
-    while coupled.newton_steps < PATIENCE * coupling.max_iterations {
+    let patience = PATIENCE * coupling.max_iterations;
+    let mut last_near = 0;
+    while coupled.newton_steps < patience
+        || (coupled.newton_steps < 2 * patience && coupled.newton_steps < last_near + LAST)
+    {
         progress.check()?;
         let Ok(loads) = wing.loads(&shapes) else { break };
         let distance = equilibrium.assemble_mixed(&coupled.state, &loads, &way);
         coupled.residual = distance.relative;
+        if coupled.residual < NEARLY {
+            last_near = coupled.newton_steps;
+        }
         progress.say(format_args!(
             "pseudo-time {}: turn {turn:.1e}, rate {rate:.1e} N/m, twist changes by {:.1e} deg, residual {:.1e}",
             coupled.newton_steps, coupled.twist_change_deg, coupled.residual

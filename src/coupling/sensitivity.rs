@@ -105,7 +105,7 @@ impl<'a> Sensitivity<'a> {
         solution: &'a Solution,
         remesh: Remesh<'a>,
     ) -> Result<Self, SensitivityError> {
-        let mut equilibrium = Equilibrium::new(&wing.model)?;
+        let mut equilibrium = wing.equilibrium()?;
         if wing.linear {
             equilibrium.factorize(&solution.rest, &wing.bench.growing())?;
         } else {
@@ -329,7 +329,7 @@ impl<'a> Sensitivity<'a> {
             return Ok(Vec::new());
         }
         if self.rest.is_none() {
-            let mut equilibrium = Equilibrium::new(&self.home.wing.model)?;
+            let mut equilibrium = self.home.wing.equilibrium()?;
             equilibrium.factorize(
                 &self.home.solution.rest,
                 &Loads::none(self.home.wing.model.nodes.len()),

@@ -42,7 +42,7 @@ impl Standing {
     ) -> Result<Self, CouplingError> {
         let motion = motion_needed(design, mesh, air_table, None, progress)?;
         let wing = Wing::with_motion(design, mesh, air_table, motion)?;
-        let (state, _) = cured(&wing.model, &mut Equilibrium::new(&wing.model)?, progress)?;
+        let (state, _) = cured(&wing.model, &mut wing.equilibrium()?, progress)?;
         let loads = Loads::none(mesh.nodes.len());
         Ok(Standing {
             model: wing.model,

@@ -16,7 +16,7 @@ use crate::effects::{Bound, Motion, Need, Seam, bind};
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::structure::state::State;
-use crate::structure::{Beam, Compression, Equilibrium, Loads, Model, Shell};
+use crate::structure::{Beam, Compression, Equilibrium, Loads, Model, SharedAnalysis, Shell, StructureError};
 
 /// The structure, the strips and the air of a design, with the laws by which they act on each other.
 #[derive(Debug, Clone)]
@@ -33,6 +33,8 @@ pub struct Wing {
     pub linear: bool,
     /// What the stroke does at the phase of the design, if an effect needs it; frozen.
     pub motion: Option<Arc<Motion>>,
+    /// Analysis of the structure, shared with the wings beside.
+    analysis: SharedAnalysis,
 }
 
 /// Whether an effect is made from the motion over the stroke.
@@ -118,7 +120,16 @@ impl Wing {
             air,
             linear: large_share == 0.0,
             motion,
+            analysis: beside.map(|(wing, _)| wing.analysis.clone()).unwrap_or_default(),
         })
+    }
+
+    /// The structure, ready to be solved.
+    ///
+    /// # Errors
+    /// If it cannot be analysed.
+    pub fn equilibrium(&self) -> Result<Equilibrium<'_>, StructureError> {
+        Ok(Equilibrium::analysed(&self.model, self.analysis.of(&self.model)?))
     }
 
     /// Share of the linear model: 1 alone, between 0 and 1 beside large rotation.

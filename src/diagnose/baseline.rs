@@ -75,6 +75,109 @@ pub struct Baseline<'a> {
     pub warm_start: Option<WarmStart>,
 }
 
+/// The model fitted with the errors as they are stated.
+struct FirstFit {
+    start: Vec<f64>,
+    /// Predictions at `start`.
+    raw: DVector<f64>,
+    /// Size of the error that is expected before any is seen.
+    typical: Size,
+    scatter: Scatter,
+    fit: Fit,
+}
+
+/// Everything that may be missing, weighed about the first fit.
+struct Weighed {
+    weighing: Weighing,
+    families: Vec<Family>,
+    error: ModelError,
+    /// Factors for numbers that are far from what all the others tell.
+    widening: Vec<f64>,
+}
+
+impl FirstFit {
+    fn new(
+        forward: &dyn Forward,
+        settings: &Settings,
+        data: &Data,
+        start: Vec<f64>,
+    ) -> Result<FirstFit, DiagnoseError> {
+        let count = data.rows.len();
+        let raw = forward.predict(&start)?;
+        if raw.iter().any(|value| !value.is_finite()) {
+            return Err(DiagnoseError::NotFinite {
+                what: "its start".into(),
+            });
+        }
+        let typical = Size::typical(settings.discrepancy, settings.noise_scale);
+        let stated = ModelError::new(forward, data, &raw, &vec![1.0; count], &DMatrix::zeros(count, 0));
+        let scatter = Scatter::new(&stated, &typical, vec![1.0; count])?;
+        let fit = scatter.fit(forward, data, &data.model, &start, None)?;
+        Ok(FirstFit {
+            start,
+            raw,
+            typical,
+            scatter,
+            fit,
+        })
+    }
+
+    /// How the campaign answers, moments of bounds that are kept left out; `known`: if it is known already.
+    fn table(
+        &self,
+        (forward, settings): (&dyn Forward, &Settings),
+        data: &Data,
+        known: Option<&Table>,
+        progress: &Progress,
+    ) -> Result<Table, DiagnoseError> {
+        let mut table = match known {
+            Some(table) => table.clone(),
+            None => Table::new(forward, settings, progress)?,
+        };
+        for row in data.kept_bounds(forward, &self.fit.predicted) {
+            table.moment.row_mut(row).fill(0.0);
+        }
+        Ok(table)
+    }
+
+    fn weighed(
+        &self,
+        (forward, settings): (&dyn Forward, &Settings),
+        data: &Data,
+        table: &Table,
+        fields: &[Field],
+        progress: &Progress,
+    ) -> Result<Weighed, DiagnoseError> {
+        let first = &self.fit;
+        let local = Local::about(first, forward, &self.scatter.noise);
+        let widening = outliers(forward, data, first, &local, &table.slopes, fields);
+        let error = ModelError::new(forward, data, &first.predicted, &widening, &local.slopes);
+        let scatter = Scatter::new(&error, &self.typical, widening.clone())?;
+        let whitened = Whitened::new(&local, &scatter.noise)?;
+        let visible = distances(forward, data, &table.responses, &whitened);
+        let visible: Vec<f64> = visible.iter().map(|own| own.unwrap_or(f64::INFINITY)).collect();
+        let families = families(forward, data, &visible);
+        progress.say("weighing every effect");
+        let seen = Seen {
+            forward,
+            data,
+            error,
+            residual: local.at_means,
+            fields,
+            start: &self.start,
+            raw: &self.raw,
+            warm_start: first.warm_start.as_ref().map(WarmStart::for_trials),
+        };
+        let weighing = weigh(&seen, &table.responses, &families, settings)?;
+        Ok(Weighed {
+            weighing,
+            families,
+            error: seen.error,
+            widening,
+        })
+    }
+}
+
 impl<'a> Baseline<'a> {
     /// Fits the model and looks around; `table`: how its campaign answers, if that is known.
     ///
@@ -91,82 +194,46 @@ impl<'a> Baseline<'a> {
         let data = Data::new(forward, &start)?;
         let count = data.rows.len();
         progress.say("fitting the model as it is");
-        let raw = forward.predict(&start)?;
-        if raw.iter().any(|value| !value.is_finite()) {
-            return Err(DiagnoseError::NotFinite {
-                what: "its start".into(),
-            });
-        }
-        let typical = Size::typical(settings.discrepancy, settings.noise_scale);
-        let stated = ModelError::new(forward, &data, &raw, &vec![1.0; count], &DMatrix::zeros(count, 0));
-        let stated = Scatter::new(&stated, &typical, vec![1.0; count])?;
-        let first = stated.fit(forward, &data, &data.model, &start, None)?;
-        let warm_start = first.warm_start.clone();
+        let first = FirstFit::new(forward, settings, &data, start)?;
+        let at_first = &first.fit.predicted;
         progress.check()?;
-        let table = match table {
-            Some(table) => table.clone(),
-            None => Table::new(forward, settings, progress)?,
-        };
-        let Table {
-            slopes,
-            mut moment,
-            responses,
-            screening,
-            ..
-        } = table;
-        for row in data.kept_bounds(forward, &first.predicted) {
-            moment.row_mut(row).fill(0.0);
-        }
-        let fields = fields(forward, &data, &moment, &first.predicted);
-        let local = Local::about(&first, forward, &stated.noise);
-        let widening = outliers(forward, &data, &first, &local, &slopes, &fields);
-        let error = ModelError::new(forward, &data, &first.predicted, &widening, &local.slopes);
-        let scatter = Scatter::new(&error, &typical, widening.clone())?;
-        let whitened = Whitened::new(&local, &scatter.noise)?;
-        let visible = distances(forward, &data, &responses, &whitened);
-        let visible: Vec<f64> = visible.iter().map(|own| own.unwrap_or(f64::INFINITY)).collect();
-        let families = families(forward, &data, &visible);
-        progress.say("weighing every effect");
-        let seen = Seen {
-            forward,
-            data: &data,
+        let table = first.table((forward, settings), &data, table, progress)?;
+        let fields = fields(forward, &data, &table.moment, at_first);
+        let Weighed {
+            weighing,
+            families,
             error,
-            residual: local.at_means,
-            fields: &fields,
-            start: &start,
-            raw: &raw,
-            warm_start: warm_start.as_ref().map(WarmStart::for_trials),
-        };
-        let weighing = weigh(&seen, &responses, &families, settings)?;
+            widening,
+        } = first.weighed((forward, settings), &data, &table, &fields, progress)?;
         let size = size_of_fits([weighing.share, weighing.scale], count, settings);
-        let error = seen.error;
         let scatter = Scatter::new(&error, &size, widening)?;
         progress.say("fitting the model with the errors that the data show");
-        let fit = scatter.fit(forward, &data, &data.model, &first.at, warm_start.as_ref())?;
+        let warm_start = first.fit.warm_start.clone();
+        let fit = scatter.fit(forward, &data, &data.model, &first.fit.at, warm_start.as_ref())?;
         let local = Local::about(&fit, forward, &scatter.noise);
         let whitened = Whitened::new(&local, &scatter.noise)?;
-        let kept = data.kept_bounds(forward, &first.predicted).len();
-        let distances = distances(forward, &data, &responses, &whitened);
+        let kept = data.kept_bounds(forward, at_first).len();
+        let distances = distances(forward, &data, &table.responses, &whitened);
         Ok(Baseline {
             forward,
             settings,
-            raw,
+            raw: first.raw,
             error,
             size,
             scatter,
-            directions: Directions::new(&data, &slopes, &whitened),
+            directions: Directions::new(&data, &table.slopes, &whitened),
             distances,
             fit,
             local,
             whitened,
-            responses,
+            responses: table.responses,
             families,
             weighing,
-            slopes,
-            moment,
+            slopes: table.slopes,
+            moment: table.moment,
             fields,
             likelihood: Likelihood::of(count - kept, settings),
-            screening,
+            screening: table.screening,
             warm_start,
             data,
         })

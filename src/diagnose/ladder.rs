@@ -5,9 +5,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::Channel;
-use crate::study::Fit;
 use crate::study::calibrate::misfit;
 use crate::study::left_out::{Local, Others, by_condition};
+use crate::study::{Fit, Observable};
 
 use super::baseline::Baseline;
 
@@ -42,70 +42,95 @@ pub struct Explained<'a> {
 
 /// The steps; `explanations` are fitted with more and more effects.
 pub fn ladder(baseline: &Baseline, explanations: &[Explained]) -> Vec<LadderStep> {
-    let (forward, data) = (baseline.forward, &baseline.data);
-    let channel = main_channel(baseline);
-    let rms = |rows: &[usize], predicted: &DVector<f64>| {
+    let ladder = Ladder {
+        baseline,
+        channel: main_channel(baseline),
+    };
+    let mut rungs = vec![
+        ladder.rung("raw", &baseline.raw, None),
+        ladder.rung("calibrated", &baseline.fit.predicted, Some(&baseline.local)),
+    ];
+    for Explained { name, fit, local } in explanations {
+        rungs.push(ladder.rung(&format!("+ {name}"), &fit.predicted, *local));
+    }
+    rungs.push(ladder.noise());
+    rungs
+}
+
+/// Root mean squares of the readings of one channel.
+struct Ladder<'a> {
+    baseline: &'a Baseline<'a>,
+    channel: Channel,
+}
+
+impl Ladder<'_> {
+    fn observable(&self, row: usize) -> &Observable {
+        &self.baseline.forward.observables()[row]
+    }
+
+    fn rms(&self, rows: &[usize], predicted: &DVector<f64>) -> Option<f64> {
         let errors = rows.iter().filter_map(|&row| {
-            let observable = &forward.observables()[row];
-            (observable.channel == channel).then(|| misfit(observable, predicted[row]))
+            let observable = self.observable(row);
+            (observable.channel == self.channel).then(|| misfit(observable, predicted[row]))
         });
         root_mean_square(errors.collect())
-    };
-    let left_out = |local: &Local| {
-        let groups = by_condition(forward, &data.rows);
+    }
+
+    fn left_out(&self, local: &Local) -> Option<f64> {
+        let rows = &self.baseline.data.rows;
+        let groups = by_condition(self.baseline.forward, rows);
         if groups.len() < 2 {
             return None;
         }
-        let left = Others::new(local, &baseline.scatter.noise).leave_out(&groups)?;
+        let left = Others::new(local, &self.baseline.scatter.noise).leave_out(&groups)?;
         let errors = left
             .iter()
             .flat_map(|left| left.positions.iter().zip(&left.errors))
-            .filter_map(|(&p, &error)| {
-                (forward.observables()[data.rows[p]].channel == channel).then_some(error)
-            });
+            .filter_map(|(&p, &error)| (self.observable(rows[p]).channel == self.channel).then_some(error));
         root_mean_square(errors.collect())
-    };
-    let chi_square = |predicted: &DVector<f64>| {
-        let errors = data
-            .rows
-            .iter()
-            .map(|&row| misfit(&forward.observables()[row], predicted[row]));
-        let errors = DVector::from_iterator(data.rows.len(), errors);
-        baseline.scatter.noise.whiten(&errors).norm_squared() / data.rows.len().max(1) as f64
-    };
-    let rung = |name: &str, predicted: &DVector<f64>, local: Option<&Local>| LadderStep {
-        name: name.to_string(),
-        channel,
-        chi_square_per_number: Some(chi_square(predicted)),
-        in_sample: rms(&data.rows, predicted).unwrap_or(0.0),
-        left_out: local.and_then(left_out),
-        held_out: rms(&data.held_out, predicted),
-        held_out_sigma: held_out_sigma(baseline, predicted),
-    };
-    let mut rungs = vec![
-        rung("raw", &baseline.raw, None),
-        rung("calibrated", &baseline.fit.predicted, Some(&baseline.local)),
-    ];
-    for Explained { name, fit, local } in explanations {
-        rungs.push(rung(&format!("+ {name}"), &fit.predicted, *local));
     }
-    let noise = |rows: &[usize]| {
-        let sigmas = rows.iter().filter_map(|&row| {
-            let observable = &forward.observables()[row];
-            (observable.channel == channel).then_some(observable.sigma * baseline.scatter.scale)
-        });
-        root_mean_square(sigmas.collect())
-    };
-    rungs.push(LadderStep {
-        name: "noise".into(),
-        channel,
-        chi_square_per_number: None,
-        in_sample: noise(&data.rows).unwrap_or(0.0),
-        left_out: noise(&data.rows),
-        held_out: noise(&data.held_out),
-        held_out_sigma: (!data.held_out.is_empty()).then_some(baseline.scatter.scale),
-    });
-    rungs
+
+    fn chi_square(&self, predicted: &DVector<f64>) -> f64 {
+        let rows = &self.baseline.data.rows;
+        let errors = rows
+            .iter()
+            .map(|&row| misfit(self.observable(row), predicted[row]));
+        let errors = DVector::from_iterator(rows.len(), errors);
+        self.baseline.scatter.noise.whiten(&errors).norm_squared() / rows.len().max(1) as f64
+    }
+
+    fn rung(&self, name: &str, predicted: &DVector<f64>, local: Option<&Local>) -> LadderStep {
+        let data = &self.baseline.data;
+        LadderStep {
+            name: name.to_string(),
+            channel: self.channel,
+            chi_square_per_number: Some(self.chi_square(predicted)),
+            in_sample: self.rms(&data.rows, predicted).unwrap_or(0.0),
+            left_out: local.and_then(|local| self.left_out(local)),
+            held_out: self.rms(&data.held_out, predicted),
+            held_out_sigma: held_out_sigma(self.baseline, predicted),
+        }
+    }
+
+    fn noise(&self) -> LadderStep {
+        let (data, scale) = (&self.baseline.data, self.baseline.scatter.scale);
+        let noise = |rows: &[usize]| {
+            let sigmas = rows.iter().filter_map(|&row| {
+                let observable = self.observable(row);
+                (observable.channel == self.channel).then_some(observable.sigma * scale)
+            });
+            root_mean_square(sigmas.collect())
+        };
+        LadderStep {
+            name: "noise".into(),
+            channel: self.channel,
+            chi_square_per_number: None,
+            in_sample: noise(&data.rows).unwrap_or(0.0),
+            left_out: noise(&data.rows),
+            held_out: noise(&data.held_out),
+            held_out_sigma: (!data.held_out.is_empty()).then_some(scale),
+        }
+    }
 }
 
 /// Root mean square error of `predicted` for all held-out observables, each in its stated standard deviation.

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::Channel;
+use crate::study::Observable;
 use crate::study::calibrate::misfit;
 
 use super::baseline::Baseline;
@@ -79,76 +80,133 @@ pub struct Pull {
 
 /// Of the calibrated model.
 pub fn of(baseline: &Baseline) -> Misfit {
-    let (forward, data, fit) = (baseline.forward, &baseline.data, &baseline.fit);
-    let observables = forward.observables();
-    let sigma = |position: usize| {
-        let stated = observables[data.rows[position]].sigma;
-        stated * baseline.scatter.scale * baseline.scatter.widening[position]
-    };
-    let errors: Vec<f64> = data
-        .rows
-        .iter()
-        .map(|&row| misfit(&observables[row], fit.predicted[row]))
-        .collect();
-    let square = |position: usize| (errors[position] / sigma(position)).powi(2);
-    let total: f64 = (0..errors.len()).map(square).sum::<f64>().max(f64::MIN_POSITIVE);
-    let covariance = |a: usize, b: usize| {
-        let slopes = &baseline.local.slopes;
-        baseline.scatter.covariance[(a, b)] + slopes.row(a).dot(&slopes.row(b))
-    };
-    let mut by_condition = Vec::new();
-    for (condition, positions) in data.conditions(forward) {
-        let mut channels: Vec<Channel> = positions
+    let errors = Errors::new(baseline);
+    Misfit {
+        q: baseline.fit.q,
+        numbers: errors.each.len(),
+        by_condition: errors.by_condition(),
+        by_station: errors.by_station(),
+        pulls: pulls(baseline),
+    }
+}
+
+/// Errors of the calibrated model, by position among the fitted numbers.
+struct Errors<'a> {
+    baseline: &'a Baseline<'a>,
+    observables: &'a [Observable],
+    /// Measured minus modelled.
+    each: Vec<f64>,
+    /// Sum of squares of all standardised errors.
+    total: f64,
+}
+
+impl<'a> Errors<'a> {
+    fn new(baseline: &'a Baseline<'a>) -> Errors<'a> {
+        let (data, fit) = (&baseline.data, &baseline.fit);
+        let observables = baseline.forward.observables();
+        let each: Vec<f64> = data
+            .rows
             .iter()
-            .map(|&p| observables[data.rows[p]].channel)
+            .map(|&row| misfit(&observables[row], fit.predicted[row]))
             .collect();
-        channels.sort_unstable();
-        channels.dedup();
-        for channel in channels {
-            let own: Vec<usize> = positions
-                .iter()
-                .copied()
-                .filter(|&p| observables[data.rows[p]].channel == channel)
-                .collect();
-            let count = own.len() as f64;
-            let variance: f64 = own
-                .iter()
-                .flat_map(|&a| own.iter().map(move |&b| (a, b)))
-                .map(|(a, b)| covariance(a, b))
-                .sum();
-            let squares: f64 = own.iter().map(|&p| square(p)).sum();
-            by_condition.push(MisfitGroup {
-                condition: forward.conditions()[condition].name.clone(),
-                channel,
-                numbers: own.len(),
-                share: squares / total,
-                mean_error: own.iter().map(|&p| errors[p]).sum::<f64>() / count,
-                mean_uncertainty: variance.max(0.0).sqrt() / count,
-                rms: (own.iter().map(|&p| errors[p].powi(2)).sum::<f64>() / count).sqrt(),
-                rms_sigma: (squares / count).sqrt(),
-            });
+        let mut errors = Errors {
+            baseline,
+            observables,
+            each,
+            total: 0.0,
+        };
+        let squares = (0..errors.each.len()).map(|position| errors.square(position));
+        errors.total = squares.sum::<f64>().max(f64::MIN_POSITIVE);
+        errors
+    }
+
+    fn observable(&self, position: usize) -> &Observable {
+        &self.observables[self.baseline.data.rows[position]]
+    }
+
+    fn sigma(&self, position: usize) -> f64 {
+        let stated = self.observable(position).sigma;
+        stated * self.baseline.scatter.scale * self.baseline.scatter.widening[position]
+    }
+
+    fn square(&self, position: usize) -> f64 {
+        (self.each[position] / self.sigma(position)).powi(2)
+    }
+
+    fn covariance(&self, a: usize, b: usize) -> f64 {
+        let slopes = &self.baseline.local.slopes;
+        self.baseline.scatter.covariance[(a, b)] + slopes.row(a).dot(&slopes.row(b))
+    }
+
+    fn by_condition(&self) -> Vec<MisfitGroup> {
+        let forward = self.baseline.forward;
+        let mut by_condition = Vec::new();
+        for (condition, positions) in self.baseline.data.conditions(forward) {
+            let channel_of = |p: usize| self.observable(p).channel;
+            let mut channels: Vec<Channel> = positions.iter().map(|&p| channel_of(p)).collect();
+            channels.sort_unstable();
+            channels.dedup();
+            for channel in channels {
+                let own: Vec<usize> = positions
+                    .iter()
+                    .copied()
+                    .filter(|&p| channel_of(p) == channel)
+                    .collect();
+                by_condition.push(self.group(&forward.conditions()[condition].name, channel, &own));
+            }
+        }
+        by_condition
+    }
+
+    /// The numbers `own` of one channel of one condition.
+    fn group(&self, condition: &str, channel: Channel, own: &[usize]) -> MisfitGroup {
+        let count = own.len() as f64;
+        let variance: f64 = own
+            .iter()
+            .flat_map(|&a| own.iter().map(move |&b| (a, b)))
+            .map(|(a, b)| self.covariance(a, b))
+            .sum();
+        let squares: f64 = own.iter().map(|&p| self.square(p)).sum();
+        MisfitGroup {
+            condition: condition.to_string(),
+            channel,
+            numbers: own.len(),
+            share: squares / self.total,
+            mean_error: own.iter().map(|&p| self.each[p]).sum::<f64>() / count,
+            mean_uncertainty: variance.max(0.0).sqrt() / count,
+            rms: (own.iter().map(|&p| self.each[p].powi(2)).sum::<f64>() / count).sqrt(),
+            rms_sigma: (squares / count).sqrt(),
         }
     }
-    let mut tenths: BTreeMap<(Channel, usize), Vec<usize>> = BTreeMap::new();
-    for (position, &row) in data.rows.iter().enumerate() {
-        let observable = &observables[row];
-        let Some(inner) = observable.r_mm else { continue };
-        let middle = 0.5 * (inner + observable.r_to_mm.unwrap_or(inner));
-        let place = middle / (1e3 * forward.conditions()[observable.condition].length_m);
-        let tenth = ((10.0 * place) as usize).min(9);
-        tenths
-            .entry((observable.channel, tenth))
-            .or_default()
-            .push(position);
+
+    fn by_station(&self) -> Vec<MisfitStation> {
+        let conditions = self.baseline.forward.conditions();
+        let mut tenths: BTreeMap<(Channel, usize), Vec<usize>> = BTreeMap::new();
+        for position in 0..self.each.len() {
+            let observable = self.observable(position);
+            let Some(inner) = observable.r_mm else { continue };
+            let middle = 0.5 * (inner + observable.r_to_mm.unwrap_or(inner));
+            let place = middle / (1e3 * conditions[observable.condition].length_m);
+            let tenth = ((10.0 * place) as usize).min(9);
+            tenths
+                .entry((observable.channel, tenth))
+                .or_default()
+                .push(position);
+        }
+        let by_station = tenths.into_iter().map(|((channel, tenth), own)| MisfitStation {
+            r_over_length: (tenth as f64 + 0.5) / 10.0,
+            channel,
+            share: own.iter().map(|&p| self.square(p)).sum::<f64>() / self.total,
+            mean_sigma: own.iter().map(|&p| self.each[p] / self.sigma(p)).sum::<f64>() / own.len() as f64,
+        });
+        by_station.collect()
     }
-    let by_station = tenths.into_iter().map(|((channel, tenth), own)| MisfitStation {
-        r_over_length: (tenth as f64 + 0.5) / 10.0,
-        channel,
-        share: own.iter().map(|&p| square(p)).sum::<f64>() / total,
-        mean_sigma: own.iter().map(|&p| errors[p] / sigma(p)).sum::<f64>() / own.len() as f64,
-    });
+}
+
+fn pulls(baseline: &Baseline) -> Vec<Pull> {
+    let fit = &baseline.fit;
     let pulls = fit.free.iter().enumerate().map(|(position, &i)| {
-        let unknown = &forward.unknowns()[i];
+        let unknown = &baseline.forward.unknowns()[i];
         let pull = (fit.at[i] - unknown.mean) / unknown.sigma;
         Pull {
             unknown: unknown.name.clone(),
@@ -158,11 +216,5 @@ pub fn of(baseline: &Baseline) -> Misfit {
             is_flagged: pull.abs() > FLAGGED_PULL,
         }
     });
-    Misfit {
-        q: fit.q,
-        numbers: errors.len(),
-        by_condition,
-        by_station: by_station.collect(),
-        pulls: pulls.collect(),
-    }
+    pulls.collect()
 }

@@ -99,6 +99,20 @@ use table::Table;
 /// # Errors
 /// If there is nothing to fit or no effect to try, a result is not finite, a fit does not settle, or the user asked
 /// to stop.
+///
+/// # Example
+/// ```
+/// # use std::path::Path;
+/// # use washout::{input::study::LoadedStudy, progress::Progress, study::Campaign};
+/// use washout::diagnose::{Settings, Verdict, diagnose};
+///
+/// let (quiet, tried) = (Progress::quiet(), ["root-flexure", "rod-creep"]);
+/// let study = LoadedStudy::load(Path::new("studies/minguet.toml"), &[])?;
+/// let campaign = Campaign::new(&study, &tried, &quiet)?;
+/// let diagnosis = diagnose(&campaign, &Settings::default(), &quiet)?;
+/// println!("{:?}", diagnosis.verdict);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn diagnose(
     forward: &dyn Forward,
     settings: &Settings,

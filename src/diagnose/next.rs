@@ -258,17 +258,7 @@ fn answer(
     warm_start: Option<&WarmStart>,
 ) -> Result<(Answer, Option<WarmStart>), DiagnoseError> {
     let (known, own) = (forward.unknowns(), candidates.unknowns());
-    // among experiments on one wing alone nothing is told by its wing
-    let wings = candidates
-        .conditions()
-        .iter()
-        .map(|condition| condition.wing.as_str());
-    let mut wings: Vec<&str> = wings.collect();
-    wings.dedup();
-    let only = match wings.as_slice() {
-        [wing] => format!(" on {wing}"),
-        _ => String::new(),
-    };
+    let only = on_the_only_wing(candidates);
     let is_same = |known: &Unknown, name: &str| {
         known.name == name || (!only.is_empty() && known.name.strip_suffix(&only) == Some(name))
     };
@@ -311,6 +301,20 @@ fn answer(
         covariance += &slope * slope.transpose();
     }
     Ok(((linear.value, covariance), left))
+}
+
+/// How names of unknowns end that act on the wing of all these experiments, if it is one: among those nothing is told by its wing.
+fn on_the_only_wing(candidates: &dyn Forward) -> String {
+    let wings = candidates
+        .conditions()
+        .iter()
+        .map(|condition| condition.wing.as_str());
+    let mut wings: Vec<&str> = wings.collect();
+    wings.dedup();
+    match wings.as_slice() {
+        [wing] => format!(" on {wing}"),
+        _ => String::new(),
+    }
 }
 
 #[cfg(test)]

@@ -40,6 +40,13 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
             "What was held out is met worse with the first of these, by {with:.1} sigma instead of {without:.1}."
         ));
     }
+    notes.extend(without_solution(baseline, judgement));
+    notes
+}
+
+/// What no fit or no equilibrium was found for, and how it was weighed.
+fn without_solution(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
+    let mut notes = Vec::new();
     let unsettled = unsettled(baseline, judgement);
     if !unsettled.is_empty() {
         notes.push(format!(

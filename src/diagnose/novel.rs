@@ -10,7 +10,7 @@ use super::baseline::Baseline;
 use super::bump::Around;
 use super::evidence::{Likelihood, Spectrum, ln_sum};
 use super::fields::{AMPLITUDES, Field, LOADS, Law, share};
-use super::laws::growths;
+use super::laws::{Growth, growths};
 use super::places::channel;
 use super::scaling::{Scaling, scaling};
 use super::whitened::Whitened;
@@ -108,39 +108,21 @@ pub fn reconstruct(baseline: &Baseline, around: Option<&Around>) -> Option<Recon
     let fields: Vec<Field> = loads.chain(others).cloned().collect();
     let seen = seen(&fields, whitened);
     let weighed = weigh(&seen, whitened, baseline.likelihood);
-    let weight = |k: usize| {
-        let share = match growths.get(k) {
-            Some(growth) => LOADS * growth.laws.iter().map(|own| own.share).sum::<f64>(),
-            None => share(fields[k].law, &fields),
-        };
-        weighed[k].0 + share.ln()
-    };
-    let of_laws = growths.iter().enumerate().flat_map(|(k, growth)| {
-        let gain = weighed[k].0;
-        growth.laws.iter().map(move |own| (*own, gain + own.share.ln()))
-    });
-    let of_loads = scaling(&of_laws.collect::<Vec<_>>());
+    let of_loads = scaling_of_loads(&growths, &weighed);
     // of the more probable kind of growth, whichever single law is best
     let is_likelier = |k: &usize| {
         let is_onset = matches!(fields[*k].law, Law::Onset { .. });
         *k >= growths.len() || of_loads.is_none_or(|found| found.is_onset() == is_onset)
     };
-    let mut order: Vec<usize> = (0..fields.len()).collect();
-    order.sort_by(|&a, &b| weight(b).total_cmp(&weight(a)).then(a.cmp(&b)));
+    let order = best_first(&growths, &fields, &weighed);
     let best = order.iter().copied().find(is_likelier)?;
     let law = match (fields[best].law, of_loads.and_then(|found| found.onset)) {
         (Law::Onset { .. }, Some(onset)) => onset.law(),
         (law, _) => law,
     };
     let amplitude = weighed[best].1;
-    let (mean, covariance) = weights_of(&(&seen[best] * amplitude), &whitened.residual)?;
-    let field = fields[best].profiles.iter().map(|(condition, map)| {
-        let map = map * amplitude;
-        let (value, spread) = (&map * &mean, &map * &covariance * map.transpose());
-        let name = condition.map(|condition| forward.conditions()[condition].name.clone());
-        profile(name, &value, &spread)
-    });
-    let field: Vec<FieldProfile> = field.collect();
+    let weights = weights_of(&(&seen[best] * amplitude), &whitened.residual)?;
+    let field = profiles(forward, &fields[best], amplitude, &weights);
     let scaling = match fields[best].law {
         Law::Load { .. } | Law::Onset { .. } => of_loads,
         Law::Free => scaling_of_conditions(forward, &fields[best], &field),
@@ -150,19 +132,61 @@ pub fn reconstruct(baseline: &Baseline, around: Option<&Around>) -> Option<Recon
         law: fields[k].law,
         delta_ln_evidence: weighed[k].0 - weighed[best].0,
     });
-    let unit = match fields[best].law {
-        Law::Load { .. } | Law::Onset { .. } | Law::Free => "N m/m",
-        Law::Spring => "N m/m/deg",
-        Law::Compliance => "1",
-        Law::Sensor => channel(forward, &baseline.data).unit(),
-    };
     Some(Reconstruction {
         law,
         laws: laws.collect(),
-        unit: unit.into(),
+        unit: unit(baseline, fields[best].law).into(),
         field,
         scaling,
     })
+}
+
+/// How a load scales, from ln Z of the fields of all laws by which it may grow, the first of those `weighed`.
+fn scaling_of_loads(growths: &[Growth], weighed: &[(f64, f64)]) -> Option<Scaling> {
+    let of_laws = growths.iter().enumerate().flat_map(|(k, growth)| {
+        let gain = weighed[k].0;
+        growth.laws.iter().map(move |own| (*own, gain + own.share.ln()))
+    });
+    scaling(&of_laws.collect::<Vec<_>>())
+}
+
+/// Positions of the fields, the most probable first.
+fn best_first(growths: &[Growth], fields: &[Field], weighed: &[(f64, f64)]) -> Vec<usize> {
+    let weight = |k: usize| {
+        let share = match growths.get(k) {
+            Some(growth) => LOADS * growth.laws.iter().map(|own| own.share).sum::<f64>(),
+            None => share(fields[k].law, fields),
+        };
+        weighed[k].0 + share.ln()
+    };
+    let mut order: Vec<usize> = (0..fields.len()).collect();
+    order.sort_by(|&a, &b| weight(b).total_cmp(&weight(a)).then(a.cmp(&b)));
+    order
+}
+
+/// The profiles of a field of this amplitude, from mean and covariance of its weights.
+fn profiles(
+    forward: &dyn Forward,
+    field: &Field,
+    amplitude: f64,
+    (mean, covariance): &(DVector<f64>, DMatrix<f64>),
+) -> Vec<FieldProfile> {
+    let profiles = field.profiles.iter().map(|(condition, map)| {
+        let map = map * amplitude;
+        let (value, spread) = (&map * mean, &map * covariance * map.transpose());
+        let name = condition.map(|condition| forward.conditions()[condition].name.clone());
+        profile(name, &value, &spread)
+    });
+    profiles.collect()
+}
+
+fn unit(baseline: &Baseline, law: Law) -> &'static str {
+    match law {
+        Law::Load { .. } | Law::Onset { .. } | Law::Free => "N m/m",
+        Law::Spring => "N m/m/deg",
+        Law::Compliance => "1",
+        Law::Sensor => channel(baseline.forward, &baseline.data).unit(),
+    }
 }
 
 /// Mean and covariance of the weights v ~ N(0, I) of columns `x` given e = x v + N(0, I).

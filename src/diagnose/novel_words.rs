@@ -4,6 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::fields::{Driver, Law};
 use super::novel::{FieldProfile, Reconstruction};
+use super::scaling::Scaling;
 use super::verdict::Draft;
 use super::words::short;
 use crate::study::Condition;
@@ -30,10 +31,6 @@ pub fn draft(reconstruction: &Reconstruction, conditions: &[Condition]) -> Optio
     let (shape, size) = polynomial(profile)?;
     let what = what(reconstruction)?;
     let (factor, mut numbers) = growth(reconstruction, profile, conditions);
-    let peak = profile
-        .points
-        .iter()
-        .max_by(|a, b| a.value.abs().total_cmp(&b.value.abs()))?;
     let unit = reconstruction.unit.as_str();
     let name = match reconstruction.law {
         Law::Spring => "k",
@@ -41,26 +38,14 @@ pub fn draft(reconstruction: &Reconstruction, conditions: &[Condition]) -> Optio
         Law::Sensor => "e",
         _ => "m",
     };
-    let place = profile
-        .condition
-        .as_ref()
-        .map_or(String::new(), |name| format!(" in {name}"));
-    let why = format!(
-        "{} ± {} {unit} at r/R = {:.2}{place}",
-        short(peak.value.abs()),
-        short(peak.standard_deviation),
-        peak.r_over_length
-    );
-    numbers.insert(
-        0,
-        Number {
-            name,
-            value: size,
-            range: [0.0, LARGEST * size],
-            unit,
-            why,
-        },
-    );
+    let size = Number {
+        name,
+        value: size,
+        range: [0.0, LARGEST * size],
+        unit,
+        why: peak(profile, unit)?,
+    };
+    numbers.insert(0, size);
     let (acts_on, expression) = match reconstruction.law {
         Law::Compliance => (Some("torsion"), format!("1 / max(1 + {name} * ({shape}), 0.05)")),
         Law::Sensor => (None, format!("{name} * ({shape})")),
@@ -84,6 +69,24 @@ pub fn draft(reconstruction: &Reconstruction, conditions: &[Condition]) -> Optio
         what,
         effect,
     })
+}
+
+/// The largest value of a field, and where it is, in words.
+fn peak(profile: &FieldProfile, unit: &str) -> Option<String> {
+    let peak = profile
+        .points
+        .iter()
+        .max_by(|a, b| a.value.abs().total_cmp(&b.value.abs()))?;
+    let place = profile
+        .condition
+        .as_ref()
+        .map_or(String::new(), |name| format!(" in {name}"));
+    Some(format!(
+        "{} ± {} {unit} at r/R = {:.2}{place}",
+        short(peak.value.abs()),
+        short(peak.standard_deviation),
+        peak.r_over_length
+    ))
 }
 
 /// What is missing, in words; none if it has no field.
@@ -138,80 +141,100 @@ fn growth(
             .filter_map(|condition| driver.of(condition));
         values.reduce(f64::max)
     };
-    let in_formula = |driver: Driver, value: f64| match driver {
-        Driver::Frequency => value,
-        Driver::Amplitude => value.to_radians(),
-    };
+    let none = (String::new(), Vec::new());
     let Some(scaling) = reconstruction.scaling else {
-        return (String::new(), Vec::new());
+        return none;
     };
     match reconstruction.law {
-        Law::Load { .. } | Law::Free => {
-            let mut factor = String::new();
-            let mut numbers = Vec::new();
-            let powers = [
-                (
-                    Driver::Frequency,
-                    "f",
-                    "a",
-                    scaling.frequency,
-                    scaling.frequency_is_told,
-                ),
-                (
-                    Driver::Amplitude,
-                    "Phi",
-                    "b",
-                    scaling.amplitude,
-                    scaling.amplitude_is_told,
-                ),
-            ];
-            for (driver, variable, name, [mean, error], is_told) in powers {
-                let Some(largest) = largest(driver) else { continue };
-                factor.push_str(&format!(
-                    " * ({variable} / {:.4})^{name}",
-                    in_formula(driver, largest)
-                ));
-                let told = if is_told {
-                    ""
-                } else {
-                    ", which is not told by the data"
-                };
-                numbers.push(Number {
-                    name,
-                    value: mean,
-                    range: [mean - 2.0 * error, mean + 2.0 * error],
-                    unit: "1",
-                    why: format!("{mean:.1} ± {error:.1}{told}"),
-                });
+        Law::Load { .. } | Law::Free => by_powers(&scaling, largest),
+        Law::Onset { of, from } => match largest(of) {
+            Some(largest) => {
+                let why = scaling.words(reconstruction.law);
+                let (factor, number) = by_onset(&scaling, (of, from), largest, why);
+                (factor, vec![number])
             }
-            (factor, numbers)
-        }
-        Law::Onset { of, from } => {
-            let Some(largest) = largest(of) else {
-                return (String::new(), Vec::new());
-            };
-            let found = scaling.onset.and_then(|onset| onset.at(of));
-            let [_, error] = found.unwrap_or([from, 0.0]);
-            let (variable, name, unit) = match of {
-                Driver::Frequency => ("f", "f_on", "Hz"),
-                Driver::Amplitude => ("Phi", "Phi_on", "rad"),
-            };
-            let [from, error, largest] = [from, error, largest].map(|value| in_formula(of, value));
-            let number = Number {
-                name,
-                value: from,
-                range: [
-                    (from - 2.0 * error).max(0.0),
-                    (from + 2.0 * error).min(0.5 * (from + largest)),
-                ],
-                unit,
-                why: scaling.words(reconstruction.law),
-            };
-            let factor = format!(" * max({variable} - {name}, 0) / ({largest:.4} - {name})");
-            (factor, vec![number])
-        }
-        _ => (String::new(), Vec::new()),
+            None => none,
+        },
+        _ => none,
     }
+}
+
+/// A driver of the motion as formulas know it: Hz, rad.
+fn in_formula(driver: Driver, value: f64) -> f64 {
+    match driver {
+        Driver::Frequency => value,
+        Driver::Amplitude => value.to_radians(),
+    }
+}
+
+/// Powers of frequency and amplitude over the `largest` of each.
+fn by_powers(scaling: &Scaling, largest: impl Fn(Driver) -> Option<f64>) -> (String, Vec<Number<'static>>) {
+    let mut factor = String::new();
+    let mut numbers = Vec::new();
+    let powers = [
+        (
+            Driver::Frequency,
+            "f",
+            "a",
+            scaling.frequency,
+            scaling.frequency_is_told,
+        ),
+        (
+            Driver::Amplitude,
+            "Phi",
+            "b",
+            scaling.amplitude,
+            scaling.amplitude_is_told,
+        ),
+    ];
+    for (driver, variable, name, [mean, error], is_told) in powers {
+        let Some(largest) = largest(driver) else { continue };
+        factor.push_str(&format!(
+            " * ({variable} / {:.4})^{name}",
+            in_formula(driver, largest)
+        ));
+        let told = if is_told {
+            ""
+        } else {
+            ", which is not told by the data"
+        };
+        numbers.push(Number {
+            name,
+            value: mean,
+            range: [mean - 2.0 * error, mean + 2.0 * error],
+            unit: "1",
+            why: format!("{mean:.1} ± {error:.1}{told}"),
+        });
+    }
+    (factor, numbers)
+}
+
+/// What sets in at a value of a driver, and reaches one at its `largest`.
+fn by_onset(
+    scaling: &Scaling,
+    (of, from): (Driver, f64),
+    largest: f64,
+    why: String,
+) -> (String, Number<'static>) {
+    let found = scaling.onset.and_then(|onset| onset.at(of));
+    let [_, error] = found.unwrap_or([from, 0.0]);
+    let (variable, name, unit) = match of {
+        Driver::Frequency => ("f", "f_on", "Hz"),
+        Driver::Amplitude => ("Phi", "Phi_on", "rad"),
+    };
+    let [from, error, largest] = [from, error, largest].map(|value| in_formula(of, value));
+    let number = Number {
+        name,
+        value: from,
+        range: [
+            (from - 2.0 * error).max(0.0),
+            (from + 2.0 * error).min(0.5 * (from + largest)),
+        ],
+        unit,
+        why,
+    };
+    let factor = format!(" * max({variable} - {name}, 0) / ({largest:.4} - {name})");
+    (factor, number)
 }
 
 fn table(acts_on: &str, expression: &str, what: &str, numbers: &[Number]) -> String {
@@ -285,7 +308,7 @@ fn polynomial(profile: &FieldProfile) -> Option<(String, f64)> {
 mod tests {
     use super::*;
     use crate::diagnose::novel::FieldPoint;
-    use crate::diagnose::scaling::{Onset, Scaling};
+    use crate::diagnose::scaling::Onset;
     use crate::input::Expression;
 
     fn condition(name: &str, frequency_hz: f64) -> Condition {

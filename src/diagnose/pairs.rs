@@ -68,17 +68,7 @@ pub fn pairs(
             seen.column_iter().any(|own| own.norm() > VISIBLE)
         })
         .collect();
-    let glances: Vec<(usize, usize)> = visible
-        .iter()
-        .flat_map(|&k| {
-            let count = members[k].nodes.len();
-            let mut nodes: Vec<usize> = (0..GLANCES.min(count))
-                .map(|glance| (2 * glance + 1) * count / (2 * GLANCES.min(count)))
-                .collect();
-            nodes.dedup();
-            nodes.into_iter().map(move |node| (k, node))
-        })
-        .collect();
+    let glances = glances(members, &visible);
     let glanced = DMatrix::from_columns(
         &glances
             .iter()
@@ -89,13 +79,7 @@ pub fn pairs(
         return Ok(Vec::new());
     }
     let mut chosen: Vec<Found> = best_of_all(weights, members, &glances, &glanced, &ln_prior_of)?;
-    let mut first: Vec<&Trial> = singles
-        .iter()
-        .filter(|trial| visible.contains(&trial.members[0]))
-        .collect();
-    first.sort_by(|a, b| b.ln_weight.total_cmp(&a.ln_weight));
-    first.truncate(FIRST);
-    let with_first: Vec<Vec<(f64, Found)>> = first
+    let with_first: Vec<Vec<(f64, Found)>> = best_singles(singles, &visible)
         .into_par_iter()
         .map(|trial| beside(weights, members, trial, &glances, &glanced, &ln_prior_of))
         .collect::<Result<_, _>>()?;
@@ -118,6 +102,29 @@ pub fn pairs(
         }
     }
     Ok(trials)
+}
+
+/// Strengths of the `visible` effects that are looked at: position of the effect, node.
+fn glances(members: &[Member], visible: &[usize]) -> Vec<(usize, usize)> {
+    let of_effect = |&k: &usize| {
+        let count = members[k].nodes.len();
+        let mut nodes: Vec<usize> = (0..GLANCES.min(count))
+            .map(|glance| (2 * glance + 1) * count / (2 * GLANCES.min(count)))
+            .collect();
+        nodes.dedup();
+        nodes.into_iter().map(move |node| (k, node))
+    };
+    visible.iter().flat_map(of_effect).collect()
+}
+
+fn best_singles<'a>(singles: &'a [Trial], visible: &[usize]) -> Vec<&'a Trial> {
+    let mut first: Vec<&Trial> = singles
+        .iter()
+        .filter(|trial| visible.contains(&trial.members[0]))
+        .collect();
+    first.sort_by(|a, b| b.ln_weight.total_cmp(&a.ln_weight));
+    first.truncate(FIRST);
+    first
 }
 
 /// Weighs the best pairs anew with what the model reads with both at once: what two effects make together is not the sum of what each makes
@@ -198,8 +205,7 @@ fn best_of_all(
 ) -> Result<Vec<Found>, DiagnoseError> {
     let count = glances.len();
     let mut best: Vec<f64> = vec![f64::NEG_INFINITY; count * count];
-    let whole = changes.clone().insert_column(count, 0.0);
-    let mut columns = whole;
+    let mut columns = changes.clone().insert_column(count, 0.0);
     columns.set_column(count, weights.residual);
     for level in &weights.levels {
         let root = level.root(None)?;
@@ -355,34 +361,7 @@ fn weighed(
     let [a, b] = pair.map(|k| &members[k]);
     let mut trial: Option<Trial> = None;
     for _ in 0..ROUNDS {
-        let change = |member: &Member, node: usize| member.changes.column(node).into_owned();
-        let changes = [change(a, nodes[0]), change(b, nodes[1])];
-        let interplay = match mixed {
-            None => weights.error.interplay(&changes[0], &changes[1]) * INTERPLAY.powi(2),
-            Some(mixed) => weights.error.own(&mixed.change, OWN_OF_BOTH, 1.0),
-        };
-        let guess = Mixed {
-            change: weights.error.product(&changes[0], &changes[1]) * PRODUCT,
-            at: [a.nodes[nodes[0]].strength, b.nodes[nodes[1]].strength],
-        };
-        let mixed = mixed.unwrap_or(&guess);
-        let of = |own: &Member, at: f64| own.nodes.iter().map(|node| node.strength / at).collect();
-        let shares = Some((&mixed.change, [of(a, mixed.at[0]), of(b, mixed.at[1])]));
-        let mut block = DMatrix::from_element(a.nodes.len(), b.nodes.len(), f64::NEG_INFINITY);
-        for size in OWN_SIZES {
-            let own =
-                |of: usize, member: &Member| weights.error.own(&changes[of], member.own_error, size.factor);
-            let more = own(0, a) + own(1, b) + &interplay;
-            let part = self::block(weights, Some(&more), [&a.changes, &b.changes], shares.clone())?;
-            block.zip_apply(&part, |sum, ln| {
-                *sum = ln_sum([*sum, ln + size.ln_prior].into_iter())
-            });
-        }
-        for (j, mut column) in block.column_iter_mut().enumerate() {
-            for (i, ln) in column.iter_mut().enumerate() {
-                *ln += a.nodes[i].ln_prior + b.nodes[j].ln_prior;
-            }
-        }
+        let block = with_own_errors(weights, [a, b], nodes, mixed)?;
         let ln_weight = ln_prior + ln_sum(block.iter().copied());
         let of_a: Vec<f64> = block.row_iter().map(|row| ln_sum(row.iter().copied())).collect();
         let of_b: Vec<f64> = block
@@ -405,6 +384,44 @@ fn weighed(
         nodes = [row, column];
     }
     Ok(trial.unwrap_or_else(|| of_nodes(members, (pair, nodes), [ln_prior, f64::NEG_INFINITY])))
+}
+
+/// [`block`] with the errors of both effects at these nodes, summed over how badly their formulas are known, and with the priors of their
+/// strengths.
+fn with_own_errors(
+    weights: &Weights,
+    [a, b]: [&Member; 2],
+    nodes: [usize; 2],
+    mixed: Option<&Mixed>,
+) -> Result<DMatrix<f64>, DiagnoseError> {
+    let change = |member: &Member, node: usize| member.changes.column(node).into_owned();
+    let changes = [change(a, nodes[0]), change(b, nodes[1])];
+    let interplay = match mixed {
+        None => weights.error.interplay(&changes[0], &changes[1]) * INTERPLAY.powi(2),
+        Some(mixed) => weights.error.own(&mixed.change, OWN_OF_BOTH, 1.0),
+    };
+    let guess = Mixed {
+        change: weights.error.product(&changes[0], &changes[1]) * PRODUCT,
+        at: [a.nodes[nodes[0]].strength, b.nodes[nodes[1]].strength],
+    };
+    let mixed = mixed.unwrap_or(&guess);
+    let of = |own: &Member, at: f64| own.nodes.iter().map(|node| node.strength / at).collect();
+    let shares = Some((&mixed.change, [of(a, mixed.at[0]), of(b, mixed.at[1])]));
+    let mut sum = DMatrix::from_element(a.nodes.len(), b.nodes.len(), f64::NEG_INFINITY);
+    for size in OWN_SIZES {
+        let own = |of: usize, member: &Member| weights.error.own(&changes[of], member.own_error, size.factor);
+        let more = own(0, a) + own(1, b) + &interplay;
+        let part = block(weights, Some(&more), [&a.changes, &b.changes], shares.clone())?;
+        sum.zip_apply(&part, |sum, ln| {
+            *sum = ln_sum([*sum, ln + size.ln_prior].into_iter())
+        });
+    }
+    for (j, mut column) in sum.column_iter_mut().enumerate() {
+        for (i, ln) in column.iter_mut().enumerate() {
+            *ln += a.nodes[i].ln_prior + b.nodes[j].ln_prior;
+        }
+    }
+    Ok(sum)
 }
 
 /// A pair at its best strengths.

@@ -5,8 +5,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::progress::Progress;
-use crate::study::Forward;
 use crate::study::left_out::Local;
+use crate::study::{Forward, Linear};
 
 use super::baseline::distances;
 use super::data::{Data, start};
@@ -113,64 +113,18 @@ impl Outlook {
             return Err(DiagnoseError::NoEffects);
         };
         let size = data.rows.len();
-        let own = DMatrix::from_fn(size, data.model.len(), |row, k| {
-            linear.jacobian[(data.rows[row], data.model[k])] * unknowns[data.model[k]].sigma
-        });
-        let ones = vec![1.0; size];
-        let error = ModelError::new(forward, &data, &linear.value, &ones, &own);
-        let scatter = Scatter::new(
-            &error,
-            &Size::typical(settings.discrepancy, settings.noise_scale),
-            ones,
-        )?;
-        let local = Local {
-            at_means: DVector::zeros(size),
-            slopes: own,
-            rows: data.rows.clone(),
-            ends: Vec::new(),
-        };
-        let whitened = Whitened::new(&local, &scatter.noise)?;
+        let (scatter, whitened) = expected(forward, &data, &linear, settings)?;
         let directions = Directions::new(&data, slopes, &whitened);
         let before = scatter
             .noise
             .whiten_columns(&slopes.select_rows(data.rows.iter()));
         let level = family_wise(settings.significance, data.missing.len());
         let distances = distances(forward, &data, responses, &whitened);
-        let mut effects: Vec<PlannedEffect> = Vec::new();
-        for k in 0..data.missing.len() {
-            let unknown = &unknowns[data.missing[k]];
-            let Some((effect, family, scale, one_sided)) = effect_of(unknown) else {
-                continue;
-            };
-            let (length, whole) = (directions.lengths[k], before.column(k).norm());
-            let by_slope = scale / unknown.sigma * length;
-            let by_model = distances[k];
-            let detectability = by_model.unwrap_or(by_slope);
-            effects.push(PlannedEffect {
-                effect: effect.to_string(),
-                family: family.to_string(),
-                scale,
-                unit: unknown.unit.clone(),
-                standard_error: unknown.sigma / length.max(1e-9),
-                detectability,
-                has_no_solution: by_model.is_none(),
-                power: power_at_distance(detectability, one_sided, level),
-                absorbed: if whole > 0.0 {
-                    1.0 - (length / whole).min(1.0)
-                } else {
-                    0.0
-                },
-                confused_with: confused(forward, &data, &directions, (k, detectability)),
-            });
-        }
-        effects.sort_by(|a, b| b.detectability.total_cmp(&a.detectability));
-        // of an effect that may sit anywhere, its most visible place
-        let mut names: Vec<String> = Vec::new();
-        effects.retain(|effect| {
-            let is_new = !names.contains(&effect.effect);
-            names.push(effect.effect.clone());
-            is_new
+        let effects = (0..data.missing.len()).filter_map(|k| {
+            let whole = before.column(k).norm();
+            planned(forward, &data, &directions, (k, distances[k]), whole, level)
         });
+        let effects = most_visible(effects.collect());
         Ok(Outlook {
             plan: Plan {
                 sentence: sentence(&effects),
@@ -216,6 +170,80 @@ impl Outlook {
         let moved = DMatrix::from_column_slice(moved.len(), 1, moved.as_slice());
         self.whitened.directions(&moved).column(0).into_owned()
     }
+}
+
+/// The scatter that is expected about a model, and the model's own unknowns in it.
+fn expected(
+    forward: &dyn Forward,
+    data: &Data,
+    linear: &Linear,
+    settings: &Settings,
+) -> Result<(Scatter, Whitened), DiagnoseError> {
+    let unknowns = forward.unknowns();
+    let size = data.rows.len();
+    let own = DMatrix::from_fn(size, data.model.len(), |row, k| {
+        linear.jacobian[(data.rows[row], data.model[k])] * unknowns[data.model[k]].sigma
+    });
+    let ones = vec![1.0; size];
+    let error = ModelError::new(forward, data, &linear.value, &ones, &own);
+    let scatter = Scatter::new(
+        &error,
+        &Size::typical(settings.discrepancy, settings.noise_scale),
+        ones,
+    )?;
+    let local = Local {
+        at_means: DVector::zeros(size),
+        slopes: own,
+        rows: data.rows.clone(),
+        ends: Vec::new(),
+    };
+    let whitened = Whitened::new(&local, &scatter.noise)?;
+    Ok((scatter, whitened))
+}
+
+/// What the campaign could tell of effect `k`, which the model sees at this distance. `whole`: length of its signature before the model's own
+/// unknowns absorb their part; `level`: significance at which it is looked for.
+fn planned(
+    forward: &dyn Forward,
+    data: &Data,
+    directions: &Directions,
+    (k, by_model): (usize, Option<f64>),
+    whole: f64,
+    level: f64,
+) -> Option<PlannedEffect> {
+    let unknown = &forward.unknowns()[data.missing[k]];
+    let (effect, family, scale, one_sided) = effect_of(unknown)?;
+    let length = directions.lengths[k];
+    let by_slope = scale / unknown.sigma * length;
+    let detectability = by_model.unwrap_or(by_slope);
+    Some(PlannedEffect {
+        effect: effect.to_string(),
+        family: family.to_string(),
+        scale,
+        unit: unknown.unit.clone(),
+        standard_error: unknown.sigma / length.max(1e-9),
+        detectability,
+        has_no_solution: by_model.is_none(),
+        power: power_at_distance(detectability, one_sided, level),
+        absorbed: if whole > 0.0 {
+            1.0 - (length / whole).min(1.0)
+        } else {
+            0.0
+        },
+        confused_with: confused(forward, data, directions, (k, detectability)),
+    })
+}
+
+/// The effects, the most visible first; of one that may sit anywhere, its most visible place.
+fn most_visible(mut effects: Vec<PlannedEffect>) -> Vec<PlannedEffect> {
+    effects.sort_by(|a, b| b.detectability.total_cmp(&a.detectability));
+    let mut names: Vec<String> = Vec::new();
+    effects.retain(|effect| {
+        let is_new = !names.contains(&effect.effect);
+        names.push(effect.effect.clone());
+        is_new
+    });
+    effects
 }
 
 /// Effects of other families that an effect, seen at this distance, cannot be told from.

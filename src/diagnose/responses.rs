@@ -120,35 +120,16 @@ impl Response {
         let (Some((least, _)), Some((most, _))) = (self.curve.knots.first(), self.curve.knots.last()) else {
             return Vec::new();
         };
-        let mut strengths: Vec<f64> = match all_or_none {
-            true => self
-                .curve
-                .knots
-                .iter()
-                .map(|knot| knot.0)
-                .filter(|own| *own == scale)
-                .collect(),
-            false => (1..=NODES)
-                .flat_map(|node| {
-                    let share = node as f64 / NODES as f64;
-                    [least * share, most * share]
-                })
-                .filter(|strength| *strength != 0.0)
-                .collect(),
+        let strengths = match all_or_none {
+            true => self.solved_at(scale),
+            false => evenly(*least, *most),
         };
-        strengths.sort_by(f64::total_cmp);
         let is_plausible = |strength: f64| (low..=high).contains(&strength);
         let inside = strengths.iter().filter(|own| is_plausible(**own)).count();
         let outside = strengths.len() - inside;
-        let prior = |strength: f64| match (is_plausible(strength), inside, outside) {
-            (true, _, 0) => 1.0 / inside as f64,
-            (false, 0, _) => IMPLAUSIBLE / outside as f64,
-            (true, ..) => (1.0 - IMPLAUSIBLE) / inside as f64,
-            (false, ..) => IMPLAUSIBLE / outside as f64,
-        };
         let node = |strength: f64, share: f64, of: f64| Node {
             strength,
-            ln_prior: (share * prior(of)).ln(),
+            ln_prior: (share * prior(is_plausible(of), inside, outside)).ln(),
             is_plausible: is_plausible(of),
             is_in_place: true,
             change: self.at(strength),
@@ -177,6 +158,14 @@ impl Response {
         }
         nodes.sort_by(|a, b| a.strength.total_cmp(&b.strength));
         nodes
+    }
+
+    /// The strengths that were solved at this size.
+    fn solved_at(&self, scale: f64) -> Vec<f64> {
+        let solved = self.curve.knots.iter().map(|knot| knot.0);
+        let mut strengths: Vec<f64> = solved.filter(|own| *own == scale).collect();
+        strengths.sort_by(f64::total_cmp);
+        strengths
     }
 
     /// `nodes` and the same a third of the way to the places beside, where the change is mixed: what sits between two places must be no less
@@ -216,6 +205,29 @@ impl Response {
     /// Change of every observable at a strength within the steps.
     pub fn at(&self, strength: f64) -> DVector<f64> {
         self.curve.at(strength)
+    }
+}
+
+/// Strengths between none and the ends of what was solved, in ascending order.
+fn evenly(least: f64, most: f64) -> Vec<f64> {
+    let mut strengths: Vec<f64> = (1..=NODES)
+        .flat_map(|node| {
+            let share = node as f64 / NODES as f64;
+            [least * share, most * share]
+        })
+        .filter(|strength| *strength != 0.0)
+        .collect();
+    strengths.sort_by(f64::total_cmp);
+    strengths
+}
+
+/// Prior probability of a strength among so many inside the plausible range and outside of it.
+fn prior(is_plausible: bool, inside: usize, outside: usize) -> f64 {
+    match (is_plausible, inside, outside) {
+        (true, _, 0) => 1.0 / inside as f64,
+        (false, 0, _) => IMPLAUSIBLE / outside as f64,
+        (true, ..) => (1.0 - IMPLAUSIBLE) / inside as f64,
+        (false, ..) => IMPLAUSIBLE / outside as f64,
     }
 }
 

@@ -38,41 +38,10 @@ pub fn name(baseline: &Baseline, k: usize) -> String {
 pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, belief: &Belief) -> Hypothesis {
     let families = belief.case.families();
     let found = judgement.best_of(&families);
-    let mut strengths: Vec<Strength> = Vec::new();
-    let mut plausible = true;
-    if let Some((index, explanation)) = found.filter(|_| !families.is_empty()) {
-        let trial = &judgement.trials[index];
-        let members = &trial.members;
-        // in the order of the families: first what the data show
-        let family_of = |k: usize| {
-            let has = |&family: &usize| baseline.families[family].members.contains(&k);
-            families.iter().position(has)
-        };
-        let mut ordered: Vec<(usize, usize)> = members.iter().copied().enumerate().collect();
-        ordered.sort_by_key(|&(_, k)| family_of(k));
-        let family_name = |k: usize| {
-            let own = family_of(k).map(|position| &baseline.families[families[position]]);
-            own.map_or_else(String::new, |family| family.name.clone())
-        };
-        for (position, k) in ordered {
-            let own = unknown(baseline, k);
-            let [value, error] = strength_of(trial, explanation, position);
-            plausible &= is_plausible(own, value, error);
-            let [low, high] = own.range;
-            // what is all or none has no more to it than all
-            let may_end = whole_strength(own).is_none();
-            strengths.push(Strength {
-                effect: name(baseline, k),
-                family: family_name(k),
-                unknown: own.name.clone(),
-                value: value.clamp(low, high),
-                at_end: may_end && ((low != 0.0 && value <= low) || (high != 0.0 && value >= high)),
-                standard_error: error,
-                unit: own.unit.clone(),
-                place: place(baseline, k, explanation.and_then(|e| e.places[position])),
-            });
-        }
-    }
+    let (strengths, plausible) = match found.filter(|_| !families.is_empty()) {
+        Some((index, explanation)) => strengths(baseline, &judgement.trials[index], explanation, &families),
+        None => (Vec::new(), true),
+    };
     let local = found.and_then(|(_, explanation)| Some(&explanation?.local));
     let family_names = families
         .iter()
@@ -106,6 +75,46 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
         gain_left_out_conditions: local.and_then(|local| gains.conditions.with(local)),
         gain_left_out_wings: local.and_then(|local| gains.wings.with(local)),
     }
+}
+
+/// Strengths of the members of a trial, in the order of the families: first what the data show; and whether all are plausible.
+fn strengths(
+    baseline: &Baseline,
+    trial: &Trial,
+    explanation: Option<&Explanation>,
+    families: &[usize],
+) -> (Vec<Strength>, bool) {
+    let family_of = |k: usize| {
+        let has = |&family: &usize| baseline.families[family].members.contains(&k);
+        families.iter().position(has)
+    };
+    let family_name = |k: usize| {
+        let own = family_of(k).map(|position| &baseline.families[families[position]]);
+        own.map_or_else(String::new, |family| family.name.clone())
+    };
+    let mut ordered: Vec<(usize, usize)> = trial.members.iter().copied().enumerate().collect();
+    ordered.sort_by_key(|&(_, k)| family_of(k));
+    let mut strengths: Vec<Strength> = Vec::new();
+    let mut plausible = true;
+    for (position, k) in ordered {
+        let own = unknown(baseline, k);
+        let [value, error] = strength_of(trial, explanation, position);
+        plausible &= is_plausible(own, value, error);
+        let [low, high] = own.range;
+        // what is all or none has no more to it than all
+        let may_end = whole_strength(own).is_none();
+        strengths.push(Strength {
+            effect: name(baseline, k),
+            family: family_name(k),
+            unknown: own.name.clone(),
+            value: value.clamp(low, high),
+            at_end: may_end && ((low != 0.0 && value <= low) || (high != 0.0 && value >= high)),
+            standard_error: error,
+            unit: own.unit.clone(),
+            place: place(baseline, k, explanation.and_then(|e| e.places[position])),
+        });
+    }
+    (strengths, plausible)
 }
 
 /// Strength of a member of an explanation and its standard error: as fitted, else as weighed.
@@ -180,57 +189,10 @@ fn weight(row: &EffectRow) -> f64 {
 
 /// A row for every missing effect; of those that could sit elsewhere, for their best place.
 pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) -> Vec<EffectRow> {
-    let directions = &baseline.directions;
-    let level = family_wise(baseline.settings.significance, baseline.data.missing.len());
-    let nothing = baseline.weighing.ln_nothing - baseline.settings.prior.nothing.ln();
     let mut rows: Vec<EffectRow> = Vec::new();
-    for (k, &i) in baseline.data.missing.iter().enumerate() {
-        let own = &baseline.forward.unknowns()[i];
-        let Some((effect, family, scale, _)) = effect_of(own) else {
+    for k in 0..baseline.data.missing.len() {
+        let Some(row) = effect_row(baseline, judgement, k) else {
             continue;
-        };
-        let single = judgement.trials.iter().position(|trial| trial.members == [k]);
-        let trial = single.map(|index| &judgement.trials[index]);
-        let refit = judgement.refits.iter().find(|(index, _)| Some(*index) == single);
-        let refit = refit.map(|(_, explanation)| explanation);
-        // per unit of strength
-        let (score, length) = (directions.scores[k], directions.lengths[k] / own.sigma);
-        let by_slope = (length > 0.0).then(|| [score / length, 1.0 / length]);
-        let found = refit.map(|e| [e.strength[0], e.standard_error[0]]);
-        let weighed = trial.map(|trial| [trial.strength[0], trial.error[0]]);
-        let [value, error] = found.or(weighed).or(by_slope).unwrap_or([0.0, f64::INFINITY]);
-        let ln_evidence = trial.map_or(0.0, |trial| trial.ln_weight - trial.ln_prior - nothing);
-        let distance = baseline.distances[k];
-        let detectability = distance.unwrap_or(scale * length);
-        let row = EffectRow {
-            effect: effect.to_string(),
-            family: family.to_string(),
-            unknown: own.name.clone(),
-            unit: own.unit.clone(),
-            scale,
-            score,
-            one_step: by_slope.map(|one| one[0]),
-            one_step_error: by_slope.map(|one| one[1]),
-            refitted: found.map(|found| found[0]),
-            refitted_error: found.map(|found| found[1]),
-            plausible: is_plausible(own, value, error),
-            plausible_range: plausible_range(own),
-            detectability,
-            power: power_at_distance(detectability, is_one_sided(own), level),
-            sight: match ln_evidence {
-                // odds of ten to one
-                ln if ln > 10.0_f64.ln() => Sight::Possible,
-                ln if ln < 0.0 && distance.is_some_and(|far| !is_unseen(MATTERS * far, own, level)) => {
-                    Sight::Absent
-                }
-                _ => Sight::Undecidable,
-            },
-            ln_evidence,
-            probability: probability_of(baseline, judgement, effect),
-            gain_left_out_conditions: None,
-            held_out_gain: held_out_gain(baseline, refit),
-            place: place(baseline, k, refit.and_then(|e| e.places[0])),
-            look_alikes: look_alikes(baseline, k),
         };
         let elsewhere = rows.iter_mut().find(|other| other.effect == row.effect);
         match elsewhere.filter(|_| row.place.is_some()) {
@@ -243,6 +205,58 @@ pub fn effect_rows(baseline: &Baseline, judgement: &Judgement, gains: &Gains) ->
         row.gain_left_out_conditions = gains.conditions.of(&row.unknown, judgement);
     }
     rows
+}
+
+/// The row of the missing effect at position `k`, but for its gain in prediction.
+fn effect_row(baseline: &Baseline, judgement: &Judgement, k: usize) -> Option<EffectRow> {
+    let directions = &baseline.directions;
+    let level = family_wise(baseline.settings.significance, baseline.data.missing.len());
+    let nothing = baseline.weighing.ln_nothing - baseline.settings.prior.nothing.ln();
+    let own = unknown(baseline, k);
+    let (effect, family, scale, _) = effect_of(own)?;
+    let single = judgement.trials.iter().position(|trial| trial.members == [k]);
+    let trial = single.map(|index| &judgement.trials[index]);
+    let refit = judgement.refits.iter().find(|(index, _)| Some(*index) == single);
+    let refit = refit.map(|(_, explanation)| explanation);
+    // per unit of strength
+    let (score, length) = (directions.scores[k], directions.lengths[k] / own.sigma);
+    let by_slope = (length > 0.0).then(|| [score / length, 1.0 / length]);
+    let found = refit.map(|e| [e.strength[0], e.standard_error[0]]);
+    let weighed = trial.map(|trial| [trial.strength[0], trial.error[0]]);
+    let [value, error] = found.or(weighed).or(by_slope).unwrap_or([0.0, f64::INFINITY]);
+    let ln_evidence = trial.map_or(0.0, |trial| trial.ln_weight - trial.ln_prior - nothing);
+    let distance = baseline.distances[k];
+    let detectability = distance.unwrap_or(scale * length);
+    Some(EffectRow {
+        effect: effect.to_string(),
+        family: family.to_string(),
+        unknown: own.name.clone(),
+        unit: own.unit.clone(),
+        scale,
+        score,
+        one_step: by_slope.map(|one| one[0]),
+        one_step_error: by_slope.map(|one| one[1]),
+        refitted: found.map(|found| found[0]),
+        refitted_error: found.map(|found| found[1]),
+        plausible: is_plausible(own, value, error),
+        plausible_range: plausible_range(own),
+        detectability,
+        power: power_at_distance(detectability, is_one_sided(own), level),
+        sight: match ln_evidence {
+            // odds of ten to one
+            ln if ln > 10.0_f64.ln() => Sight::Possible,
+            ln if ln < 0.0 && distance.is_some_and(|far| !is_unseen(MATTERS * far, own, level)) => {
+                Sight::Absent
+            }
+            _ => Sight::Undecidable,
+        },
+        ln_evidence,
+        probability: probability_of(baseline, judgement, effect),
+        gain_left_out_conditions: None,
+        held_out_gain: held_out_gain(baseline, refit),
+        place: place(baseline, k, refit.and_then(|e| e.places[0])),
+        look_alikes: look_alikes(baseline, k),
+    })
 }
 
 /// Probability that an effect alone is what is missing: its part of that of its family.

@@ -245,9 +245,14 @@ impl Side<'_> {
         let off = |own: &&Solved| (measure.of(own.strength) - measure.of(strength)).abs();
         let nearest = self.solved.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
         let warm_start = nearest.and_then(|own| own.warm_start.as_ref());
+        let is_between = self.solved.iter().any(|own| own.strength.abs() > strength.abs());
+        let warm_start = match is_between {
+            true => warm_start.map(WarmStart::roughly_between),
+            false => warm_start.cloned(),
+        };
         let mut there = at.to_vec();
         there[self.i] = strength;
-        let found = where_solved(forward.linearize_from(warm_start, &there, &|_| false))?;
+        let found = where_solved(forward.linearize_from(warm_start.as_ref(), &there, &|_| false))?;
         let found = found.filter(|(moved, _)| moved.value.iter().all(|own| own.is_finite()));
         let Some((moved, left)) = found else {
             self.unsolved.push(strength);

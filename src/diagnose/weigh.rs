@@ -78,21 +78,8 @@ pub fn weigh(
         };
         let ln_prior = prior.one.ln() + member.ln_prior;
         let ln_weight = take(&mut of_sizes, ln_prior, found);
-        let of_nodes: Vec<f64> = found
-            .column_iter()
-            .map(|own| ln_sum(own.iter().copied()))
-            .collect();
-        let [best, strength, error] = strength(member, &of_nodes);
-        singles.push(Trial {
-            members: vec![k],
-            families: vec![family],
-            ln_prior,
-            ln_weight,
-            best: vec![best],
-            strength: vec![strength],
-            error: vec![error],
-            size: Some(mean_size(&weights.levels, found)),
-        });
+        let lns = [ln_prior, ln_weight];
+        singles.push(trial(&weights.levels, member, (k, family), lns, found));
     }
     let members: Vec<Member> = members.iter().map(Member::plausible).collect();
     let mut pairs = pairs(&weights, &members, &singles, &shares, prior.two)?;
@@ -113,6 +100,31 @@ pub fn weigh(
         share,
         scale,
     })
+}
+
+/// One effect, with its strength from the densities `found` for every size (row) and strength (column).
+fn trial(
+    levels: &[Level],
+    member: &Member,
+    (k, family): (usize, usize),
+    [ln_prior, ln_weight]: [f64; 2],
+    found: &DMatrix<f64>,
+) -> Trial {
+    let of_nodes: Vec<f64> = found
+        .column_iter()
+        .map(|own| ln_sum(own.iter().copied()))
+        .collect();
+    let [best, strength, error] = strength(member, &of_nodes);
+    Trial {
+        members: vec![k],
+        families: vec![family],
+        ln_prior,
+        ln_weight,
+        best: vec![best],
+        strength: vec![strength],
+        error: vec![error],
+        size: Some(mean_size(levels, found)),
+    }
 }
 
 /// Mean share of formulation error and scale of the scatter, from densities for every size (row).

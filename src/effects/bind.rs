@@ -209,69 +209,81 @@ fn read(card: &Card, table: &toml::Table) -> Result<Values, EffectError> {
 
 /// What a design lacks for an effect to act in it; none if it can.
 pub fn lacks(card: &Card, design: &Design) -> Option<String> {
-    let film_kept = (design.film.as_ref()).map(|film| match film.compression {
-        FilmCompression::TensionField => film.residual_compression.value(),
-        FilmCompression::Carries => 1.0,
-    });
-    let has = |effect: &str| {
-        let table = design.effects.get(effect);
-        let strength = table.and_then(|table| number(table.get("strength")?));
-        strength.is_some_and(|strength| strength != 0.0)
-    };
     let lacking = |need: &Need| {
-        let (has, words) = match need {
-            Need::Flow => (
-                design.flapping.is_some() || design.steady.is_some(),
-                "there is no air in this design",
-            ),
-            Need::Flapping => (design.flapping.is_some(), "the wing does not flap"),
-            Need::Stream => (
-                design.flapping.is_none() && design.steady.is_some(),
-                "the wing is in no steady stream",
-            ),
-            Need::Motion => (design.flapping.is_some(), "the wing does not flap"),
-            Need::OffMidStroke => (
-                (design.flapping.as_ref()).is_some_and(|flapping| flapping.phase_deg.value() != 0.0),
-                "the wing is looked at in mid-stroke (flapping.phase_deg = 0), where it does not act",
-            ),
-            Need::Film => (design.film.is_some(), "the wing has no film"),
-            Need::WrinklingFilm => (
-                film_kept.is_some_and(|kept| kept < 1.0),
-                "the wing has no film that wrinkles",
-            ),
-            Need::CarryingFilm => (
-                film_kept.is_some_and(|kept| kept == 1.0),
-                "the wing has no film that carries compression (film.compression = \"carries\")",
-            ),
-            Need::Spars => (!design.spar.is_empty(), "the wing has no spars"),
-            Need::HalfRound => (
-                (design.rod.iter()).any(|rod| matches!(rod.section, Section::HalfRound { .. })),
-                "the wing has no half-round rod",
-            ),
-            Need::ShapedRod => (
-                (design.rod.iter()).any(|rod| !matches!(rod.section, Section::Given { .. })),
-                "the stiffnesses of the wing's rods are given, with whatever is bonded to them and however they are held",
-            ),
-            Need::SolidRod => (
-                design.rod.iter().any(|rod| is_solid(&rod.section)),
-                "the wing has no solid rod: its rods are tubes, or given as stiffnesses",
-            ),
-            Need::Linear => (
-                design.structure.kinematics == Kinematics::Linear,
-                "the model has large rotation already (structure.kinematics is not linear)",
-            ),
-            Need::Gravity => (
-                design.gravity.is_some() || has("gravity") || has("centrifugal-load"),
-                "mass is not felt in this design: it has no gravity, nor the effect gravity or centrifugal-load",
-            ),
-            Need::Camera => (
-                design.observation.camera_axis.is_some(),
-                "no camera looks at this wing (observation.camera_axis is missing)",
-            ),
-        };
+        let (has, words) = meets(design, need);
         (!has).then(|| words.to_string())
     };
     card.needs.iter().find_map(lacking)
+}
+
+/// Whether a design has what is needed, and what to say if not.
+fn meets(design: &Design, need: &Need) -> (bool, &'static str) {
+    match need {
+        Need::Flow => (
+            design.flapping.is_some() || design.steady.is_some(),
+            "there is no air in this design",
+        ),
+        Need::Flapping => (design.flapping.is_some(), "the wing does not flap"),
+        Need::Stream => (
+            design.flapping.is_none() && design.steady.is_some(),
+            "the wing is in no steady stream",
+        ),
+        Need::Motion => (design.flapping.is_some(), "the wing does not flap"),
+        Need::OffMidStroke => (
+            (design.flapping.as_ref()).is_some_and(|flapping| flapping.phase_deg.value() != 0.0),
+            "the wing is looked at in mid-stroke (flapping.phase_deg = 0), where it does not act",
+        ),
+        Need::Film => (design.film.is_some(), "the wing has no film"),
+        Need::WrinklingFilm => (
+            film_kept(design).is_some_and(|kept| kept < 1.0),
+            "the wing has no film that wrinkles",
+        ),
+        Need::CarryingFilm => (
+            film_kept(design).is_some_and(|kept| kept == 1.0),
+            "the wing has no film that carries compression (film.compression = \"carries\")",
+        ),
+        Need::Spars => (!design.spar.is_empty(), "the wing has no spars"),
+        Need::HalfRound => (
+            (design.rod.iter()).any(|rod| matches!(rod.section, Section::HalfRound { .. })),
+            "the wing has no half-round rod",
+        ),
+        Need::ShapedRod => (
+            (design.rod.iter()).any(|rod| !matches!(rod.section, Section::Given { .. })),
+            "the stiffnesses of the wing's rods are given, with whatever is bonded to them and however they are held",
+        ),
+        Need::SolidRod => (
+            design.rod.iter().any(|rod| is_solid(&rod.section)),
+            "the wing has no solid rod: its rods are tubes, or given as stiffnesses",
+        ),
+        Need::Linear => (
+            design.structure.kinematics == Kinematics::Linear,
+            "the model has large rotation already (structure.kinematics is not linear)",
+        ),
+        Need::Gravity => (
+            design.gravity.is_some() || is_on(design, "gravity") || is_on(design, "centrifugal-load"),
+            "mass is not felt in this design: it has no gravity, nor the effect gravity or centrifugal-load",
+        ),
+        Need::Camera => (
+            design.observation.camera_axis.is_some(),
+            "no camera looks at this wing (observation.camera_axis is missing)",
+        ),
+    }
+}
+
+/// Share of its stiffness that the film keeps where it is compressed; none without a film.
+fn film_kept(design: &Design) -> Option<f64> {
+    let film = design.film.as_ref()?;
+    Some(match film.compression {
+        FilmCompression::TensionField => film.residual_compression.value(),
+        FilmCompression::Carries => 1.0,
+    })
+}
+
+/// Whether an effect of this name has a strength.
+fn is_on(design: &Design, effect: &str) -> bool {
+    let table = design.effects.get(effect);
+    let strength = table.and_then(|table| number(table.get("strength")?));
+    strength.is_some_and(|strength| strength != 0.0)
 }
 
 fn is_solid(section: &Section) -> bool {

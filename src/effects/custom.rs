@@ -87,43 +87,19 @@ impl Custom {
     /// # Errors
     /// If a key is missing or wrong, or the formula cannot be read.
     pub(super) fn parse(name: &str, table: &toml::Table) -> Result<(Custom, Values), EffectError> {
-        let fail = |key: &str, problem: String, cure: String| EffectError::Own {
+        let fail = |(key, problem, cure): Fault| EffectError::Own {
             name: name.to_string(),
-            key: key.to_string(),
+            key,
             problem,
             cure,
         };
-        if let Some(kind) = table.get("kind")
-            && kind.as_str() != Some("custom")
-        {
-            let cure = "write kind = \"custom\" for an effect of your own".to_string();
-            return Err(fail("kind", format!("{kind} is no kind of effect"), cure));
-        }
-        let words = TARGETS.map(|(word, _, _)| word).join(", ");
-        let word = table
-            .get("acts_on")
-            .and_then(toml::Value::as_str)
-            .unwrap_or_default();
-        let Some((_, target, meaning)) = TARGETS.iter().find(|(known, _, _)| *known == word) else {
-            return Err(fail(
-                "acts_on",
-                format!("'{word}' is nothing it can act on"),
-                format!("write one of {words}"),
-            ));
-        };
+        let (target, meaning) = target_of(table).map_err(fail)?;
         let Some(text) = table.get("expression").and_then(toml::Value::as_str) else {
             let cure = "give a formula in quotes, e.g. expression = \"0.1 * q * chord^2 * x\"".to_string();
-            return Err(fail("expression", "there is no formula".to_string(), cure));
+            return Err(fail(fault("expression", "there is no formula", cure)));
         };
         let own: Vec<&String> = table.keys().filter(|key| !KEYS.contains(&key.as_str())).collect();
-        let mut numbers = Vec::new();
-        for key in &own {
-            if VARIABLES.contains(&key.as_str()) {
-                let cure = format!("{key} is known to every formula; give your number another name");
-                return Err(fail(key, "the name is taken".to_string(), cure));
-            }
-            numbers.push(own_number(&table[*key]).map_err(|(problem, cure)| fail(key, problem, cure))?);
-        }
+        let numbers = own_numbers(table, &own).map_err(fail)?;
         let names: Vec<&str> = VARIABLES
             .iter()
             .copied()
@@ -133,24 +109,7 @@ impl Custom {
             name: name.to_string(),
             error,
         })?;
-        if let Some(place) = (VARIABLES.len()..names.len()).find(|place| !formula.uses(*place)) {
-            let cure = format!("use {} in the expression, or delete it", names[place]);
-            return Err(fail(
-                names[place],
-                "the formula does not use it".to_string(),
-                cure,
-            ));
-        }
-        let (part, known) = target.knows();
-        let stranger = |place: &usize| formula.uses(*place) && !known.contains(&VARIABLES[*place]);
-        if let Some(place) = (0..VARIABLES.len()).find(stranger) {
-            let cure = format!("the formula of a {part} may depend on {}", known.join(", "));
-            return Err(fail(
-                "expression",
-                format!("a {part} has no {}", VARIABLES[place]),
-                cure,
-            ));
-        }
+        uses_what_it_may(&formula, &names, target).map_err(fail)?;
         let strength = table
             .get("strength")
             .and_then(number)
@@ -162,7 +121,7 @@ impl Custom {
         let [low, high] = STRENGTH[0].range;
         if !(low <= strength && strength <= high) {
             let cure = format!("keep it within {low} … {high}, and the size of the effect in the formula");
-            return Err(fail("strength", format!("{strength} is too large"), cure));
+            return Err(fail(fault("strength", format!("{strength} is too large"), cure)));
         }
         let custom = Custom {
             name: name.to_string(),
@@ -170,7 +129,7 @@ impl Custom {
                 Some(summary) => summary.to_string(),
                 None => format!("The user's own: {meaning}."),
             },
-            target: *target,
+            target,
             formula,
             numbers,
         };
@@ -240,6 +199,68 @@ impl Custom {
         at.extend(&self.numbers);
         at
     }
+}
+
+/// What is wrong with a table: the key, the problem, the cure.
+type Fault = (String, String, String);
+
+fn fault(key: &str, problem: impl Into<String>, cure: String) -> Fault {
+    (key.to_string(), problem.into(), cure)
+}
+
+/// What a table acts on, and what that means.
+fn target_of(table: &toml::Table) -> Result<(Target, &'static str), Fault> {
+    if let Some(kind) = table.get("kind")
+        && kind.as_str() != Some("custom")
+    {
+        let cure = "write kind = \"custom\" for an effect of your own".to_string();
+        return Err(fault("kind", format!("{kind} is no kind of effect"), cure));
+    }
+    let words = TARGETS.map(|(word, _, _)| word).join(", ");
+    let word = table
+        .get("acts_on")
+        .and_then(toml::Value::as_str)
+        .unwrap_or_default();
+    match TARGETS.iter().find(|(known, _, _)| *known == word) {
+        Some((_, target, meaning)) => Ok((*target, meaning)),
+        None => {
+            let cure = format!("write one of {words}");
+            Err(fault(
+                "acts_on",
+                format!("'{word}' is nothing it can act on"),
+                cure,
+            ))
+        }
+    }
+}
+
+/// The numbers of a formula, under keys of the user's own.
+fn own_numbers(table: &toml::Table, own: &[&String]) -> Result<Vec<f64>, Fault> {
+    let mut numbers = Vec::new();
+    for key in own {
+        if VARIABLES.contains(&key.as_str()) {
+            let cure = format!("{key} is known to every formula; give your number another name");
+            return Err(fault(key, "the name is taken", cure));
+        }
+        numbers.push(own_number(&table[*key]).map_err(|(problem, cure)| fault(key, problem, cure))?);
+    }
+    Ok(numbers)
+}
+
+/// Refuses a formula that leaves one of its numbers out, or depends on what its target does not know.
+fn uses_what_it_may(formula: &Expression, names: &[&str], target: Target) -> Result<(), Fault> {
+    if let Some(place) = (VARIABLES.len()..names.len()).find(|place| !formula.uses(*place)) {
+        let cure = format!("use {} in the expression, or delete it", names[place]);
+        return Err(fault(names[place], "the formula does not use it", cure));
+    }
+    let (part, known) = target.knows();
+    let stranger = |place: &usize| formula.uses(*place) && !known.contains(&VARIABLES[*place]);
+    if let Some(place) = (0..VARIABLES.len()).find(stranger) {
+        let cure = format!("the formula of a {part} may depend on {}", known.join(", "));
+        let problem = format!("a {part} has no {}", VARIABLES[place]);
+        return Err(fault("expression", problem, cure));
+    }
+    Ok(())
 }
 
 /// A number, stated or assumed within its range.

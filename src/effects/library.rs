@@ -99,11 +99,25 @@ pub fn register(own: Vec<&'static dyn Effect>) -> Result<(), EffectError> {
 }
 
 /// All that there are, in the order in which they act.
+///
+/// # Example
+/// ```
+/// // physics that a stiff wing on the bench can lack: what needs no air
+/// let on_a_bench = washout::effects::all().filter(|effect| effect.card().needs.is_empty()).count();
+/// assert!(on_a_bench > 5);
+/// ```
 pub fn all() -> impl Iterator<Item = &'static dyn Effect> {
     ALL.iter().chain(OWN.get().into_iter().flatten()).copied()
 }
 
 /// The effect of a name.
+///
+/// # Example
+/// ```
+/// let effect = washout::effects::named("root-flexure").expect("in the library");
+/// println!("{}: {}", effect.card().name, effect.card().summary);
+/// assert!(washout::effects::named("root-flexture").is_none());
+/// ```
 pub fn named(name: &str) -> Option<&'static dyn Effect> {
     all().find(|effect| effect.card().name == name)
 }

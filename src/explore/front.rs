@@ -18,6 +18,17 @@ pub fn is_dominated(point: &[f64], others: &[Vec<f64>]) -> bool {
 }
 
 /// Indices of the points that no other dominates, of equal ones the first.
+///
+/// # Example
+/// ```
+/// use washout::explore::non_dominated;
+///
+/// // less is better in both: the last is worse than the first
+/// let points = [vec![1.0, 3.0], vec![2.0, 1.0], vec![2.0, 4.0]];
+/// let mut front = non_dominated(&points);
+/// front.sort_unstable();
+/// assert_eq!(front, [0, 1]);
+/// ```
 pub fn non_dominated(points: &[Vec<f64>]) -> Vec<usize> {
     if points.first().is_some_and(|point| point.len() == 2) {
         return non_dominated_pairs(points);
@@ -46,6 +57,13 @@ fn non_dominated_pairs(points: &[Vec<f64>]) -> Vec<usize> {
 }
 
 /// Area that the points dominate up to a reference point, for two objectives; points beyond it count for nothing.
+///
+/// # Example
+/// ```
+/// use washout::explore::hypervolume;
+///
+/// assert_eq!(hypervolume(&[[1.0, 3.0], [2.0, 1.0]], [4.0, 4.0]), 7.0);
+/// ```
 pub fn hypervolume(points: &[[f64; 2]], reference: [f64; 2]) -> f64 {
     let inside: Vec<Vec<f64>> = points
         .iter()

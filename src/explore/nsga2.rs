@@ -87,32 +87,10 @@ impl Nsga2 {
         starts: &[Vec<f64>],
         progress: &Progress,
     ) -> Result<Vec<Individual>, ExploreError> {
-        if self.population < 4 || self.population % 2 == 1 {
-            return Err(ExploreError::Setting {
-                name: "the size of the population",
-                value: self.population as f64,
-                cure: "give an even number, at least 4",
-            });
-        }
-        if self.generations == 0 {
-            return Err(ExploreError::Setting {
-                name: "the number of generations",
-                value: 0.0,
-                cure: "give at least 1",
-            });
-        }
+        self.check()?;
         let bounds = problem.bounds();
         let draws = Draws::new(self.seed);
-        let mut points: Vec<Vec<f64>> = starts.iter().take(self.population).cloned().collect();
-        for child in points.len()..self.population {
-            let mut chance = Chance::new(draws, 0, child);
-            points.push(
-                bounds
-                    .iter()
-                    .map(|[low, high]| low + chance.next() * (high - low))
-                    .collect(),
-            );
-        }
+        let points = self.first_generation(starts, &bounds, draws);
         let mut parents = self.chosen(evaluated(problem, points), self.population);
         for generation in 1..=self.generations {
             progress.check()?;
@@ -143,6 +121,39 @@ impl Nsga2 {
         front.sort_by(|a, b| key(a).total_cmp(&key(b)));
         front.dedup_by(|a, b| a.variables == b.variables);
         Ok(front)
+    }
+
+    fn check(&self) -> Result<(), ExploreError> {
+        if self.population < 4 || self.population % 2 == 1 {
+            return Err(ExploreError::Setting {
+                name: "the size of the population",
+                value: self.population as f64,
+                cure: "give an even number, at least 4",
+            });
+        }
+        if self.generations == 0 {
+            return Err(ExploreError::Setting {
+                name: "the number of generations",
+                value: 0.0,
+                cure: "give at least 1",
+            });
+        }
+        Ok(())
+    }
+
+    /// The starts, and points drawn over the bounds.
+    fn first_generation(&self, starts: &[Vec<f64>], bounds: &[[f64; 2]], draws: Draws) -> Vec<Vec<f64>> {
+        let mut points: Vec<Vec<f64>> = starts.iter().take(self.population).cloned().collect();
+        for child in points.len()..self.population {
+            let mut chance = Chance::new(draws, 0, child);
+            points.push(
+                bounds
+                    .iter()
+                    .map(|[low, high]| low + chance.next() * (high - low))
+                    .collect(),
+            );
+        }
+        points
     }
 
     /// The best of a set by rank, then by crowding.

@@ -26,6 +26,15 @@ impl StagedTwist {
     ///
     /// # Errors
     /// For rates that are not rising from above 0, no stage, or stages that have no room.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::explore::StagedTwist;
+    ///
+    /// let family = StagedTwist::new(2, 70.0, [0.01, 2.0], 45.0)?;
+    /// assert_eq!(family.bounds().len(), 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(
         stages: usize,
         length_mm: f64,

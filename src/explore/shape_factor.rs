@@ -88,27 +88,7 @@ impl ShapeFactor {
             let lifts = lifts(strength)?;
             Ok(lifts.iter().zip(&bare).map(|(lift, bare)| lift / bare).collect())
         };
-        let (mut strength, step) = (0.0, 1e-4);
-        let mut information = 0.0;
-        for _ in 0..30 {
-            let (now, next) = (gains(strength)?, gains(strength + step)?);
-            let (mut pull, mut weight) = (0.0, 0.0);
-            for ((wing, now), next) in wings.iter().zip(&now).zip(&next) {
-                let slope = (next - now) / step / wing.sigma;
-                pull += slope * (wing.effective - now) / wing.sigma;
-                weight += slope * slope;
-            }
-            if !(weight > 1e-12 && weight.is_finite()) {
-                return Err(ExploreError::NoGain {
-                    effect: effect.to_string(),
-                });
-            }
-            information = weight;
-            strength += pull / weight;
-            if (pull / weight).abs() < 1e-9 * strength.abs().max(1e-3) {
-                break;
-            }
-        }
+        let [strength, information] = least_squares(wings, &gains, effect)?;
         let found = gains(strength)?;
         let fitted: Vec<(Gained, f64)> = wings.iter().cloned().zip(found).collect();
         let misfit = |(wing, gain): &(Gained, f64)| ((wing.effective - gain) / wing.sigma).powi(2);
@@ -127,4 +107,34 @@ impl ShapeFactor {
             fitted,
         })
     }
+}
+
+/// The strength by Gauss and Newton's method, and its Fisher information.
+fn least_squares(
+    wings: &[Gained],
+    gains: &dyn Fn(f64) -> Result<Vec<f64>, ExploreError>,
+    effect: &str,
+) -> Result<[f64; 2], ExploreError> {
+    let (mut strength, step) = (0.0, 1e-4);
+    let mut information = 0.0;
+    for _ in 0..30 {
+        let (now, next) = (gains(strength)?, gains(strength + step)?);
+        let (mut pull, mut weight) = (0.0, 0.0);
+        for ((wing, now), next) in wings.iter().zip(&now).zip(&next) {
+            let slope = (next - now) / step / wing.sigma;
+            pull += slope * (wing.effective - now) / wing.sigma;
+            weight += slope * slope;
+        }
+        if !(weight > 1e-12 && weight.is_finite()) {
+            return Err(ExploreError::NoGain {
+                effect: effect.to_string(),
+            });
+        }
+        information = weight;
+        strength += pull / weight;
+        if (pull / weight).abs() < 1e-9 * strength.abs().max(1e-3) {
+            break;
+        }
+    }
+    Ok([strength, information])
 }

@@ -6,7 +6,19 @@ use crate::blind::{Kind, Outcome};
 
 /// The page.
 pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
-    let mut page = format!(
+    [
+        lead(study, board, outcomes),
+        figures(board),
+        every_case(outcomes),
+        twins_measured_again(outcomes),
+        not_hidden(board),
+        without_an_answer(board),
+    ]
+    .concat()
+}
+
+fn lead(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
+    let mut lead = format!(
         "# Blind cases on {study}\n\n{} cases, made by washout itself: a development benchmark; {} more came to no answer. Median \
          time of a diagnosis {:.0} s.\n\n",
         board.cases,
@@ -19,29 +31,41 @@ pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
         .map(|outcome| outcome.seed.to_string())
         .collect();
     if !redrawn.is_empty() {
-        page += &format!(
+        lead += &format!(
             "Drawn anew, because a wing had no equilibrium with what was hidden, or it was too faint: {}.\n\n",
             redrawn.join(", ")
         );
     }
-    page += "| figure | hits | share or value | 95 % interval | asked |\n|---|---|---|---|---|\n";
+    lead
+}
+
+/// The figures, the reliability of stated probabilities, and the simpler methods.
+fn figures(board: &Scoreboard) -> String {
+    let mut tables =
+        "| figure | hits | share or value | 95 % interval | asked |\n|---|---|---|---|---|\n".to_string();
     for row in &board.rows {
-        page += &line(row);
+        tables += &line(row);
     }
-    page += "\nStated probabilities of alarms against how often they were right ";
-    page += &format!(
+    tables += "\nStated probabilities of alarms against how often they were right ";
+    tables += &format!(
         "(mean distance {:.3}, asked <= 0.08):\n\n",
         board.calibration_error
     );
-    page += "| stated | right |\n|---|---|\n";
+    tables += "| stated | right |\n|---|---|\n";
     for bin in &board.reliability {
-        page += &format!("| {:.2} | {}/{} |\n", bin.stated, bin.hits, bin.count);
+        tables += &format!("| {:.2} | {}/{} |\n", bin.stated, bin.hits, bin.count);
     }
-    page += "\nSimpler methods on the same cases:\n\n| method | hits | share | 95 % interval | |\n|---|---|---|---|---|\n";
+    tables += "\nSimpler methods on the same cases:\n\n| method | hits | share | 95 % interval | |\n|---|---|---|---|---|\n";
     for row in &board.simpler {
-        page += &line(row);
+        tables += &line(row);
     }
-    page += "\nEvery case:\n\n| kind | seed | hidden (distance, sigma) | said | right | time s |\n|---|---|---|---|---|---|\n";
+    tables
+}
+
+fn every_case(outcomes: &[Outcome]) -> String {
+    let mut table =
+        "\nEvery case:\n\n| kind | seed | hidden (distance, sigma) | said | right | time s |\n|---|---|---|---|---|---|\n"
+            .to_string();
     for outcome in outcomes {
         let hidden: Vec<String> = outcome
             .truth
@@ -59,7 +83,7 @@ pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
             (false, false, _) if !outcome.is_alarm() => "not seen",
             _ => "no",
         };
-        page += &format!(
+        table += &format!(
             "| {} | {} | {} | {} | {right} | {:.0} |\n",
             outcome.kind.word(),
             outcome.seed,
@@ -68,34 +92,48 @@ pub fn page(study: &str, board: &Scoreboard, outcomes: &[Outcome]) -> String {
             outcome.seconds
         );
     }
+    table
+}
+
+fn twins_measured_again(outcomes: &[Outcome]) -> String {
     let followed = outcomes.iter().filter_map(|o| Some((o, o.followed.as_ref()?)));
     let followed: Vec<String> = followed
         .map(|(outcome, followed)| measured(outcome, followed))
         .collect();
-    if !followed.is_empty() {
-        page += "\nTwins after the measurement that the diagnosis asked for, and after another of the list (names in the 95 % set; \
-                 probability of the truth):\n\n| seed | asked for | expected, sigma | other | names: before, asked for, other | \
-                 truth |\n|---|---|---|---|---|---|\n";
-        page += &followed.concat();
+    if followed.is_empty() {
+        return String::new();
     }
-    if !board.turned.is_empty() {
-        page += "\nNot hidden, because an error of one percent in the wing turns their signature (the wing's motion is near a \
-                 resonance): ";
-        let turned = board.turned.iter().map(|turned| match turned.cosine {
-            Some(cosine) => format!("{} (cosine {cosine:.2})", turned.effect),
-            None => format!("{} (no equilibrium)", turned.effect),
-        });
-        page += &turned.collect::<Vec<_>>().join(", ");
-        page += ".\n";
+    let head = "\nTwins after the measurement that the diagnosis asked for, and after another of the list (names in the 95 % set; \
+                probability of the truth):\n\n| seed | asked for | expected, sigma | other | names: before, asked for, other | \
+                truth |\n|---|---|---|---|---|---|\n";
+    head.to_string() + &followed.concat()
+}
+
+fn not_hidden(board: &Scoreboard) -> String {
+    if board.turned.is_empty() {
+        return String::new();
     }
-    if !board.failed.is_empty() {
-        page += "\nWithout an answer:\n\n| kind | seed | why |\n|---|---|---|\n";
+    let turned = board.turned.iter().map(|turned| match turned.cosine {
+        Some(cosine) => format!("{} (cosine {cosine:.2})", turned.effect),
+        None => format!("{} (no equilibrium)", turned.effect),
+    });
+    format!(
+        "\nNot hidden, because an error of one percent in the wing turns their signature (the wing's motion is near a \
+         resonance): {}.\n",
+        turned.collect::<Vec<_>>().join(", ")
+    )
+}
+
+fn without_an_answer(board: &Scoreboard) -> String {
+    if board.failed.is_empty() {
+        return String::new();
     }
+    let mut table = "\nWithout an answer:\n\n| kind | seed | why |\n|---|---|---|\n".to_string();
     for failed in &board.failed {
         let why = failed.failed.replace('|', "\\|").replace('\n', " ");
-        page += &format!("| {} | {} | {why} |\n", failed.kind.word(), failed.seed);
+        table += &format!("| {} | {} | {why} |\n", failed.kind.word(), failed.seed);
     }
-    page
+    table
 }
 
 fn measured(outcome: &Outcome, followed: &Followed) -> String {

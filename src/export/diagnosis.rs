@@ -105,6 +105,24 @@ fn hypotheses(found: &Diagnosis) -> Vec<Part> {
         unit: "",
         digits: Significant(2),
     };
+    vec![
+        Part::Headline(vec![
+            fact(
+                "/p_nothing",
+                "Probability that nothing is missing",
+                found.p_nothing,
+            ),
+            fact(
+                "/novel/probability",
+                "Probability of an unknown cause",
+                found.novel.probability,
+            ),
+        ]),
+        Part::Table(hypothesis_table(found)),
+    ]
+}
+
+fn hypothesis_table(found: &Diagnosis) -> Table {
     let strengths =
         |of: fn(&Strength) -> Option<f64>| move |row: &Hypothesis| row.strengths.iter().map(of).collect();
     let table = Rows::of("/hypotheses", &found.hypotheses)
@@ -144,21 +162,7 @@ fn hypotheses(found: &Diagnosis) -> Vec<Part> {
     if strengths.any(|strength| strength.at_end) {
         caption += " At its end: the most that is accepted; the data ask for no less.";
     }
-    vec![
-        Part::Headline(vec![
-            fact(
-                "/p_nothing",
-                "Probability that nothing is missing",
-                found.p_nothing,
-            ),
-            fact(
-                "/novel/probability",
-                "Probability of an unknown cause",
-                found.novel.probability,
-            ),
-        ]),
-        Part::Table(table.caption(&caption).table()),
-    ]
+    table.caption(&caption).table()
 }
 
 fn effects(study: &str, found: &Diagnosis) -> Vec<Part> {

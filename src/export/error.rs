@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+#[cfg(feature = "cli")]
 use crate::plot::PlotError;
 
 /// Why a result could not be written.
@@ -122,6 +123,7 @@ pub enum ExportError {
         reason: String,
     },
     /// A picture cannot be drawn.
+    #[cfg(feature = "cli")]
     #[error(transparent)]
     Picture(#[from] PlotError),
     /// A part of the wing that another program cannot model.
@@ -181,13 +183,16 @@ pub enum ExportError {
 impl ExportError {
     /// Whether what was asked for is at fault: a folder that is no run, or an output in whose place something stands.
     pub fn is_of_input(&self) -> bool {
+        #[cfg(feature = "cli")]
+        if matches!(self, ExportError::Picture(PlotError::TooLarge { .. })) {
+            return true;
+        }
         matches!(
             self,
             ExportError::NoRun { .. }
                 | ExportError::NoPlan { .. }
                 | ExportError::ForeignSummary { .. }
                 | ExportError::NoCounterpart { .. }
-                | ExportError::Picture(PlotError::TooLarge { .. })
                 | ExportError::ForeignEntry { .. }
                 | ExportError::NoRecord { .. }
                 | ExportError::ChangedEntry { .. }

@@ -79,84 +79,107 @@ fn brief(summary: &RunSummary) -> Vec<Part> {
 }
 
 fn headline(summary: &RunSummary) -> Part {
-    let mut facts = Vec::new();
-    let mut fact = |place: &str, label, value: Option<f64>, unit, digits: Digits| {
-        facts.push(Fact {
-            place: place.to_string(),
-            label,
-            value,
-            unit,
-            digits,
-        });
-    };
-    let (tip, lift) = (&summary.tip, summary.lift.as_ref());
-    let mean = lift.and_then(|lift| lift.stroke_mean.as_ref());
+    Part::Headline(
+        [
+            twist_facts(summary),
+            lift_facts(summary),
+            mass_and_frequency_facts(summary),
+        ]
+        .concat(),
+    )
+}
+
+fn fact(place: &str, label: &'static str, value: Option<f64>, unit: &'static str, digits: Digits) -> Fact {
+    Fact {
+        place: place.to_string(),
+        label,
+        value,
+        unit,
+        digits,
+    }
+}
+
+fn twist_facts(summary: &RunSummary) -> Vec<Fact> {
+    let tip = &summary.tip;
     let span = summary.measured.as_ref().and_then(|found| found.span.first());
+    vec![
+        fact(
+            "/tip/twist_deg",
+            "Tip twist, washout positive",
+            tip.twist_deg,
+            "°",
+            After(2),
+        ),
+        fact(
+            "/tip/alpha_deg",
+            "Angle of attack at the tip",
+            tip.alpha_deg,
+            "°",
+            After(2),
+        ),
+        fact(
+            "/measured/span/0/rmse_along_span_deg",
+            "Error along the span, rms",
+            span.map(|span| span.rmse_along_span_deg),
+            "°",
+            After(1),
+        ),
+        fact(
+            "/mesh_error/tip_twist_deg",
+            "Mesh error of the tip twist",
+            summary.mesh_error.tip_twist_deg,
+            "°",
+            After(2),
+        ),
+    ]
+}
+
+fn lift_facts(summary: &RunSummary) -> Vec<Fact> {
+    let lift = summary.lift.as_ref();
+    let mean = lift.and_then(|lift| lift.stroke_mean.as_ref());
+    vec![
+        fact(
+            "/lift/solved/lift_mn",
+            "Lift, one wing, as solved",
+            lift.map(|lift| lift.solved.lift_mn),
+            "mN",
+            After(2),
+        ),
+        fact(
+            "/lift/stroke_mean/lift_mn",
+            "Mean lift over the stroke",
+            mean.map(|mean| mean.lift_mn),
+            "mN",
+            After(2),
+        ),
+        fact(
+            "/lift/stroke_mean/power_mw",
+            "Mean power",
+            mean.map(|mean| mean.power_mw),
+            "mW",
+            After(1),
+        ),
+    ]
+}
+
+fn mass_and_frequency_facts(summary: &RunSummary) -> Vec<Fact> {
     let engineering = &summary.engineering;
-    fact(
-        "/tip/twist_deg",
-        "Tip twist, washout positive",
-        tip.twist_deg,
-        "°",
-        After(2),
-    );
-    fact(
-        "/tip/alpha_deg",
-        "Angle of attack at the tip",
-        tip.alpha_deg,
-        "°",
-        After(2),
-    );
-    fact(
-        "/measured/span/0/rmse_along_span_deg",
-        "Error along the span, rms",
-        span.map(|span| span.rmse_along_span_deg),
-        "°",
-        After(1),
-    );
-    fact(
-        "/mesh_error/tip_twist_deg",
-        "Mesh error of the tip twist",
-        summary.mesh_error.tip_twist_deg,
-        "°",
-        After(2),
-    );
-    fact(
-        "/lift/solved/lift_mn",
-        "Lift, one wing, as solved",
-        lift.map(|lift| lift.solved.lift_mn),
-        "mN",
-        After(2),
-    );
-    fact(
-        "/lift/stroke_mean/lift_mn",
-        "Mean lift over the stroke",
-        mean.map(|mean| mean.lift_mn),
-        "mN",
-        After(2),
-    );
-    fact(
-        "/lift/stroke_mean/power_mw",
-        "Mean power",
-        mean.map(|mean| mean.power_mw),
-        "mW",
-        After(1),
-    );
-    fact(
-        "/engineering/mass_mg",
-        "Mass",
-        engineering.mass_mg,
-        "mg",
-        Significant(4),
-    );
-    fact(
-        "/engineering/natural_frequencies_in_air_hz/0",
-        "Lowest frequency, with air",
-        engineering.natural_frequencies_in_air_hz.first().copied(),
-        "Hz",
-        After(1),
-    );
-    Part::Headline(facts)
+    vec![
+        fact(
+            "/engineering/mass_mg",
+            "Mass",
+            engineering.mass_mg,
+            "mg",
+            Significant(4),
+        ),
+        fact(
+            "/engineering/natural_frequencies_in_air_hz/0",
+            "Lowest frequency, with air",
+            engineering.natural_frequencies_in_air_hz.first().copied(),
+            "Hz",
+            After(1),
+        ),
+    ]
 }
 
 /// Twist at every station.

@@ -118,57 +118,16 @@ impl Template {
 
     /// As DXF (AutoCAD R12 ASCII), y upward from the leading edge's side away from the wing, millimetres.
     pub fn to_dxf(&self) -> String {
-        let mut dxf = String::new();
-        let mut pair = |code: u32, value: &str| {
-            // group codes stand right-aligned in three columns
-            let _ = writeln!(dxf, "{code:>3}\n{value}");
-        };
-        pair(999, "full size in millimetres");
-        pair(0, "SECTION");
-        pair(2, "HEADER");
-        pair(9, "$ACADVER");
-        pair(1, "AC1009");
+        let mut dxf = Dxf(String::new());
         let [low, high] = self.reach();
-        for (name, x, y) in [
-            ("$EXTMIN", low[0], -high[1] - MARGIN_MM),
-            ("$EXTMAX", high[0], -low[1]),
-        ] {
-            pair(9, name);
-            pair(10, &format!("{x:.4}"));
-            pair(20, &format!("{y:.4}"));
-        }
-        pair(0, "ENDSEC");
-        pair(0, "SECTION");
-        pair(2, "TABLES");
-        pair(0, "TABLE");
-        pair(2, "LAYER");
-        pair(70, "4");
-        for (name, colour) in [("FILM", "5"), ("SPARS", "3"), ("ROD", "1"), ("TEXT", "7")] {
-            pair(0, "LAYER");
-            pair(2, name);
-            pair(70, "0");
-            pair(62, colour);
-            pair(6, "CONTINUOUS");
-        }
-        pair(0, "ENDTAB");
-        pair(0, "ENDSEC");
-        pair(0, "SECTION");
-        pair(2, "ENTITIES");
+        dxf.header([low[0], -high[1] - MARGIN_MM], [high[0], -low[1]]);
+        dxf.layers();
+        dxf.pair(0, "SECTION");
+        dxf.pair(2, "ENTITIES");
         for (layer, _, rings) in self.layers() {
             let layer = layer.to_uppercase();
             for points in rings {
-                pair(0, "POLYLINE");
-                pair(8, &layer);
-                pair(66, "1");
-                pair(70, "1");
-                for [x, y] in points {
-                    pair(0, "VERTEX");
-                    pair(8, &layer);
-                    pair(10, &format!("{x:.4}"));
-                    pair(20, &format!("{:.4}", -y));
-                }
-                pair(0, "SEQEND");
-                pair(8, &layer);
+                dxf.ring(&layer, points);
             }
         }
         let foot = -high[1] - MARGIN_MM;
@@ -177,28 +136,16 @@ impl Template {
             [[0.0, foot - 2.0], [0.0, foot + 2.0]],
             [[50.0, foot - 2.0], [50.0, foot + 2.0]],
         ] {
-            pair(0, "LINE");
-            pair(8, "TEXT");
-            for (code, value) in [(10, from[0]), (20, from[1]), (11, to[0]), (21, to[1])] {
-                pair(code, &format!("{value:.4}"));
-            }
+            dxf.line(from, to);
         }
-        let mut text = |x: f64, y: f64, words: &str| {
-            pair(0, "TEXT");
-            pair(8, "TEXT");
-            pair(10, &format!("{x:.4}"));
-            pair(20, &format!("{y:.4}"));
-            pair(40, "3.0");
-            pair(1, words);
-        };
         for (index, (points, words)) in self.rods.iter().enumerate() {
-            text(points[0][0], 3.0 + 4.0 * index as f64, &plain(words));
+            dxf.text([points[0][0], 3.0 + 4.0 * index as f64], &plain(words));
         }
-        text(0.0, -high[1] - 6.0, &plain(&self.name));
-        text(52.0, foot - 1.0, "50 mm: check before cutting");
-        pair(0, "ENDSEC");
-        pair(0, "EOF");
-        dxf
+        dxf.text([0.0, -high[1] - 6.0], &plain(&self.name));
+        dxf.text([52.0, foot - 1.0], "50 mm: check before cutting");
+        dxf.pair(0, "ENDSEC");
+        dxf.pair(0, "EOF");
+        dxf.0
     }
 
     /// Layers with their colours and closed lines.
@@ -227,6 +174,84 @@ impl Template {
 
 /// Name of a layer, its colour, its closed lines.
 type Layer<'a> = (&'static str, &'static str, Vec<&'a Vec<[f64; 2]>>);
+
+/// The text of a DXF file.
+struct Dxf(String);
+
+impl Dxf {
+    fn pair(&mut self, code: u32, value: &str) {
+        // group codes stand right-aligned in three columns
+        let _ = writeln!(self.0, "{code:>3}\n{value}");
+    }
+
+    fn number(&mut self, code: u32, value: f64) {
+        self.pair(code, &format!("{value:.4}"));
+    }
+
+    fn header(&mut self, low: [f64; 2], high: [f64; 2]) {
+        self.pair(999, "full size in millimetres");
+        self.pair(0, "SECTION");
+        self.pair(2, "HEADER");
+        self.pair(9, "$ACADVER");
+        self.pair(1, "AC1009");
+        for (name, [x, y]) in [("$EXTMIN", low), ("$EXTMAX", high)] {
+            self.pair(9, name);
+            self.number(10, x);
+            self.number(20, y);
+        }
+        self.pair(0, "ENDSEC");
+    }
+
+    fn layers(&mut self) {
+        self.pair(0, "SECTION");
+        self.pair(2, "TABLES");
+        self.pair(0, "TABLE");
+        self.pair(2, "LAYER");
+        self.pair(70, "4");
+        for (name, colour) in [("FILM", "5"), ("SPARS", "3"), ("ROD", "1"), ("TEXT", "7")] {
+            self.pair(0, "LAYER");
+            self.pair(2, name);
+            self.pair(70, "0");
+            self.pair(62, colour);
+            self.pair(6, "CONTINUOUS");
+        }
+        self.pair(0, "ENDTAB");
+        self.pair(0, "ENDSEC");
+    }
+
+    /// A closed line; y of the points is downward.
+    fn ring(&mut self, layer: &str, points: &[[f64; 2]]) {
+        self.pair(0, "POLYLINE");
+        self.pair(8, layer);
+        self.pair(66, "1");
+        self.pair(70, "1");
+        for [x, y] in points {
+            self.pair(0, "VERTEX");
+            self.pair(8, layer);
+            self.number(10, *x);
+            self.number(20, -y);
+        }
+        self.pair(0, "SEQEND");
+        self.pair(8, layer);
+    }
+
+    fn line(&mut self, from: [f64; 2], to: [f64; 2]) {
+        self.pair(0, "LINE");
+        self.pair(8, "TEXT");
+        for (code, value) in [(10, from[0]), (20, from[1]), (11, to[0]), (21, to[1])] {
+            self.number(code, value);
+        }
+    }
+
+    fn text(&mut self, [x, y]: [f64; 2], words: &str) {
+        self.pair(0, "TEXT");
+        self.pair(8, "TEXT");
+        self.number(10, x);
+        self.number(20, y);
+        self.pair(40, "3.0");
+        self.pair(1, words);
+    }
+}
 
 /// Width in the plane of the wing, mm; a thin line where only stiffnesses are known.
 fn width_mm(section: &Section) -> f64 {

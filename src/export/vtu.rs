@@ -100,6 +100,20 @@ impl Array {
 
 impl Grid {
     /// The bytes of a `.vtu` file; refuses arrays of the wrong length and values that are not finite.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::export::vtu::{Array, Grid};
+    ///
+    /// let grid = Grid {
+    ///     points_mm: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+    ///     triangles: vec![[0, 1, 2]],
+    ///     point_arrays: vec![Array::scalar("twist_deg", vec![0.0, 1.0, 2.0])],
+    ///     ..Grid::default()
+    /// };
+    /// assert!(String::from_utf8(grid.to_vtu()?)?.contains("UnstructuredGrid"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn to_vtu(self) -> Result<Vec<u8>, ExportError> {
         self.check()?;
         let mut connectivity = Vec::with_capacity(3 * self.triangles.len() + 2 * self.lines.len());

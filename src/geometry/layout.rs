@@ -39,6 +39,17 @@ impl Layout {
     /// The layout that a design states, on its planform.
     ///
     /// Errors: rod pieces with a gap or an overlap, spars off the wing, crossing or touching.
+    ///
+    /// # Example
+    /// ```
+    /// # use std::path::Path;
+    /// # use washout::{geometry::Planform, input::Design};
+    /// let design = Design::load(Path::new("designs/twist-v2.toml"), &[])?.design;
+    /// let planform = Planform::from_design(&design)?;
+    /// let layout = washout::geometry::Layout::from_design(&design, &planform)?;
+    /// assert_eq!(layout.rod_piece_at(0.01), Some(0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn from_design(design: &Design, planform: &Planform) -> Result<Layout, GeometryError> {
         Ok(Layout {
             rod: rod_pieces(design, planform)?,
@@ -150,6 +161,12 @@ fn spar_lines(design: &Design, planform: &Planform) -> Result<Vec<SparLine>, Geo
         });
     }
     spars.sort_by(|a, b| a.leading_edge_m.total_cmp(&b.leading_edge_m));
+    refuse_crossing(&spars, slack_m)?;
+    Ok(spars)
+}
+
+/// Refuses spars, in order along the leading edge, that come nearer than `slack_m` at either edge.
+fn refuse_crossing(spars: &[SparLine], slack_m: f64) -> Result<(), GeometryError> {
     for w in spars.windows(2) {
         let edges = [
             ("leading", w[0].leading_edge_m, w[1].leading_edge_m),
@@ -167,7 +184,7 @@ fn spar_lines(design: &Design, planform: &Planform) -> Result<Vec<SparLine>, Geo
             }
         }
     }
-    Ok(spars)
+    Ok(())
 }
 
 #[cfg(test)]

@@ -44,6 +44,16 @@ impl Planform {
     ///
     /// Errors: values out of range, radii that no distribution has, an outline that does not rise or does
     /// not reach both ends, a chord of zero where an edge is needed.
+    ///
+    /// # Example
+    /// ```
+    /// # use std::path::Path;
+    /// use washout::{geometry::Planform, input::Design};
+    /// let design = Design::load(Path::new("designs/twist-v2.toml"), &[])?.design;
+    /// let planform = Planform::from_design(&design)?;
+    /// assert!(planform.chord_m(0.0) > planform.chord_m(0.95 * planform.length_m()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn from_design(design: &Design) -> Result<Planform, GeometryError> {
         let p = &design.planform;
         let length_mm = p.length_mm.value();

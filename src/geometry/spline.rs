@@ -13,6 +13,15 @@ impl MonotoneSpline {
     ///
     /// Tangents: mean of the neighbouring secants, 0 at extrema, limited to the circle
     /// α² + β² ≤ 9 (Fritsch & Carlson, SIAM J. Numer. Anal. 17, 1980, equation 4.2); secants at both ends.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::geometry::spline::MonotoneSpline;
+    ///
+    /// let spline = MonotoneSpline::through(&[[0.0, 0.0], [1.0, 1.0], [2.0, 1.0]]).unwrap();
+    /// let (value, slope) = spline.value_and_slope(1.5);
+    /// assert!((value - 1.0).abs() < 1e-12 && slope.abs() < 1e-12);
+    /// ```
     pub fn through(points: &[[f64; 2]]) -> Option<MonotoneSpline> {
         let rising = points.windows(2).all(|w| w[1][0] > w[0][0]);
         if points.len() < 2 || !rising || points.iter().flatten().any(|v| !v.is_finite()) {

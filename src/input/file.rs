@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::{Component, Path, PathBuf};
+use std::string::FromUtf8Error;
 
 use super::document::Source;
 use super::error::{InputError, Problem};
@@ -66,22 +67,24 @@ pub(crate) fn read_input(path: &Path, what: &str) -> Result<(String, InputFile),
             Some(rest) => (rest.to_string(), input),
             None => (text, input),
         }),
-        Err(error) => {
-            let start = error.utf8_error().valid_up_to();
-            let bytes = error.into_bytes();
-            let good = String::from_utf8_lossy(&bytes[..start]).into_owned();
-            let place = Source::file(&name, &good).place(start);
-            let byte = bytes.get(start).copied().unwrap_or_default();
-            let message = format!("is not UTF-8: byte 0x{byte:02x}");
-            Err(InputError::new(
-                place,
-                "",
-                "",
-                Problem::File { message },
-                "Save the file as UTF-8 text",
-            ))
-        }
+        Err(error) => Err(no_utf8(&name, error)),
     }
+}
+
+fn no_utf8(name: &str, error: FromUtf8Error) -> InputError {
+    let start = error.utf8_error().valid_up_to();
+    let bytes = error.into_bytes();
+    let good = String::from_utf8_lossy(&bytes[..start]).into_owned();
+    let place = Source::file(name, &good).place(start);
+    let byte = bytes.get(start).copied().unwrap_or_default();
+    let message = format!("is not UTF-8: byte 0x{byte:02x}");
+    InputError::new(
+        place,
+        "",
+        "",
+        Problem::File { message },
+        "Save the file as UTF-8 text",
+    )
 }
 
 /// Reads a file whole, whatever it holds.

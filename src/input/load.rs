@@ -79,6 +79,16 @@ impl Design {
     }
 
     /// Reads a design file with the files that it names, after `sets` (`key=value`) have changed it.
+    ///
+    /// # Example
+    /// ```
+    /// # use std::path::Path;
+    /// use washout::input::Design;
+    ///
+    /// let loaded = Design::load(Path::new("designs/twist-v2.toml"), &["flapping.frequency_hz=24".to_string()])?;
+    /// assert_eq!(loaded.design.get("flapping.frequency_hz"), Some(24.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn load(path: &Path, sets: &[String]) -> Result<Loaded, InputError> {
         let settings = settings(sets)?;
         let (text, input) = file::read_input(path, "design file")?;
@@ -200,36 +210,11 @@ fn merge_materials(
     let Some(named) = root.get("materials").cloned() else {
         return Ok(None);
     };
-    let circle = |node: &Node, key: &str, message: String, cure: &str| {
-        let problem = Problem::Conflict {
-            message,
-            with: Vec::new(),
-        };
-        Err(InputError::new(node.place(), key, &node.shown(), problem, cure))
-    };
     if same_file(&path, design_path) {
-        let message = "is the design file itself".to_string();
-        return circle(
-            &named,
-            "materials",
-            message,
-            "Name another file, or leave the key out",
-        );
+        let message = "is the design file itself";
+        return Err(circle(&named, message, "Name another file, or leave the key out"));
     }
-    let (text, input) = file::read_input(&path, "materials file")?;
-    files.push(input);
-    let tree = Node::parse_file(&file::shown(&path), &text)?;
-    if let Some(node) = tree.get("materials") {
-        let message = "a materials file cannot name another one".to_string();
-        return circle(
-            node,
-            "materials",
-            message,
-            "Write all materials into one file, as tables [material.NAME]",
-        );
-    }
-    check::format_is_one(&tree)?;
-    form::check(&tree, keys::materials())?;
+    let tree = read_materials(&path, files)?;
     if root.get("material").is_none() {
         root.put(
             "material",
@@ -253,6 +238,29 @@ fn merge_materials(
         }
     }
     Ok(Some(path))
+}
+
+fn read_materials(path: &Path, files: &mut Vec<InputFile>) -> Result<Node, InputError> {
+    let (text, input) = file::read_input(path, "materials file")?;
+    files.push(input);
+    let tree = Node::parse_file(&file::shown(path), &text)?;
+    if let Some(node) = tree.get("materials") {
+        let message = "a materials file cannot name another one";
+        let cure = "Write all materials into one file, as tables [material.NAME]";
+        return Err(circle(node, message, cure));
+    }
+    check::format_is_one(&tree)?;
+    form::check(&tree, keys::materials())?;
+    Ok(tree)
+}
+
+/// An error about a name of a materials file that leads back or on.
+fn circle(node: &Node, message: &str, cure: &str) -> InputError {
+    let problem = Problem::Conflict {
+        message: message.to_string(),
+        with: Vec::new(),
+    };
+    InputError::new(node.place(), "materials", &node.shown(), problem, cure)
 }
 
 /// The rows of the case that the design names.

@@ -77,12 +77,6 @@ pub fn stock_from_csv(file: &str, text: &str) -> Result<Vec<StockRod>, InputErro
 }
 
 fn read(record: &Record) -> Result<StockRod, InputError> {
-    let mm = |low: f64, high: f64| Range {
-        low,
-        high,
-        open: false,
-        unit: "mm",
-    };
     let name = record.text("name").to_string();
     if name.is_empty() {
         return Err(record.conflict("name", "is empty", &[], "Name the rod, e.g. half-1.0"));
@@ -94,7 +88,30 @@ fn read(record: &Record) -> Result<StockRod, InputError> {
     ];
     let shape = record.word("shape", &shapes, "Say which cross-section it has")?;
     let diameter = record.number_in("diameter_mm", mm(0.001, 1000.0), "Give the outer diameter in mm")?;
-    let section = match shape {
+    let section = read_section(record, shape, diameter)?;
+    let tolerance_mm = match record.text("tolerance_mm") {
+        "" => 0.02,
+        _ => record.number_in(
+            "tolerance_mm",
+            mm(0.0, 0.5 * diameter),
+            "Give how far the diameter may be off, mm",
+        )?,
+    };
+    let material = record.text("material").to_string();
+    if material.is_empty() {
+        let cure = "Name a material of the design, e.g. carbon-rod";
+        return Err(record.conflict("material", "is empty", &[], cure));
+    }
+    Ok(StockRod {
+        name,
+        section,
+        material,
+        tolerance_mm,
+    })
+}
+
+fn read_section(record: &Record, shape: Shape, diameter: f64) -> Result<Section, InputError> {
+    Ok(match shape {
         Shape::Round => Section::Round {
             diameter_mm: diameter.into(),
         },
@@ -117,26 +134,16 @@ fn read(record: &Record) -> Result<StockRod, InputError> {
                 inner_diameter_mm: inner.into(),
             }
         }
-    };
-    let tolerance_mm = match record.text("tolerance_mm") {
-        "" => 0.02,
-        _ => record.number_in(
-            "tolerance_mm",
-            mm(0.0, 0.5 * diameter),
-            "Give how far the diameter may be off, mm",
-        )?,
-    };
-    let material = record.text("material").to_string();
-    if material.is_empty() {
-        let cure = "Name a material of the design, e.g. carbon-rod";
-        return Err(record.conflict("material", "is empty", &[], cure));
-    }
-    Ok(StockRod {
-        name,
-        section,
-        material,
-        tolerance_mm,
     })
+}
+
+fn mm(low: f64, high: f64) -> Range {
+    Range {
+        low,
+        high,
+        open: false,
+        unit: "mm",
+    }
 }
 
 #[cfg(test)]

@@ -193,13 +193,7 @@ fn check_header(
     let known: Vec<&'static str> = columns.iter().chain(optional).copied().collect();
     for (number, header) in headers.iter().enumerate() {
         if !known.contains(&header) {
-            let cure = match nearest(header, known.iter().copied()) {
-                Some(near) => format!("Did you mean {near}? {all}"),
-                None if header.contains([';', '\t']) => {
-                    format!("Columns are separated by commas, not by semicolons or tabs. {all}")
-                }
-                None => all,
-            };
+            let cure = instead_of(header, &known, all);
             let message = "is not known".to_string();
             let with = columns.iter().map(|column| column.to_string()).collect();
             return fail(
@@ -226,6 +220,17 @@ fn check_header(
     {
         Some(column) => fail(column, Problem::Missing, all),
         None => Ok(()),
+    }
+}
+
+/// What to write instead of a column that is not known; `all`: the columns there are, in words.
+fn instead_of(header: &str, known: &[&'static str], all: String) -> String {
+    match nearest(header, known.iter().copied()) {
+        Some(near) => format!("Did you mean {near}? {all}"),
+        None if header.contains([';', '\t']) => {
+            format!("Columns are separated by commas, not by semicolons or tabs. {all}")
+        }
+        None => all,
     }
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::error::{InputError, Range};
 use super::file;
-use super::table::Table;
+use super::table::{Record, Table};
 use crate::origin::InputFile;
 
 /// Twist along the span, at one phase of the stroke or at several.
@@ -41,28 +41,9 @@ impl TwistTable {
     /// As [`TwistTable::load`].
     pub fn from_csv(file: &str, text: &str) -> Result<TwistTable, InputError> {
         let table = Table::parse(file, text, &["r_mm", "twist_deg"], &["phase_deg"])?;
-        let within = |low: f64, high: f64, unit: &'static str| Range {
-            low,
-            high,
-            open: false,
-            unit,
-        };
         let mut profiles: Vec<(Option<f64>, Vec<[f64; 2]>)> = Vec::new();
         for record in &table.records {
-            let r_mm = record.number_in("r_mm", within(0.0, 1e5, "mm"), "Give mm from the wing base")?;
-            let twist_deg = record.number_in(
-                "twist_deg",
-                within(-180.0, 180.0, "deg"),
-                "Give the washout in degrees",
-            )?;
-            let phase_deg = match record.text("phase_deg") {
-                "" => None,
-                _ => Some(record.number_in(
-                    "phase_deg",
-                    within(-90.0, 90.0, "deg"),
-                    "Give the stroke phase in degrees; 0 is mid-stroke",
-                )?),
-            };
+            let ([r_mm, twist_deg], phase_deg) = read(record)?;
             match profiles.last_mut() {
                 Some((phase, points)) if *phase == phase_deg => {
                     if points.last().is_some_and(|[last, _]| *last >= r_mm) {
@@ -102,6 +83,31 @@ impl TwistTable {
             profiles,
         })
     }
+}
+
+/// Station (mm) and twist (deg) of a row, and its phase (deg), if it has one.
+fn read(record: &Record) -> Result<([f64; 2], Option<f64>), InputError> {
+    let within = |low: f64, high: f64, unit: &'static str| Range {
+        low,
+        high,
+        open: false,
+        unit,
+    };
+    let r_mm = record.number_in("r_mm", within(0.0, 1e5, "mm"), "Give mm from the wing base")?;
+    let twist_deg = record.number_in(
+        "twist_deg",
+        within(-180.0, 180.0, "deg"),
+        "Give the washout in degrees",
+    )?;
+    let phase_deg = match record.text("phase_deg") {
+        "" => None,
+        _ => Some(record.number_in(
+            "phase_deg",
+            within(-90.0, 90.0, "deg"),
+            "Give the stroke phase in degrees; 0 is mid-stroke",
+        )?),
+    };
+    Ok(([r_mm, twist_deg], phase_deg))
 }
 
 #[cfg(test)]

@@ -275,7 +275,15 @@ impl Check<'_> {
         if last.is_none() {
             return Err(Defect::MissingSet { set: "rod-0" });
         }
-        for (part, (end, beam)) in spar_end {
+        self.spars_reach_the_trailing_edge(&spar_end)
+    }
+
+    /// `spar_end`: last node and last beam of each spar.
+    fn spars_reach_the_trailing_edge(
+        &self,
+        spar_end: &BTreeMap<BeamPart, (usize, usize)>,
+    ) -> Result<(), Defect> {
+        for (&part, &(end, beam)) in spar_end {
             if !self.mesh.trailing_edge.contains(&end) {
                 let (x_mm, y_mm) = self.place_mm(end);
                 return Err(Defect::ShortSpar {

@@ -31,6 +31,50 @@ const SAME_PLACE: f64 = 1e-8;
 
 /// Lays the columns for `chordwise` elements along each of them.
 pub fn lay_columns(planform: &Planform, layout: &Layout, chordwise: usize) -> Columns {
+    let mut fixed = ends_and_spars(planform, layout);
+    let size = Size { planform, chordwise };
+    let mut local_breaks_m = Vec::new();
+    for x_m in layout.rod_breaks_m(planform) {
+        let bay = fixed
+            .partition_point(|column| column.leading_edge_m <= x_m)
+            .clamp(1, fixed.len() - 1);
+        let (a, b) = (fixed[bay - 1], fixed[bay]);
+        let near_m = SAME_PLACE * planform.length_m();
+        if (x_m - a.leading_edge_m).abs() <= near_m || (x_m - b.leading_edge_m).abs() <= near_m {
+            continue;
+        }
+        let along = (x_m - a.leading_edge_m) / (b.leading_edge_m - a.leading_edge_m);
+        let column = between(a, b, along, Some(x_m), None);
+        if size.has_room(a, column) && size.has_room(column, b) {
+            fixed.insert(bay, column);
+        } else {
+            local_breaks_m.push(x_m);
+        }
+    }
+    for x_m in planform.kinks_m() {
+        let bay = fixed
+            .partition_point(|column| column.trailing_edge_m <= x_m)
+            .clamp(1, fixed.len() - 1);
+        let (a, b) = (fixed[bay - 1], fixed[bay]);
+        let along = (x_m - a.trailing_edge_m) / (b.trailing_edge_m - a.trailing_edge_m);
+        let column = between(a, b, along, None, Some(x_m));
+        if size.has_room(a, column) && size.has_room(column, b) {
+            fixed.insert(bay, column);
+        }
+    }
+    let mut columns = vec![fixed[0]];
+    for w in fixed.windows(2) {
+        columns.extend(size.fill(w[0], w[1]));
+        columns.push(w[1]);
+    }
+    Columns {
+        columns,
+        local_breaks_m,
+    }
+}
+
+/// Columns at the root, on the spars and at the tip.
+fn ends_and_spars(planform: &Planform, layout: &Layout) -> Vec<Column> {
     let tip_m = planform.tip_m();
     let straight = |at_m, spar| Column {
         leading_edge_m: at_m,
@@ -53,55 +97,7 @@ pub fn lay_columns(planform: &Planform, layout: &Layout, chordwise: usize) -> Co
     if fixed.last().is_none_or(|last| last.leading_edge_m < tip_m) {
         fixed.push(straight(tip_m, None));
     }
-    let size = Size { planform, chordwise };
-    let mut local_breaks_m = Vec::new();
-    for x_m in layout.rod_breaks_m(planform) {
-        let bay = fixed
-            .partition_point(|column| column.leading_edge_m <= x_m)
-            .clamp(1, fixed.len() - 1);
-        let (a, b) = (fixed[bay - 1], fixed[bay]);
-        let near_m = SAME_PLACE * planform.length_m();
-        if (x_m - a.leading_edge_m).abs() <= near_m || (x_m - b.leading_edge_m).abs() <= near_m {
-            continue;
-        }
-        let column = between(
-            a,
-            b,
-            (x_m - a.leading_edge_m) / (b.leading_edge_m - a.leading_edge_m),
-            Some(x_m),
-            None,
-        );
-        if size.has_room(a, column) && size.has_room(column, b) {
-            fixed.insert(bay, column);
-        } else {
-            local_breaks_m.push(x_m);
-        }
-    }
-    for x_m in planform.kinks_m() {
-        let bay = fixed
-            .partition_point(|column| column.trailing_edge_m <= x_m)
-            .clamp(1, fixed.len() - 1);
-        let (a, b) = (fixed[bay - 1], fixed[bay]);
-        let column = between(
-            a,
-            b,
-            (x_m - a.trailing_edge_m) / (b.trailing_edge_m - a.trailing_edge_m),
-            None,
-            Some(x_m),
-        );
-        if size.has_room(a, column) && size.has_room(column, b) {
-            fixed.insert(bay, column);
-        }
-    }
-    let mut columns = vec![fixed[0]];
-    for w in fixed.windows(2) {
-        columns.extend(size.fill(w[0], w[1]));
-        columns.push(w[1]);
-    }
-    Columns {
-        columns,
-        local_breaks_m,
-    }
+    fixed
 }
 
 /// The column at fraction `along` between two; its ends exactly where given, x constant between straight ones.

@@ -24,6 +24,17 @@ const PREFERRED_ANGLE_DEG: f64 = 25.0;
 /// Meshes a design; `mesh.chordwise` × `mesh.refine` elements from leading to trailing edge.
 ///
 /// Without a film only rod and spars are meshed; with ribs, see `mesh::ribs`. Errors: impossible layout or density, elements that fold.
+///
+/// # Example
+/// ```
+/// # use std::path::Path;
+/// # use washout::{geometry::Planform, input::Design};
+/// let design = Design::load(Path::new("designs/twist-v2.toml"), &[])?.design;
+/// let planform = Planform::from_design(&design)?;
+/// let mesh = washout::mesh::generate(&design, &planform)?;
+/// assert!((mesh.area_m2() / planform.area_m2() - 1.0).abs() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn generate(design: &Design, planform: &Planform) -> Result<Mesh, MeshError> {
     if let Some(ribs) = &design.ribs {
         return ribs::generate(design, planform, ribs);

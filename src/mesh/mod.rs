@@ -134,6 +134,14 @@ impl Mesh {
 }
 
 /// Area of a triangle in the x-y plane, m²; positive counter-clockwise seen from +z.
+///
+/// # Example
+/// ```
+/// use washout::mesh::signed_area_m2;
+///
+/// let area = signed_area_m2([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+/// assert_eq!(area, 0.5);
+/// ```
 pub fn signed_area_m2([a, b, c]: [[f64; 3]; 3]) -> f64 {
     0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 }

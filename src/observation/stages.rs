@@ -156,6 +156,18 @@ impl StageFit {
 
 /// Fit of stages to points `[r_m, twist_rad]`, r rising; `base` is a place `[r_m, twist_rad]` that the line
 /// passes exactly (the clamp). None with fewer than two points (one with a base), or points out of order.
+///
+/// # Example
+/// ```
+/// use washout::observation::{StageSettings, fit_stages};
+///
+/// // 0.1 deg/mm up to 40 mm, then 0.3 deg/mm
+/// let twist_rad = |r_m: f64| (100.0 * r_m + 200.0 * (r_m - 0.04).max(0.0)).to_radians();
+/// let points: Vec<[f64; 2]> = (1..=14).map(|i| 5e-3 * f64::from(i)).map(|r_m| [r_m, twist_rad(r_m)]).collect();
+/// let fit = fit_stages(&points, Some([0.0, 0.0]), StageSettings::MODELLED).unwrap();
+/// assert_eq!(fit.stages.len(), 2);
+/// assert!((fit.breaks_m()[0] - 0.04).abs() < 1e-3);
+/// ```
 pub fn fit_stages(points: &[[f64; 2]], base: Option<[f64; 2]>, settings: StageSettings) -> Option<StageFit> {
     let anchored = base.is_some();
     let spare = |stages: usize| points.len().checked_sub(BrokenLine::parameters(stages, anchored));

@@ -136,6 +136,15 @@ struct Reader<'a> {
     sigma_px: f64,
 }
 
+/// Length of the chord in a frame over that of the untwisted chord.
+struct Foreshortening {
+    ratio: f64,
+    /// Variance of its clicks, as a share of it.
+    variance: f64,
+    /// Errors that stations share, as a share of it.
+    shares: Vec<(Shared, f64)>,
+}
+
 /// From one mark to another, px, y up.
 fn between(from: &Mark, to: &Mark) -> Vector2<f64> {
     Vector2::new(to.x_px - from.x_px, from.y_px - to.y_px)
@@ -220,35 +229,11 @@ impl Reader<'_> {
             root_angle_rad,
             distance_error_m: 0.0,
         };
-        let chord = between(&station.leading, &station.trailing);
-        let mut variance = self.error(&station.leading, &station.trailing).powi(2);
-        // errors of ratio, as a share of it
-        let mut shares = Vec::new();
-        let ratio = match self.at_rest(station) {
-            Some(rest) => {
-                let untwisted = between(&rest.leading, &rest.trailing);
-                variance += self.error(&rest.leading, &rest.trailing).powi(2);
-                let mut ratio = (chord.norm() / untwisted.norm()).copysign(chord.dot(&untwisted));
-                if let Some(([a, b], Some([c, d]))) = self.references(frame) {
-                    shares.push((Shared::References, self.error(a, b)));
-                    shares.push((Shared::ReferencesAtRest, self.error(c, d)));
-                    ratio *= between(c, d).norm() / between(a, b).norm();
-                }
-                ratio
-            }
-            None => match (self.references(frame), &loaded.video.references, station.chord_mm) {
-                (Some(([a, b], _)), Some(references), Some(chord_mm)) => {
-                    let distance_mm = references.distance_mm.unwrap_or_default();
-                    let sigma_mm = references.sigma_mm.unwrap_or_default();
-                    shares.push((Shared::References, self.error(a, b)));
-                    shares.push((Shared::Distance, sigma_mm / distance_mm));
-                    let shown_mm = chord.norm() * distance_mm / between(a, b).norm();
-                    shown_mm / (chord_mm * camera.seen_share())
-                }
-                // LoadedVideo::load refuses this
-                _ => 1.0,
-            },
-        };
+        let Foreshortening {
+            ratio,
+            variance,
+            shares,
+        } = self.foreshortening(frame, station, &camera);
         let found = camera.invert(ratio, 1.0);
         let alpha = root_angle_rad - found.twist_rad;
         let slope = match axis {
@@ -276,21 +261,7 @@ impl Reader<'_> {
             .map(|(kind, share)| (kind, share * per_share))
             .collect();
         if let Some(sigma_deg) = loaded.video.view.root_angle_sigma_deg {
-            let turned = |step: f64| {
-                let camera = Camera {
-                    root_angle_rad: root_angle_rad + step,
-                    ..camera
-                };
-                // without a frame at rest the measured share stays, not the ratio to a share that moves
-                let ratio = if loaded.rest.is_some() {
-                    ratio
-                } else {
-                    ratio * (root_share(axis, root_angle_rad) / camera.seen_share())
-                };
-                camera.invert(ratio, 1.0).twist_rad
-            };
-            let step = 1e-6;
-            let rate = (turned(step) - turned(-step)) / (2.0 * step);
+            let rate = self.rate_with_root_angle(&camera, ratio);
             errors.push((Shared::RootAngle, rate * sigma_deg.to_radians()));
         }
         let reading = VideoReading {
@@ -301,6 +272,63 @@ impl Reader<'_> {
             bound,
         };
         (reading, errors)
+    }
+
+    /// How much of the untwisted chord a frame shows.
+    fn foreshortening(&self, frame: &VideoFrame, station: &VideoStation, camera: &Camera) -> Foreshortening {
+        let chord = between(&station.leading, &station.trailing);
+        let mut variance = self.error(&station.leading, &station.trailing).powi(2);
+        let mut shares = Vec::new();
+        let references = &self.loaded.video.references;
+        let ratio = match self.at_rest(station) {
+            Some(rest) => {
+                let untwisted = between(&rest.leading, &rest.trailing);
+                variance += self.error(&rest.leading, &rest.trailing).powi(2);
+                let mut ratio = (chord.norm() / untwisted.norm()).copysign(chord.dot(&untwisted));
+                if let Some(([a, b], Some([c, d]))) = self.references(frame) {
+                    shares.push((Shared::References, self.error(a, b)));
+                    shares.push((Shared::ReferencesAtRest, self.error(c, d)));
+                    ratio *= between(c, d).norm() / between(a, b).norm();
+                }
+                ratio
+            }
+            None => match (self.references(frame), references, station.chord_mm) {
+                (Some(([a, b], _)), Some(references), Some(chord_mm)) => {
+                    let distance_mm = references.distance_mm.unwrap_or_default();
+                    let sigma_mm = references.sigma_mm.unwrap_or_default();
+                    shares.push((Shared::References, self.error(a, b)));
+                    shares.push((Shared::Distance, sigma_mm / distance_mm));
+                    let shown_mm = chord.norm() * distance_mm / between(a, b).norm();
+                    shown_mm / (chord_mm * camera.seen_share())
+                }
+                // LoadedVideo::load refuses this
+                _ => 1.0,
+            },
+        };
+        Foreshortening {
+            ratio,
+            variance,
+            shares,
+        }
+    }
+
+    /// Change of the twist that a ratio tells per change of the root angle.
+    fn rate_with_root_angle(&self, camera: &Camera, ratio: f64) -> f64 {
+        let turned = |step: f64| {
+            let turned = Camera {
+                root_angle_rad: camera.root_angle_rad + step,
+                ..*camera
+            };
+            // without a frame at rest the measured share stays, not the ratio to a share that moves
+            let ratio = if self.loaded.rest.is_some() {
+                ratio
+            } else {
+                ratio * (root_share(camera.axis, camera.root_angle_rad) / turned.seen_share())
+            };
+            turned.invert(ratio, 1.0).twist_rad
+        };
+        let step = 1e-6;
+        (turned(step) - turned(-step)) / (2.0 * step)
     }
 }
 

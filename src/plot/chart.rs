@@ -1,6 +1,9 @@
 //! A chart: marks over two axes.
 
+use plotters::backend::SVGBackend;
 use plotters::chart::ChartBuilder;
+use plotters::coord::cartesian::Cartesian2d;
+use plotters::drawing::DrawingArea;
 
 use super::error::PlotError;
 use super::palette::{Ink, Shape};
@@ -137,6 +140,9 @@ const TITLE_PX: f64 = 12.0;
 const LABEL_PX: f64 = 11.0;
 const TICK_PX: f64 = 10.0;
 
+/// The plane between the axes of a chart.
+type Plane<'a> = DrawingArea<SVGBackend<'a>, Cartesian2d<Scale, Scale>>;
+
 impl Chart {
     /// Refuses numbers that have no place on an axis.
     pub(super) fn check(&self) -> Result<(), PlotError> {
@@ -171,13 +177,43 @@ impl Chart {
                 .fold(0.0, f64::max);
         let places = reach.iter().map(|p| p[0]).chain(self.x_includes);
         let x = Scale::around(places, 0.04, ((size[0] - left) / 62.0) as usize);
-        let title_px = if self.title.is_empty() { 6.0 } else { 20.0 };
-        let room = size[0] - left;
         let title = cut(&self.title, size[0] / BOLD, TITLE_PX);
-        let overhang = (BOLD * width_px(&title, TITLE_PX) - room).max(0.0);
+        let overhang = (BOLD * width_px(&title, TITLE_PX) - (size[0] - left)).max(0.0);
         let letters = Letters::new(TITLE_PX, Align::Left).bold();
         pen.text(&title, [corner[0] + left - overhang, corner[1] + 9.0], letters)?;
 
+        let plane = self.axes(area, [corner, size], left, [&x, &y])?;
+        let place = |point: [f64; 2]| -> Spot {
+            let (x, y) = plane.map_coordinate(&(point[0], point[1]));
+            [f64::from(x) / UNITS, f64::from(y) / UNITS]
+        };
+        if self.has_zero_line {
+            let ends = [place([x.range[0], 0.0]), place([x.range[1], 0.0])];
+            pen.line(&ends, Ink::Black.colour(), 0.9)?;
+        }
+        if reach.is_empty() {
+            let middle = place([0.5 * (x.range[0] + x.range[1]), 0.5 * (y.range[0] + y.range[1])]);
+            pen.text(
+                "no numbers",
+                middle,
+                Letters::new(LABEL_PX, Align::Centre).in_colour(Ink::Grey.colour()),
+            )?;
+        }
+        for mark in &self.marks {
+            draw_mark(&pen, mark, &place)?;
+        }
+        Ok(())
+    }
+
+    /// Draws the axes with their grid and labels, `left` px of the box beside them; returns the plane between them.
+    fn axes<'a>(
+        &self,
+        area: &Area<'a>,
+        [corner, size]: [Spot; 2],
+        left: f64,
+        [x, y]: [&Scale; 2],
+    ) -> Result<Plane<'a>, PlotError> {
+        let title_px = if self.title.is_empty() { 6.0 } else { 20.0 };
         let split = |px: f64| (px * UNITS).round() as i32;
         let panel = area.clone().shrink(
             (split(corner[0]), split(corner[1])),
@@ -203,30 +239,11 @@ impl Chart {
             .y_labels(y.ticks.len())
             .label_style(tick)
             .axis_desc_style(desc)
-            .x_desc(cut(&self.x_label, room, LABEL_PX))
+            .x_desc(cut(&self.x_label, size[0] - left, LABEL_PX))
             .y_desc(cut(&self.y_label, size[1] - 40.0, LABEL_PX))
             .draw()
             .map_err(refused)?;
-        let place = |point: [f64; 2]| -> Spot {
-            let (x, y) = chart.plotting_area().map_coordinate(&(point[0], point[1]));
-            [f64::from(x) / UNITS, f64::from(y) / UNITS]
-        };
-        if self.has_zero_line {
-            let ends = [place([x.range[0], 0.0]), place([x.range[1], 0.0])];
-            pen.line(&ends, Ink::Black.colour(), 0.9)?;
-        }
-        if reach.is_empty() {
-            let middle = place([0.5 * (x.range[0] + x.range[1]), 0.5 * (y.range[0] + y.range[1])]);
-            pen.text(
-                "no numbers",
-                middle,
-                Letters::new(LABEL_PX, Align::Centre).in_colour(grey),
-            )?;
-        }
-        for mark in &self.marks {
-            draw_mark(&pen, mark, &place)?;
-        }
-        Ok(())
+        Ok(chart.plotting_area().clone())
     }
 }
 

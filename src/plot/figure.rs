@@ -115,29 +115,7 @@ impl Sheet {
         let mut y = MARGIN_PX + 20.0 * title.len() as f64;
         let (legend, legend_px) = legend_places(&figure.legend, [MARGIN_PX, y], inner);
         y += legend_px + 6.0;
-        let mut panels = Vec::new();
-        let mut column = 0;
-        for panel in &figure.panels {
-            if let Panel::HeatMap(map) = panel {
-                if column > 0 {
-                    y += cell[1];
-                }
-                let width = inner.max(CLASSES_PX);
-                let height = map.height_px(width);
-                panels.push(([MARGIN_PX, y], [width, height]));
-                (y, column) = (y + height, 0);
-                continue;
-            }
-            let x = MARGIN_PX + column as f64 * cell[0];
-            panels.push(([x, y], [cell[0] - 6.0, cell[1] - 8.0]));
-            column += 1;
-            if column == columns {
-                (y, column) = (y + cell[1], 0);
-            }
-        }
-        if column > 0 {
-            y += cell[1];
-        }
+        let (panels, y) = panel_places(&figure.panels, columns, cell, y);
         let caption = lines(&figure.caption, inner, CAPTION_PX);
         let caption_top = y + 6.0;
         let bottom = if caption.is_empty() {
@@ -181,6 +159,35 @@ impl Sheet {
         }
         Ok(())
     }
+}
+
+/// Where each panel goes, from `top` on, and where they end. A heat map has a row of its own.
+fn panel_places(panels: &[Panel], columns: usize, cell: Spot, top: f64) -> (Vec<(Spot, Spot)>, f64) {
+    let mut y = top;
+    let mut places = Vec::new();
+    let mut column = 0;
+    for panel in panels {
+        if let Panel::HeatMap(map) = panel {
+            if column > 0 {
+                y += cell[1];
+            }
+            let width = (columns as f64 * cell[0]).max(CLASSES_PX);
+            let height = map.height_px(width);
+            places.push(([MARGIN_PX, y], [width, height]));
+            (y, column) = (y + height, 0);
+            continue;
+        }
+        let x = MARGIN_PX + column as f64 * cell[0];
+        places.push(([x, y], [cell[0] - 6.0, cell[1] - 8.0]));
+        column += 1;
+        if column == columns {
+            (y, column) = (y + cell[1], 0);
+        }
+    }
+    if column > 0 {
+        y += cell[1];
+    }
+    (places, y)
 }
 
 /// Width of a mark in a legend, px.

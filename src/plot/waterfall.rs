@@ -59,7 +59,6 @@ impl Waterfall {
     /// Draws it into a box of the paper.
     pub(super) fn draw(&self, area: &Area, corner: Spot, size: Spot) -> Result<(), PlotError> {
         let pen = Pen::on(area);
-        let (black, grey) = (Ink::Black.colour(), Ink::Grey.colour());
         let levels = self
             .steps
             .iter()
@@ -74,27 +73,30 @@ impl Waterfall {
         let (x0, x1) = (corner[0] + left, corner[0] + size[0] - 10.0);
         let (top, bottom) = (corner[1] + 22.0, corner[1] + size[1] - FOOT_PX);
         let base = scale.range[0].max(0.0).min(scale.range[1]);
-        let height = |level: f64| bottom - (bottom - top) * (level - base) / (scale.range[1] - base);
+        let axes = Axes {
+            x: [x0, x1],
+            y: [bottom, top],
+            values: [base, scale.range[1]],
+        };
         let title = cut(&self.title, (size[0] - left) / BOLD, TITLE_PX);
         pen.text(
             &title,
             [x0, corner[1] + 9.0],
             Letters::new(TITLE_PX, Align::Left).bold(),
         )?;
-        for tick in scale.ticks.iter().filter(|tick| **tick >= base) {
-            let y = height(*tick);
-            pen.line(&[[x0, y], [x1, y]], plotters::style::RGBColor(228, 228, 228), 0.6)?;
-            pen.text(
-                &scale.label(*tick),
-                [x0 - 6.0, y],
-                Letters::new(TICK_PX, Align::Right),
-            )?;
-        }
+        axes.grid(&pen, &scale)?;
         let middle = 0.5 * (top + bottom);
         let y_label = cut(&self.y_label, bottom - top + 20.0, LABEL_PX);
         let upright = Letters::new(LABEL_PX, Align::Centre).upright();
         pen.text(&y_label, [corner[0] + 8.0, middle], upright)?;
+        self.bars(&pen, &axes)?;
+        pen.line(&[[x0, top], [x0, bottom]], Ink::Grey.colour(), 0.9)?;
+        pen.line(&[[x0, bottom], [x1, bottom]], Ink::Black.colour(), 0.9)
+    }
 
+    fn bars(&self, pen: &Pen, axes: &Axes) -> Result<(), PlotError> {
+        let ([x0, x1], [bottom, _]) = (axes.x, axes.y);
+        let base = axes.values[0];
         let wide = (x1 - x0) / self.steps.len().max(1) as f64;
         let bar = (0.8 * wide / self.groups.len().max(1) as f64).min(46.0);
         let mut before: Vec<Option<f64>> = vec![None; self.groups.len()];
@@ -104,30 +106,9 @@ impl Waterfall {
             for (group, level) in step.levels.iter().enumerate() {
                 let Some(level) = *level else { continue };
                 let from = before[group].filter(|_| !step.is_total).unwrap_or(base);
-                let (x, ink) = (first + group as f64 * bar, Ink::Curve(group).colour());
-                let (high, low) = (height(level.max(from)), height(level.min(from)));
-                // What fell is pale, what is left stands as a line: a fall and a total do not look alike.
-                if step.is_total || before[group].is_none() {
-                    pen.rectangle([x + 1.5, high], [x + bar - 1.5, low], ink)?;
-                } else {
-                    let ring = [
-                        [x + 1.5, high],
-                        [x + bar - 1.5, high],
-                        [x + bar - 1.5, low],
-                        [x + 1.5, low],
-                    ];
-                    pen.filled(&ring, ink, 0.3)?;
-                    pen.line(
-                        &[[x + 1.5, height(level)], [x + bar - 1.5, height(level)]],
-                        ink,
-                        2.4,
-                    )?;
-                }
-                let text = short(level, 3);
-                if width_px(&text, VALUE_PX) < bar + 4.0 {
-                    let at = [x + 0.5 * bar, height(level) - 7.0];
-                    pen.text(&text, at, Letters::new(VALUE_PX, Align::Centre))?;
-                }
+                let x = first + group as f64 * bar;
+                let is_full = step.is_total || before[group].is_none();
+                axes.bar(pen, [x, bar], [from, level], Ink::Curve(group), is_full)?;
                 before[group] = Some(level);
             }
             for (line, words) in lines(&step.label, wide - 4.0, TICK_PX).iter().take(2).enumerate() {
@@ -135,7 +116,65 @@ impl Waterfall {
                 pen.text(words, at, Letters::new(TICK_PX, Align::Centre))?;
             }
         }
-        pen.line(&[[x0, top], [x0, bottom]], grey, 0.9)?;
-        pen.line(&[[x0, bottom], [x1, bottom]], black, 0.9)
+        Ok(())
+    }
+}
+
+/// Where the axes lie on the paper.
+struct Axes {
+    /// From left to right.
+    x: [f64; 2],
+    /// From bottom to top.
+    y: [f64; 2],
+    /// What the bottom and the top stand for.
+    values: [f64; 2],
+}
+
+impl Axes {
+    fn height(&self, level: f64) -> f64 {
+        let ([bottom, top], [base, highest]) = (self.y, self.values);
+        bottom - (bottom - top) * (level - base) / (highest - base)
+    }
+
+    fn grid(&self, pen: &Pen, scale: &Scale) -> Result<(), PlotError> {
+        let [x0, x1] = self.x;
+        for tick in scale.ticks.iter().filter(|tick| **tick >= self.values[0]) {
+            let y = self.height(*tick);
+            pen.line(&[[x0, y], [x1, y]], plotters::style::RGBColor(228, 228, 228), 0.6)?;
+            pen.text(
+                &scale.label(*tick),
+                [x0 - 6.0, y],
+                Letters::new(TICK_PX, Align::Right),
+            )?;
+        }
+        Ok(())
+    }
+
+    /// What fell is pale, what is left stands as a line: a fall and a total do not look alike.
+    fn bar(
+        &self,
+        pen: &Pen,
+        [x, width]: [f64; 2],
+        [from, level]: [f64; 2],
+        ink: Ink,
+        is_full: bool,
+    ) -> Result<(), PlotError> {
+        let colour = ink.colour();
+        let (high, low) = (self.height(level.max(from)), self.height(level.min(from)));
+        let (left, right) = (x + 1.5, x + width - 1.5);
+        if is_full {
+            pen.rectangle([left, high], [right, low], colour)?;
+        } else {
+            let ring = [[left, high], [right, high], [right, low], [left, low]];
+            pen.filled(&ring, colour, 0.3)?;
+            let height = self.height(level);
+            pen.line(&[[left, height], [right, height]], colour, 2.4)?;
+        }
+        let text = short(level, 3);
+        if width_px(&text, VALUE_PX) < width + 4.0 {
+            let at = [x + 0.5 * width, self.height(level) - 7.0];
+            pen.text(&text, at, Letters::new(VALUE_PX, Align::Centre))?;
+        }
+        Ok(())
     }
 }

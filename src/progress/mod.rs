@@ -1,12 +1,12 @@
 //! Progress and cancelling: a handle that long computations report to and ask whether to stop.
 
 use std::fmt;
-use std::io::IsTerminal;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
+#[cfg(feature = "cli")]
+mod terminal;
 
 /// A handle to report progress to and to ask whether the user wants to stop; cheap to clone and to share.
 ///
@@ -14,8 +14,18 @@ use indicatif::{ProgressBar, ProgressStyle};
 #[derive(Clone)]
 pub struct Progress {
     cancelled: Arc<AtomicBool>,
-    bar: Option<ProgressBar>,
+    line: Option<Arc<dyn Line>>,
     listener: Option<Listener>,
+}
+
+/// A line that shows what was said last.
+trait Line: Send + Sync {
+    /// Replaces what it shows.
+    fn show(&self, message: &str);
+    /// Since when it is there.
+    fn elapsed(&self) -> Duration;
+    /// Takes it away.
+    fn clear(&self);
 }
 
 /// What is told everything that is said.
@@ -26,32 +36,27 @@ impl Progress {
     pub fn quiet() -> Self {
         Progress {
             cancelled: Arc::new(AtomicBool::new(false)),
-            bar: None,
+            line: None,
             listener: None,
         }
     }
 
     /// A handle that shows nothing and tells `listener`, on whatever thread it is, each line that would be shown: for programs
     /// that have a screen of their own.
+    ///
+    /// # Example
+    /// ```
+    /// use std::sync::mpsc::channel;
+    /// use washout::progress::Progress;
+    ///
+    /// let (say, heard) = channel();
+    /// let progress = Progress::told(move |line| drop(say.send(line.to_string())));
+    /// progress.say("solving");
+    /// assert_eq!(heard.recv().unwrap(), "solving");
+    /// ```
     pub fn told(listener: impl Fn(&str) + Send + Sync + 'static) -> Self {
         Progress {
             listener: Some(Arc::new(listener)),
-            ..Progress::quiet()
-        }
-    }
-
-    /// A handle that shows a line on standard error when that is a terminal.
-    pub fn shown() -> Self {
-        if !std::io::stderr().is_terminal() {
-            return Progress::quiet();
-        }
-        let bar = ProgressBar::new_spinner();
-        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} [{elapsed}]") {
-            bar.set_style(style);
-        }
-        bar.enable_steady_tick(Duration::from_millis(120));
-        Progress {
-            bar: Some(bar),
             ..Progress::quiet()
         }
     }
@@ -64,24 +69,10 @@ impl Progress {
         }
     }
 
-    /// Makes Ctrl-C (or a request to end, SIGTERM) cancel this handle; a second one ends the process at once with exit code 130.
-    ///
-    /// Does nothing if the process has another handler already.
-    pub fn cancel_on_interrupt(&self) {
-        let cancelled = Arc::clone(&self.cancelled);
-        let handler = move || {
-            if cancelled.swap(true, Ordering::SeqCst) {
-                std::process::exit(130);
-            }
-        };
-        // A second handler in one process is refused; the first one keeps working.
-        let _ = ctrlc::set_handler(handler);
-    }
-
     /// Says what is being done now; replaces what was said before.
     pub fn say(&self, message: impl fmt::Display) {
-        if let Some(bar) = &self.bar {
-            bar.set_message(message.to_string());
+        if let Some(line) = &self.line {
+            line.show(&message.to_string());
         }
         if let Some(listener) = &self.listener {
             listener(&message.to_string());
@@ -91,11 +82,11 @@ impl Progress {
     /// Says how many of `total` are done, and about how much time the others take.
     pub fn count(&self, done: usize, total: usize, what: &str) {
         let rest = total.saturating_sub(done);
-        let Some(bar) = self.bar.as_ref().filter(|_| done > 0 && rest > 0) else {
+        let Some(line) = self.line.as_ref().filter(|_| done > 0 && rest > 0) else {
             self.say(format_args!("{done} of {total} {what}"));
             return;
         };
-        let left = bar.elapsed().mul_f64(rest as f64 / done as f64).as_secs();
+        let left = line.elapsed().mul_f64(rest as f64 / done as f64).as_secs();
         let left = match left {
             0..120 => format!("{left} s"),
             120..7200 => format!("{} min", left / 60),
@@ -105,6 +96,16 @@ impl Progress {
     }
 
     /// Asks everything that holds a clone of this handle to stop.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::progress::Progress;
+    ///
+    /// let progress = Progress::quiet();
+    /// let in_another_thread = progress.clone();
+    /// in_another_thread.cancel();
+    /// assert!(progress.check().is_err());
+    /// ```
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::SeqCst);
     }
@@ -125,8 +126,8 @@ impl Progress {
 
     /// Removes the line from the terminal.
     pub fn finish(&self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
+        if let Some(line) = &self.line {
+            line.clear();
         }
     }
 }
@@ -142,7 +143,7 @@ impl fmt::Debug for Progress {
         formatter
             .debug_struct("Progress")
             .field("cancelled", &self.is_cancelled())
-            .field("shown", &self.bar.is_some())
+            .field("shown", &self.line.is_some())
             .finish()
     }
 }

@@ -1,8 +1,11 @@
 //! A structure ready to be solved: pattern, factorization, scales; linear answers and tangent solves.
 
+use std::sync::Arc;
+
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::StructureError;
+use super::analysis::Analysis;
 use super::factor::Factor;
 use super::largest::larger;
 use super::loads::Loads;
@@ -16,7 +19,7 @@ pub struct Equilibrium<'m> {
     /// The structure.
     pub model: &'m Model,
     /// Pattern of its stiffness.
-    pub pattern: Pattern,
+    pub pattern: Arc<Pattern>,
     pub(super) factor: Factor,
     pub(super) held: Vec<bool>,
     pub(super) values: Vec<f64>,
@@ -32,7 +35,7 @@ pub struct Equilibrium<'m> {
 /// An [`Equilibrium`] without its structure, to be taken up again: its pattern, and its last factorization.
 #[derive(Debug)]
 pub struct Tangent {
-    pattern: Pattern,
+    pattern: Arc<Pattern>,
     factor: Factor,
     held: Vec<bool>,
     values: Vec<f64>,
@@ -98,8 +101,15 @@ impl<'m> Equilibrium<'m> {
     /// # Errors
     /// If it cannot be analysed.
     pub fn new(model: &'m Model) -> Result<Self, StructureError> {
-        let pattern = model.pattern();
-        let factor = Factor::new(&pattern)?;
+        Ok(Equilibrium::analysed(model, Analysis::of(model)?))
+    }
+
+    /// The same with the analysis, which must be of a structure that hangs together as this one ([`Analysis::is_of`]).
+    pub fn analysed(model: &'m Model, analysis: Analysis) -> Self {
+        let Analysis {
+            pattern, symbolic, ..
+        } = analysis;
+        let factor = Factor::new(symbolic);
         let mut held = vec![false; pattern.len()];
         for (node, flags) in model.held.iter().enumerate() {
             for (component, &flag) in flags.iter().enumerate() {
@@ -111,7 +121,7 @@ impl<'m> Equilibrium<'m> {
         let rest = model.residual(&pattern, &State::at_rest(model.nodes.len()), &none);
         let rest_force_n = split_norm(&rest, |_| true).0;
         let extent_m = model.extent_m();
-        Ok(Equilibrium {
+        Equilibrium {
             model,
             pattern,
             factor,
@@ -121,7 +131,7 @@ impl<'m> Equilibrium<'m> {
             extent_m,
             side_m: longest_sides(model),
             is_linear: false,
-        })
+        }
     }
 
     /// Factorizes by all threads from now on: faster for large structures, and the same to rounding only.

@@ -1,5 +1,7 @@
 //! Factorizations of the stiffness matrix: analysed once per mesh, computed many times.
 
+use std::sync::Arc;
+
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::linalg::cholesky::llt::factor::LltRegularization;
@@ -16,9 +18,28 @@ use super::StructureError;
 use super::error::NotFinite;
 use super::pattern::Pattern;
 
+/// Analyses a pattern, whose order is kept.
+///
+/// # Errors
+/// If the analysis runs out of memory.
+pub fn analysed(pattern: &Pattern) -> Result<SymbolicCholesky<usize>, StructureError> {
+    // `SymmetricOrdering::Identity` of faer 0.24 fails on a lower triangle: say the same as a permutation
+    let order: Vec<usize> = (0..pattern.len()).collect();
+    factorize_symbolic_cholesky(
+        pattern.symbolic(),
+        Side::Lower,
+        SymmetricOrdering::Custom(PermRef::new_checked(&order, &order, pattern.len())),
+        CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+            ..CholeskySymbolicParams::default()
+        },
+    )
+    .map_err(|_| StructureError::Singular { node: 0 })
+}
+
 /// Factor of a symmetric matrix with a fixed pattern.
 pub struct Factor {
-    symbolic: SymbolicCholesky<usize>,
+    symbolic: Arc<SymbolicCholesky<usize>>,
     values: Vec<f64>,
     buffer: MemBuffer,
     kind: Kind,
@@ -42,37 +63,26 @@ impl std::fmt::Debug for Factor {
 }
 
 impl Factor {
-    /// Analyses the pattern, whose order is kept.
-    ///
-    /// # Errors
-    /// If the analysis runs out of memory.
-    pub fn new(pattern: &Pattern) -> Result<Self, StructureError> {
-        // `SymmetricOrdering::Identity` of faer 0.24 fails on a lower triangle: say the same as a permutation
-        let order: Vec<usize> = (0..pattern.len()).collect();
-        let symbolic = factorize_symbolic_cholesky(
-            pattern.symbolic(),
-            Side::Lower,
-            SymmetricOrdering::Custom(PermRef::new_checked(&order, &order, pattern.len())),
-            CholeskySymbolicParams {
-                supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-                ..CholeskySymbolicParams::default()
-            },
-        )
-        .map_err(|_| StructureError::Singular { node: 0 })?;
-        let values = vec![0.0; symbolic.len_val()];
-        Ok(Factor {
+    /// To be computed, of matrices that were analysed.
+    pub fn new(symbolic: Arc<SymbolicCholesky<usize>>) -> Self {
+        Factor {
             buffer: MemBuffer::new(need(&symbolic, Par::Seq)),
+            values: vec![0.0; symbolic.len_val()],
             symbolic,
-            values,
             kind: Kind::None,
             par: Par::Seq,
-        })
+        }
     }
 
     /// From now on by all threads: the same to rounding only, and not faster on two cores (`cargo bench --bench growth -- --threads 2`).
     pub fn spread(&mut self) {
         self.par = Par::rayon(0);
         self.buffer = MemBuffer::new(need(&self.symbolic, self.par));
+    }
+
+    /// How its matrices were analysed.
+    pub fn symbolic(&self) -> Arc<SymbolicCholesky<usize>> {
+        self.symbolic.clone()
     }
 
     /// Number of stored entries of the factor.

@@ -1,5 +1,7 @@
 //! Beams, plate and membrane, supports, assembly, nonlinear solve, modes. Knows no air.
 
+pub mod analysis;
+
 pub mod assembly;
 
 pub mod beam;
@@ -19,6 +21,8 @@ pub mod error;
 pub mod factor;
 
 pub mod finite;
+
+mod laminate;
 
 pub mod lanczos;
 
@@ -64,6 +68,7 @@ pub mod regularisation;
 
 pub mod wing;
 
+pub use analysis::{Analysis, SharedAnalysis};
 pub use beam::Beam;
 pub use blend::Blend;
 pub use damper::Damper;

@@ -94,7 +94,7 @@ pub fn lowest_modes(
 fn modes_below(equilibrium: &Equilibrium, mass: &[f64], shift: f64) -> Result<usize, StructureError> {
     let stiffness = equilibrium.tangent_values().iter();
     let shifted: Vec<f64> = stiffness.zip(mass).map(|(k, m)| k - shift * m).collect();
-    Factor::new(&equilibrium.pattern)?.indefinite(&equilibrium.pattern, &shifted)
+    Factor::new(equilibrium.factor.symbolic()).indefinite(&equilibrium.pattern, &shifted)
 }
 
 /// The widest gap after the `count`-th of the eigenvalues: how many lie below it, and ω² in its middle.

@@ -20,6 +20,13 @@ const TURN: f64 = 0.12;
 /// The same of films, which snap, and of searched steps, rad.
 pub(super) const TURN_OF_FILM: f64 = 0.5;
 
+/// Turn of a node in one increment of beams alone beyond which it is cut, rad: from further away Newton's method may land on another branch. A
+/// strip under 20 N along its chord and 1 N across turned to the wrong side in increments of a third of the load, and stayed flat, where it
+/// does not stay, in a single one.
+const TURN_OF_INCREMENT: f64 = 0.25;
+/// The shortest increment that is cut for that, as a share of the load.
+const SHORTEST_CUT: f64 = 1.0 / 128.0;
+
 /// How an equilibrium is sought.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewtonSettings {
@@ -61,6 +68,21 @@ enum Way {
     Searched,
 }
 
+/// How far Newton's method has come at fixed loads, with the aids on its way.
+struct Attempt {
+    state: State,
+    regularisation: Regularisation,
+    aid: Aid,
+    /// How much the tangent was raised last.
+    raise: f64,
+    /// Steps after which it is given up, those left out that were cut.
+    patience: usize,
+    /// Largest turn of a node in a whole step, rad.
+    turn: f64,
+    /// Steps that were cut do not count: there are as many as the turn needs.
+    cut: usize,
+}
+
 impl Equilibrium<'_> {
     /// Moves `state`, in equilibrium under `from`, to equilibrium under `to`.
     ///
@@ -96,6 +118,11 @@ impl Equilibrium<'_> {
                 }
             }
             match found {
+                Ok(found)
+                    if next - share > SHORTEST_CUT && self.may_leave_branch(&current, &found, &loads) =>
+                {
+                    step = 0.5 * (next - share);
+                }
                 Ok(found) => {
                     current = found;
                     share = next;
@@ -121,6 +148,16 @@ impl Equilibrium<'_> {
         Ok(report)
     }
 
+    /// Whether an increment may have led a structure of beams alone from the branch that it stood on: it turns far, or stands where it would
+    /// not stay.
+    fn may_leave_branch(&mut self, from: &State, to: &State, loads: &Loads) -> bool {
+        if !self.model.shells.is_empty() {
+            return false;
+        }
+        let turns = from.rotation.iter().zip(&to.rotation).map(|(q, r)| q.angle_to(r));
+        largest(turns) > TURN_OF_INCREMENT || self.factorize(to, loads).is_ok_and(|negative| negative > 0)
+    }
+
     /// Newton's method at fixed loads; the inner error is the best relative residual.
     fn attempt(
         &mut self,
@@ -131,90 +168,115 @@ impl Equilibrium<'_> {
         report: &mut NewtonReport,
         progress: &Progress,
     ) -> Result<Result<State, f64>, StructureError> {
-        let mut state = start.clone();
-        let scale = self.scale(&state, loads);
-        let (force, moment) = loads.size(&state);
-        let mut regularisation = Regularisation::new(self.model, larger(force, moment / self.extent_m));
-        let mut aid = Aid::default();
-        let mut raise = 0.0;
+        let scale = self.scale(start, loads);
+        let mut attempt = self.begin(start, loads, settings, way);
         let (mut best, mut last) = (f64::INFINITY, f64::INFINITY);
-        // plates and rods find equilibrium in a dozen whole steps or not at all; films wrinkle for longer
-        let (patience, turn) = if way == Way::Whole && !regularisation.is_needed() {
-            (20, TURN)
-        } else {
-            (settings.max_steps, TURN_OF_FILM)
-        };
-        // steps that were cut do not count: there are as many as the turn needs
-        let mut cut = 0;
         for count in 0..=settings.max_steps {
-            let is_last = count - cut >= patience || count == settings.max_steps;
+            let is_last = count - attempt.cut >= attempt.patience || count == settings.max_steps;
             progress.check()?;
-            aid.carried = regularisation.carried();
-            self.values.fill(0.0);
-            let residual = self
-                .model
-                .tangent(&self.pattern, &state, loads, Some(&aid), &mut self.values);
+            let residual = self.linearize(&mut attempt, loads);
             let size = self.relative(&residual, scale);
             if !size.is_finite() {
                 return Ok(Err(best));
             }
             best = best.min(size);
             // below the estimate of rounding it goes on as long as steps still help
-            let at_floor = size <= self.rounding_at(&state, scale);
+            let at_floor = size <= self.rounding_at(&attempt.state, scale);
             if size <= settings.tolerance || (at_floor && (size > 0.3 * last || is_last)) {
                 report.residual = size;
-                return Ok(Ok(state));
+                return Ok(Ok(attempt.state));
             }
             if is_last {
                 return Ok(Err(best));
             }
             last = size;
-            let way = if regularisation.is_stuck(count, size) {
+            let way = if attempt.regularisation.is_stuck(count, size) {
                 Way::Searched
             } else {
                 way
             };
-            let step = match self.step(
-                &state,
-                &residual,
-                regularisation.tension_n_per_m(),
-                way,
-                &mut raise,
-            ) {
+            let step = match self.step(&mut attempt, &residual, way) {
                 Err(StructureError::NotFinite(_)) => return Ok(Err(best)),
                 found => found?,
             };
             report.steps += 1;
-            let next = match way {
-                Way::Whole => {
-                    let length = self.longest(&step, turn);
-                    if length < 1.0 {
-                        cut += 1;
-                    }
-                    let before = aid.guess.take();
-                    aid.guess =
-                        Some(self.look_ahead(before, &state, &step, length, !regularisation.is_needed()));
-                    Some(self.moved(&state, &step, length))
-                }
-                Way::Searched => {
-                    aid.guess = None;
-                    self.search(&state, &step, &residual, loads)
-                        .map(|(moved, length)| {
-                            regularisation.searched(length);
-                            moved
-                        })
-                }
-            };
-            match next {
-                Some(next) => state = next,
+            match self.next(&mut attempt, &step, &residual, loads, way) {
+                Some(next) => attempt.state = next,
                 None if at_floor => {
                     report.residual = size;
-                    return Ok(Ok(state));
+                    return Ok(Ok(attempt.state));
                 }
                 None => return Ok(Err(best)),
             }
         }
         Ok(Err(best))
+    }
+
+    fn begin(&self, start: &State, loads: &Loads, settings: &NewtonSettings, way: Way) -> Attempt {
+        let (force, moment) = loads.size(start);
+        let regularisation = Regularisation::new(self.model, larger(force, moment / self.extent_m));
+        // plates and rods find equilibrium in a dozen whole steps or not at all; films wrinkle for longer
+        let (patience, turn) = if way == Way::Whole && !regularisation.is_needed() {
+            (20, TURN)
+        } else {
+            (settings.max_steps, TURN_OF_FILM)
+        };
+        Attempt {
+            state: start.clone(),
+            regularisation,
+            aid: Aid::default(),
+            raise: 0.0,
+            patience,
+            turn,
+            cut: 0,
+        }
+    }
+
+    /// The residual; the tangent goes into `values`.
+    fn linearize(&mut self, attempt: &mut Attempt, loads: &Loads) -> Vec<f64> {
+        attempt.aid.carried = attempt.regularisation.carried();
+        self.values.fill(0.0);
+        self.model.tangent(
+            &self.pattern,
+            &attempt.state,
+            loads,
+            Some(&attempt.aid),
+            &mut self.values,
+        )
+    }
+
+    /// The state after a step; none if the energy does not fall along it.
+    fn next(
+        &self,
+        attempt: &mut Attempt,
+        step: &[f64],
+        residual: &[f64],
+        loads: &Loads,
+        way: Way,
+    ) -> Option<State> {
+        let Attempt {
+            state,
+            regularisation,
+            aid,
+            ..
+        } = attempt;
+        match way {
+            Way::Whole => {
+                let length = self.longest(step, attempt.turn);
+                if length < 1.0 {
+                    attempt.cut += 1;
+                }
+                let before = aid.guess.take();
+                aid.guess = Some(self.look_ahead(before, state, step, length, !regularisation.is_needed()));
+                Some(self.moved(state, step, length))
+            }
+            Way::Searched => {
+                aid.guess = None;
+                let (moved, length) = self.search(state, step, residual, loads)?;
+                regularisation.searched(length);
+                Some(moved)
+            }
+        }
     }
 
     /// What the next tangent takes its forces from, `share` of a step taken: all that the whole step leads to, or as far toward that
@@ -241,13 +303,13 @@ impl Equilibrium<'_> {
     /// Newton step with a tangent that is raised until it is positive definite.
     fn step(
         &mut self,
-        state: &State,
+        attempt: &mut Attempt,
         residual: &[f64],
-        tension: f64,
         way: Way,
-        raise: &mut f64,
     ) -> Result<Vec<f64>, StructureError> {
-        self.factorize_raised(state, tension, way == Way::Searched, raise)?;
+        let tension = attempt.regularisation.tension_n_per_m();
+        let must_be_positive = way == Way::Searched;
+        self.factorize_raised(&attempt.state, tension, must_be_positive, &mut attempt.raise)?;
         let mut step = self.descent(residual);
         self.factor.solve(&mut step, 1);
         Ok(step)

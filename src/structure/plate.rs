@@ -53,12 +53,20 @@ pub fn strains(corner: &[Vector2<f64>; 3], softness_m2: f64) -> Strains {
         let part = Vector2::new(b.y, -b.x) * side_shear[next] - Vector2::new(a.y, -a.x) * side_shear[last];
         part / a.perp(&b)
     });
+    Strains {
+        curvature: curvature(corner, &beta),
+        shear: std::array::from_fn(|side| 0.5 * (corner_shear[side] + corner_shear[(side + 1) % 3])),
+    }
+}
+
+/// Curvatures at the middles of the sides from rotations β at the corners and there.
+fn curvature(corner: &[Vector2<f64>; 3], beta: &[SMatrix<f64, 2, 9>; 6]) -> [SMatrix<f64, 3, 9>; 3] {
     let area2 = (corner[1] - corner[0]).perp(&(corner[2] - corner[0]));
     let gradient: [Vector2<f64>; 3] = std::array::from_fn(|i| {
         let opposite = corner[(i + 2) % 3] - corner[(i + 1) % 3];
         Vector2::new(-opposite.y, opposite.x) / area2
     });
-    let curvature = std::array::from_fn(|side| {
+    std::array::from_fn(|side| {
         let mut l = [0.5; 3];
         l[(side + 2) % 3] = 0.0;
         let mut b = SMatrix::<f64, 3, 9>::zeros();
@@ -78,11 +86,7 @@ pub fn strains(corner: &[Vector2<f64>; 3], softness_m2: f64) -> Strains {
             }
         }
         b
-    });
-    Strains {
-        curvature,
-        shear: std::array::from_fn(|side| 0.5 * (corner_shear[side] + corner_shear[(side + 1) % 3])),
-    }
+    })
 }
 
 /// 12 D/(κ G t) of an isotropic plate, m²: what shear adds to its bending is this over the square of a length.

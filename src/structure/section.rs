@@ -7,7 +7,6 @@
 use nalgebra::{Matrix3, Matrix6, SymmetricEigen, Vector3};
 
 use super::StructureError;
-use super::largest::largest;
 use super::skin::Skin;
 
 /// Elastic and inertial properties of a section about its reference axis.
@@ -89,6 +88,14 @@ impl Section {
     }
 
     /// From uncoupled stiffnesses EA (N), GJ, EI flap, EI edge (N·m²); rigid in shear.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::structure::Section;
+    ///
+    /// let section = Section::uncoupled(1e5, 0.02, 0.05, 0.05);
+    /// assert!((section.gj_n_m2() - 0.02).abs() < 1e-15);
+    /// ```
     pub fn uncoupled(ea_n: f64, gj_n_m2: f64, ei_flap_n_m2: f64, ei_edge_n_m2: f64) -> Self {
         let mut compliance = Matrix6::<f64>::zeros();
         for (i, k) in [(0, ea_n), (3, gj_n_m2), (4, ei_flap_n_m2), (5, ei_edge_n_m2)] {
@@ -105,11 +112,30 @@ impl Section {
     }
 
     /// Solid circle of the given radius (m). J = π a⁴/2, I = π a⁴/4, shear factor 0.9 (Cowper 1966, ν ≈ 0.3: 0.89).
+    ///
+    /// # Example
+    /// ```
+    /// use std::f64::consts::PI;
+    /// use washout::structure::{Section, section::BeamMaterial};
+    ///
+    /// let carbon = BeamMaterial { e_pa: 130e9, g_pa: 5e9, density_kg_m3: 1600.0 };
+    /// let rod = Section::round(0.5e-3, &carbon);
+    /// assert!((rod.gj_n_m2() / (5e9 * PI / 2.0 * 0.5e-3_f64.powi(4)) - 1.0).abs() < 1e-12);
+    /// ```
     pub fn round(radius_m: f64, material: &BeamMaterial) -> Self {
         Section::tube(radius_m, 0.0, material)
     }
 
     /// Circular tube, outer and inner radius (m).
+    ///
+    /// # Example
+    /// ```
+    /// use washout::structure::{Section, section::BeamMaterial};
+    ///
+    /// let carbon = BeamMaterial { e_pa: 130e9, g_pa: 5e9, density_kg_m3: 1600.0 };
+    /// let (rod, tube) = (Section::round(1e-3, &carbon), Section::tube(1e-3, 0.5e-3, &carbon));
+    /// assert!((tube.ei_flap_n_m2() / rod.ei_flap_n_m2() - (1.0 - 0.5_f64.powi(4))).abs() < 1e-12);
+    /// ```
     pub fn tube(outer_m: f64, inner_m: f64, material: &BeamMaterial) -> Self {
         let pi = std::f64::consts::PI;
         let fourth = outer_m.powi(4) - inner_m.powi(4);
@@ -164,6 +190,15 @@ impl Section {
     }
 
     /// Solid rectangle: width along e₂, thickness along e₃ (m). J by the exact series.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::structure::{Section, section::BeamMaterial};
+    ///
+    /// let steel = BeamMaterial { e_pa: 200e9, g_pa: 80e9, density_kg_m3: 7800.0 };
+    /// let strip = Section::rectangle(10e-3, 1e-3, &steel);
+    /// assert!((strip.ei_edge_n_m2() / strip.ei_flap_n_m2() - 100.0).abs() < 1e-9);
+    /// ```
     pub fn rectangle(width_m: f64, thickness_m: f64, material: &BeamMaterial) -> Self {
         let area = width_m * thickness_m;
         let flap = width_m * thickness_m.powi(3) / 12.0;
@@ -173,79 +208,6 @@ impl Section {
         let (y, z) = (width_m / 2.0, thickness_m / 2.0);
         homogeneous(material, area, [flap, edge], j, 5.0 / 6.0, short)
             .with_fibres(material, [(y, z), (-y, z), (y, -z), (-y, -z)])
-    }
-
-    /// Thin strip of plies, width along e₂ (m), first ply at −e₃; the middle of the stack on the axis.
-    ///
-    /// Classical lamination of a strip whose sides are free (N_y = N_xy = M_y = 0): the plate's compliance restricted
-    /// to N_x, M_x and M_xy, with M_xy = −T/(2b) and κ_xy = −2 κ_twist; bend-twist coupling is kept.
-    ///
-    /// # Errors
-    /// If the plies give no positive definite plate.
-    pub fn laminate(width_m: f64, plies: &[PlyStiffness]) -> Result<Self, StructureError> {
-        let total: f64 = plies.iter().map(|p| p.thickness_m).sum();
-        let mut abd = Matrix6::<f64>::zeros();
-        let (mut mass, mut inertia_edge, mut inertia_flap) = (0.0, 0.0, 0.0);
-        let mut fibres = Vec::new();
-        let mut bottom = -0.5 * total;
-        for ply in plies {
-            let top = bottom + ply.thickness_m;
-            let moments = [
-                top - bottom,
-                (top.powi(2) - bottom.powi(2)) / 2.0,
-                (top.powi(3) - bottom.powi(3)) / 3.0,
-            ];
-            for i in 0..3 {
-                for j in 0..3 {
-                    abd[(i, j)] += ply.q_pa[(i, j)] * moments[0];
-                    abd[(i, j + 3)] += ply.q_pa[(i, j)] * moments[1];
-                    abd[(i + 3, j)] += ply.q_pa[(i, j)] * moments[1];
-                    abd[(i + 3, j + 3)] += ply.q_pa[(i, j)] * moments[2];
-                }
-            }
-            let along = ply
-                .q_pa
-                .try_inverse()
-                .map_or(ply.q_pa[(0, 0)], |s| 1.0 / s[(0, 0)]);
-            for z in [bottom, top] {
-                fibres.push(Fibre {
-                    edge_m: 0.5 * width_m,
-                    flap_m: z,
-                    modulus_pa: along,
-                });
-                fibres.push(Fibre {
-                    edge_m: -0.5 * width_m,
-                    flap_m: z,
-                    modulus_pa: along,
-                });
-            }
-            mass += ply.density_kg_m3 * width_m * moments[0];
-            inertia_flap += ply.density_kg_m3 * width_m * moments[2];
-            inertia_edge += ply.density_kg_m3 * width_m.powi(3) / 12.0 * moments[0];
-            bottom = top;
-        }
-        // compliance of the plate, then keep N_x, M_x, M_xy: strains of a strip whose sides are free
-        let plate = abd
-            .try_inverse()
-            .ok_or(StructureError::SectionNotPositive { lowest: 0.0 })?;
-        let mut compliance = Matrix6::<f64>::zeros();
-        // N_x per width = N/b; M_x per width = M_flap-like/b; M_xy per width = −T/(2b); κ_xy = −2 κ_twist
-        let keep = [(0, 0, 1.0), (3, 5, -0.5), (4, 3, 1.0)];
-        for (beam_i, plate_i, factor_i) in keep {
-            for (beam_j, plate_j, factor_j) in keep {
-                compliance[(beam_i, beam_j)] = plate[(plate_i, plate_j)] * factor_i * factor_j / width_m;
-            }
-        }
-        compliance[(5, 5)] = plate[(0, 0)] * 12.0 / width_m.powi(3);
-        compliance[(1, 1)] = 1.2 * plate[(2, 2)] / width_m;
-        Ok(Section {
-            compliance,
-            mass_kg_m: mass,
-            inertia_kg_m: Vector3::new(inertia_edge + inertia_flap, inertia_flap, inertia_edge),
-            fibres,
-            shear_per_twist_rate_pa_m: largest(plies.iter().map(|p| p.q_pa[(2, 2)])) * total,
-            skin: None,
-        })
     }
 
     /// The section with its flapwise bending and its torsional stiffness multiplied, couplings by the square roots, so
@@ -315,6 +277,15 @@ fn homogeneous(
 }
 
 /// J/(b t³) of a rectangle with b/t = `ratio` ≥ 1, by the exact series (Timoshenko & Goodier, Theory of Elasticity, §109).
+///
+/// # Example
+/// ```
+/// use washout::structure::section::rectangle_torsion_factor;
+///
+/// // of a square, and of a thin strip
+/// assert!((rectangle_torsion_factor(1.0) - 0.1406).abs() < 1e-4);
+/// assert!((rectangle_torsion_factor(1000.0) - 1.0 / 3.0).abs() < 1e-3);
+/// ```
 pub fn rectangle_torsion_factor(ratio: f64) -> f64 {
     let pi = std::f64::consts::PI;
     let sum: f64 = (0..60)
@@ -363,25 +334,6 @@ mod tests {
         let half = Section::half_round(1.0, true, &UNIT);
         assert!((half.ei_flap_n_m2() / 2.5 - 0.109757).abs() < 1e-6);
         assert!((half.ei_edge_n_m2() / 2.5 - std::f64::consts::FRAC_PI_8).abs() < 1e-6);
-    }
-
-    #[test]
-    fn isotropic_laminate_is_the_thin_rectangle() {
-        let nu = 0.25;
-        let (e, g) = (2.5, 1.0);
-        let q = e / (1.0 - nu * nu);
-        let ply = PlyStiffness {
-            thickness_m: 0.5e-3,
-            q_pa: Matrix3::new(q, nu * q, 0.0, nu * q, q, 0.0, 0.0, 0.0, g),
-            density_kg_m3: 1.0,
-        };
-        let strip = Section::laminate(0.1, &[ply, ply]).unwrap();
-        let t = 1e-3_f64;
-        assert!((strip.axial_stiffness_n() / (e * 0.1 * t) - 1.0).abs() < 1e-12);
-        assert!((strip.ei_flap_n_m2() / (e * 0.1 * t.powi(3) / 12.0) - 1.0).abs() < 1e-12);
-        assert!((strip.ei_edge_n_m2() / (e * t * 0.1_f64.powi(3) / 12.0) - 1.0).abs() < 1e-12);
-        assert!((strip.gj_n_m2() / (g * 0.1 * t.powi(3) / 3.0) - 1.0).abs() < 1e-12);
-        assert!(strip.compliance[(3, 4)].abs() < 1e-9 * strip.compliance[(3, 3)]);
     }
 
     #[test]

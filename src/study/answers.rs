@@ -56,24 +56,10 @@ impl PreparedCase {
             sensitivity.of_design(elsewhere.as_ref().unwrap_or(design));
             let column = match switch {
                 Some(step) => {
-                    let mut design = solved.design.clone();
-                    design.set(key, *step).map_err(|error| self.failed(error))?;
-                    // its derivative to the side of the step leads part of the way
                     let rate = sensitivity.rate(key).ok();
-                    let way = |rate: Rate| rate.state.iter().map(|change| change * step).collect();
-                    let from = Near {
-                        solution: &solved.solution,
-                        step: rate.filter(|rate| !rate.moves_mesh).map(way),
-                        care: Care::Full,
-                    };
-                    let (there, _) = self.solve(&design, Some(&from), progress)?;
-                    work += there.work();
-                    let there = self.read(&there.at)?;
-                    let rates = there.iter().zip(&here);
-                    Column {
-                        rates: rates.map(|(there, here)| (there - here) / step).collect(),
-                        shape: None,
-                    }
+                    let (column, took) = self.switched(solved, (key, *step), rate, &here, progress)?;
+                    work += took;
+                    column
                 }
                 None => {
                     work.derivatives += 1;
@@ -83,6 +69,35 @@ impl PreparedCase {
             rates.push((*index, column));
         }
         Ok((rates, work))
+    }
+
+    /// Change of the readings, which are `here`, per step of a key by the whole step, and what it took. `rate`: its derivative to the side of
+    /// the step, if it has one, which leads part of the way.
+    fn switched(
+        &self,
+        solved: &Nearby,
+        (key, step): (&str, f64),
+        rate: Option<Rate>,
+        here: &[f64],
+        progress: &Progress,
+    ) -> Result<(Column, Work), StudyError> {
+        let mut design = solved.design.clone();
+        design.set(key, step).map_err(|error| self.failed(error))?;
+        let way = |rate: Rate| rate.state.iter().map(|change| change * step).collect();
+        let from = Near {
+            solution: &solved.solution,
+            step: rate.filter(|rate| !rate.moves_mesh).map(way),
+            care: Care::Full,
+        };
+        let (there, _) = self.solve(&design, Some(&from), progress)?;
+        let work = there.work();
+        let there = self.read(&there.at)?;
+        let rates = there.iter().zip(here);
+        let column = Column {
+            rates: rates.map(|(there, here)| (there - here) / step).collect(),
+            shape: None,
+        };
+        Ok((column, work))
     }
 
     /// The design with an effect, still off, at the place that a column asks for; none for columns without a place.

@@ -111,20 +111,14 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
         if moved.size < TOLERANCE || fall < TOLERANCE * TOLERANCE * (1.0 + here.q()) {
             return match unsolved {
                 Some(error) => Err(error),
-                None => Ok(Fit {
-                    warm_start,
-                    ..here.fit(forward, task, at, linear, step)
-                }),
+                None => Ok(here.fit(forward, task, (at, linear, warm_start), step)),
             };
         }
         let last = linear.moved(&moved.at, &at);
         let there = Local::new(forward, task, &moved.at, &last);
         let promised = here.q() - there.q();
         if unsolved.is_none() && damping <= HELD_BACK && (0.0..LITTLE).contains(&promised) {
-            return Ok(Fit {
-                warm_start,
-                ..there.fit(forward, task, moved.at, last, step + 1)
-            });
+            return Ok(there.fit(forward, task, (moved.at, last, warm_start), step + 1));
         }
         match ask(warm_start.as_ref(), &moved.at) {
             Err(error) if failures + 1 == CLIFF => return Err(error),
@@ -226,7 +220,13 @@ impl Local {
         Moved { at: moved, size }
     }
 
-    fn fit(self, forward: &dyn Forward, task: &Task, at: Vec<f64>, linear: Linear, steps: usize) -> Fit {
+    fn fit(
+        self,
+        forward: &dyn Forward,
+        task: &Task,
+        (at, linear, warm_start): (Vec<f64>, Linear, Option<WarmStart>),
+        steps: usize,
+    ) -> Fit {
         let unknowns = forward.unknowns();
         let sigma = DVector::from_iterator(task.free.len(), task.free.iter().map(|&i| unknowns[i].sigma));
         let size = sigma.len();
@@ -251,7 +251,7 @@ impl Local {
             predicted: linear.value,
             at,
             steps,
-            warm_start: None,
+            warm_start,
         }
     }
 }

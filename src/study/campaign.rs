@@ -51,6 +51,19 @@ impl Campaign {
     ///
     /// # Errors
     /// If a case has no solution as it stands, or an input or effect is not known.
+    ///
+    /// # Example
+    /// ```
+    /// # use std::path::Path;
+    /// # use washout::{input::study::LoadedStudy, progress::Progress};
+    /// use washout::{compare::study::compare_study, study::Campaign};
+    ///
+    /// let study = LoadedStudy::load(Path::new("studies/minguet.toml"), &[])?;
+    /// let campaign = Campaign::new(&study, &[], &Progress::quiet())?;
+    /// let comparison = compare_study(&campaign, &study.study.title)?;
+    /// println!("{}", comparison.words[0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn new(
         study: &LoadedStudy,
         candidates: &[&str],
@@ -218,7 +231,7 @@ impl Campaign {
         let ground = warm_start.and_then(WarmStart::get::<SolvedPoint>);
         let touches = |unknown: usize| self.targets.targets[unknown].touches(index, at);
         let care = warm_start.map_or(Care::Full, WarmStart::care);
-        let is_left = care == Care::Rough && self.conditions[index].is_held_out;
+        let is_left = care.is_rough() && self.conditions[index].is_held_out;
         if let Some(ground) = ground.filter(|ground| is_left || ground.is_same(at, touches)) {
             return Ok((ground.cases[index].clone(), None));
         }

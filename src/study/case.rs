@@ -10,7 +10,7 @@ use super::forward::{Condition, Observable};
 use super::unnamed;
 use super::work::Work;
 use crate::aero::Flow;
-use crate::coupling::motion::motion_needed;
+use crate::coupling::motion::{Motions, motion_needed};
 use crate::coupling::sensitivity::Nearby;
 use crate::coupling::wing::Wing;
 use crate::coupling::{self, BladeAir, Care, CouplingError, Near};
@@ -43,6 +43,8 @@ pub struct PreparedCase {
     is_held_out: bool,
     /// The case as it stands, from which it is solved with other values: fixed by the study, so that results are too.
     base: Option<Arc<Solved>>,
+    /// What the case as it stands does over the stroke.
+    motions: Option<Arc<Motions>>,
     pub(super) air_table: Option<Vec<[f64; 3]>>,
     mesh_file: Option<(String, Arc<[u8]>)>,
 }
@@ -138,6 +140,7 @@ impl PreparedCase {
             rows: case.rows.clone(),
             is_held_out: case.is_held_out,
             base: None,
+            motions: None,
             air_table: case.loaded.air_table.clone(),
             mesh_file: case.loaded.mesh_file.clone(),
         })
@@ -177,6 +180,8 @@ impl PreparedCase {
 
     /// Starts every further solve from this one.
     pub fn start_from(&mut self, solved: Solved) {
+        // a design whose effects are not what their cards ask for was not solved
+        self.motions = Motions::about(&solved.at.design).ok().map(Arc::new);
         self.base = Some(Arc::new(solved));
     }
 
@@ -226,7 +231,13 @@ impl PreparedCase {
         let alike = base.filter(|base| base.at.solution.mesh == mesh);
         let (alike, nearby) = (alike.map(|base| &base.wing), start.map(|near| near.solution));
         let air_table = self.air_table.as_deref();
-        let wing = motion_needed(design, &mesh, air_table, nearby, progress).and_then(|motion| match alike {
+        let motion = match (base, &self.motions) {
+            (Some(base), Some(motions)) if motions.are_of(design).unwrap_or(false) => {
+                motions.needed(design, &mesh, air_table, &base.at.solution, progress)
+            }
+            _ => motion_needed(design, &mesh, air_table, nearby, progress),
+        };
+        let wing = motion.and_then(|motion| match alike {
             Some(alike) => alike.beside(design, &mesh, air_table, None, motion),
             None => Wing::with_motion(design, &mesh, air_table, motion),
         });

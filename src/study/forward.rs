@@ -208,6 +208,12 @@ impl WarmStart {
         self.with(Care::Rough)
     }
 
+    /// The same for rough answers between two that stand.
+    #[must_use]
+    pub fn roughly_between(&self) -> WarmStart {
+        self.with(Care::RoughBetween)
+    }
+
     /// How much is asked of answers from there.
     pub fn care(&self) -> Care {
         self.care

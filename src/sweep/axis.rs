@@ -32,6 +32,15 @@ impl Axis {
     ///
     /// # Errors
     /// If it is none of these.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::sweep::{Axis, Values};
+    ///
+    /// let axis = Axis::parse("flapping.frequency_hz=20..24:3")?;
+    /// assert_eq!(axis.values, Values::List(vec!["20.0".into(), "22.0".into(), "24.0".into()]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn parse(text: &str) -> Result<Axis, SweepError> {
         let fault = |problem: String| SweepError::Axis {
             text: text.to_string(),

@@ -1,6 +1,5 @@
 //! The cases of a sweep: every combination of values, or samples that fill the ranges.
 
-use clap::ValueEnum;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -13,7 +12,8 @@ use crate::study::sample::{MOST_POINTS, unit_points};
 pub const MOST_CASES: usize = 1_000_000;
 
 /// How the cases are chosen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Method {
     /// Every combination.

@@ -82,34 +82,13 @@ fn hide_known(
     card: &Card,
     formulas: Formulas,
 ) -> Result<Acted, SynthesizeError> {
-    let strength = &card.parameters[0];
-    let [low, high] = strength.range;
-    if !(low <= effect.strength && effect.strength <= high) {
-        let unit = match strength.unit {
-            "1" => String::new(),
-            unit => format!(" {unit}"),
-        };
-        let [from, to] = strength.plausible;
-        return Err(effect.fault(format!(
-            "strength {} is outside {low} to {high}{unit}; plausible is {from} to {to}{unit} ({}; washout effects {})",
-            effect.strength, strength.meaning, effect.name
-        )));
-    }
+    check_range(effect, card)?;
     let other = match formulas {
         Formulas::Other => rival(effect),
         Formulas::Same => None,
     };
     let is_other = other.is_some();
-    let mut parts: Vec<(String, toml::Table)> = match other {
-        Some(Rival::Known(name, strength)) => {
-            vec![(name.to_string(), with_strength(&effect.table, strength))]
-        }
-        Some(Rival::Own(parts)) => parts
-            .into_iter()
-            .map(|own| (own.name, with_strength(&own.table, own.strength)))
-            .collect(),
-        None => vec![(effect.name.clone(), with_strength(&effect.table, effect.strength))],
-    };
+    let mut parts = acting(effect, other);
     if let Some(first) = study.cases.first() {
         for (name, table) in &mut parts {
             let common = with_common_numbers(name, table, &first.loaded.design);
@@ -139,6 +118,37 @@ fn hide_known(
         formula_strength: parts[0].1["strength"].as_float().unwrap_or(effect.strength),
         is_other,
     })
+}
+
+fn check_range(effect: &Hidden, card: &Card) -> Result<(), SynthesizeError> {
+    let strength = &card.parameters[0];
+    let [low, high] = strength.range;
+    if !(low <= effect.strength && effect.strength <= high) {
+        let unit = match strength.unit {
+            "1" => String::new(),
+            unit => format!(" {unit}"),
+        };
+        let [from, to] = strength.plausible;
+        return Err(effect.fault(format!(
+            "strength {} is outside {low} to {high}{unit}; plausible is {from} to {to}{unit} ({}; washout effects {})",
+            effect.strength, strength.meaning, effect.name
+        )));
+    }
+    Ok(())
+}
+
+/// Names and tables of what acts: another formula where there is one, else the effect itself.
+fn acting(effect: &Hidden, other: Option<Rival>) -> Vec<(String, toml::Table)> {
+    match other {
+        Some(Rival::Known(name, strength)) => {
+            vec![(name.to_string(), with_strength(&effect.table, strength))]
+        }
+        Some(Rival::Own(parts)) => parts
+            .into_iter()
+            .map(|own| (own.name, with_strength(&own.table, own.strength)))
+            .collect(),
+        None => vec![(effect.name.clone(), with_strength(&effect.table, effect.strength))],
+    }
 }
 
 fn hide_own(study: &mut LoadedStudy, effect: &Hidden) -> Result<Acted, SynthesizeError> {

@@ -26,7 +26,7 @@ use crate::input::measurement::{Formulas, Made};
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::draws::Draws;
-use crate::study::{Campaign, Forward, UnknownKind};
+use crate::study::{Campaign, Forward, Observable, UnknownKind};
 
 /// Streams of the draws.
 const UNKNOWNS: u64 = 1;
@@ -100,7 +100,35 @@ pub fn synthesize(
     let acted = hide::hide(&mut truth, &recipe.hidden, recipe.made.formulas)?;
     let background = make_unlike(&mut truth, &recipe.made)?;
     let campaign = Campaign::new(&truth, &[], &progress.unseen())?;
-    let at: Vec<f64> = campaign
+    let at = drawn_unknowns(&campaign, draws);
+    let readings = campaign.predict(&at)?;
+    let unknowns = campaign
+        .unknowns()
+        .iter()
+        .zip(&at)
+        .map(|(unknown, &value)| Drawn {
+            name: unknown.name.clone(),
+            unit: unknown.unit.clone(),
+            value,
+        })
+        .collect();
+    let mut made = study.clone();
+    let unread = write_readings(&mut made, recipe, &campaign, readings.as_slice(), draws);
+    Ok(Synthetic {
+        study: made,
+        answer: Answer {
+            recipe: recipe.clone(),
+            acted,
+            unknowns,
+            background,
+            unread,
+        },
+    })
+}
+
+/// A value of each unknown of the wing that is measured; effects and places of the study stay as stated.
+fn drawn_unknowns(campaign: &Campaign, draws: Draws) -> Vec<f64> {
+    campaign
         .unknowns()
         .iter()
         .zip(campaign.start())
@@ -118,54 +146,42 @@ pub fn synthesize(
                     .unwrap_or(unknown.mean)
             }
         })
-        .collect();
-    let value = campaign.predict(&at)?;
-    let unknowns = campaign
-        .unknowns()
-        .iter()
-        .zip(&at)
-        .map(|(unknown, &value)| Drawn {
-            name: unknown.name.clone(),
-            unit: unknown.unit.clone(),
-            value,
-        })
-        .collect();
-    let mut made = study.clone();
-    let off = recipe.outlier.map(|sigmas| {
-        let count = value.len() as f64;
-        let which = ((draws.uniform(OUTLIER, 0) * count) as usize).min(value.len().saturating_sub(1));
+        .collect()
+}
+
+/// Puts scattered readings into the rows of a study; returns the rows that have none, which are taken out.
+fn write_readings(
+    study: &mut LoadedStudy,
+    recipe: &Recipe,
+    campaign: &Campaign,
+    readings: &[f64],
+    draws: Draws,
+) -> Vec<String> {
+    let outlier = recipe.outlier.map(|sigmas| {
+        let count = readings.len() as f64;
+        let which = ((draws.uniform(OUTLIER, 0) * count) as usize).min(readings.len().saturating_sub(1));
         (which, sigmas * draws.normal(OUTLIER, 1).signum())
     });
     let mut unread = Vec::new();
-    for (index, case) in made.cases.iter_mut().enumerate() {
+    for (index, case) in study.cases.iter_mut().enumerate() {
         case.made = Some(recipe.made);
         case.rows.retain_mut(|row| {
-            let is_it = |observable: &crate::study::Observable| {
-                observable.condition == index && observable.line == row.line
-            };
+            let is_it =
+                |observable: &Observable| observable.condition == index && observable.line == row.line;
             let Some(place) = campaign.observables().iter().position(is_it) else {
                 unread.push(format!("{} line {}", case.name, row.line));
                 return false;
             };
-            let off = off
+            let off = outlier
                 .filter(|(which, _)| *which == place)
                 .map_or(0.0, |(_, off)| off);
             let scatter = recipe.noise * draws.normal(NOISE, place as u64) + off;
-            row.value = value[place] + row.sigma * scatter;
+            row.value = readings[place] + row.sigma * scatter;
             row.is_planned = false;
             true
         });
     }
-    Ok(Synthetic {
-        study: made,
-        answer: Answer {
-            recipe: recipe.clone(),
-            acted,
-            unknowns,
-            background,
-            unread,
-        },
-    })
+    unread
 }
 
 /// The study with wings as they are measured: other meshes, and background errors.
@@ -201,6 +217,14 @@ fn make_unlike(study: &mut LoadedStudy, made: &Made) -> Result<Vec<Background>, 
 
 impl Recipe {
     /// Nothing hidden: other meshes, one percent of background error, noise as stated.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::synthesize::Recipe;
+    ///
+    /// let recipe = Recipe { noise: 1.5, ..Recipe::new(7) };
+    /// assert!(recipe.hidden.is_empty());
+    /// ```
     pub fn new(seed: u64) -> Recipe {
         Recipe {
             hidden: Vec::new(),

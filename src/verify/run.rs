@@ -35,6 +35,16 @@ type Answered = Result<(Meshed, Answer), VerifyError>;
 ///
 /// # Errors
 /// If the user asks to stop.
+///
+/// # Example
+/// ```
+/// use washout::progress::Progress;
+/// use washout::verify::{Extent, named, run};
+///
+/// let case = named("euler-column").expect("a case of this name");
+/// let outcomes = run(&[case], Extent::Short, &Progress::quiet()).expect("not interrupted");
+/// assert!(outcomes.iter().all(|outcome| outcome.failure.is_none()));
+/// ```
 pub fn run(cases: &[&'static Case], extent: Extent, progress: &Progress) -> Result<Vec<Outcome>, Cancelled> {
     let mut jobs: Vec<(usize, Level)> = (cases.iter().enumerate())
         .flat_map(|(at, case)| extent.levels(case).into_iter().map(move |level| (at, level)))

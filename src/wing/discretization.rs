@@ -50,6 +50,15 @@ impl Meshes {
     ///
     /// # Errors
     /// If the wing has no solution, or the user asked to stop; a coarser mesh without one is no error.
+    ///
+    /// # Example
+    /// ```
+    /// # use washout::{progress::Progress, wing::{Meshes, WingModel}};
+    /// let wing = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.5"])?;
+    /// let meshes = Meshes::solve(&wing, &Progress::quiet())?;
+    /// assert!(meshes.error()?.tip_twist_deg < Some(0.1));
+    /// # Ok::<(), washout::wing::WingError>(())
+    /// ```
     pub fn solve(model: &WingModel, progress: &Progress) -> Result<Meshes, WingError> {
         let unseen = progress.unseen();
         let (wing, coarser) = rayon::join(|| model.solve(progress), || model.solve_coarser(&unseen));

@@ -75,6 +75,15 @@ const LARGEST_HALF_AMPLITUDE_DEG: f64 = 90.0;
 ///
 /// # Errors
 /// If the design has no flow to raise, a value cannot be, or the user asked to stop.
+///
+/// # Example
+/// ```
+/// # use washout::{progress::Progress, wing::{WingModel, divergence::divergence}};
+/// let wing = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.4"])?;
+/// let report = divergence(&wing, Some(40.0), 2, &Progress::quiet())?;
+/// assert!(report.limit.is_none());
+/// # Ok::<(), washout::wing::WingError>(())
+/// ```
 pub fn divergence(
     wing: &WingModel,
     highest: Option<f64>,

@@ -186,22 +186,7 @@ const KEYS: [&str; 3] = ["planform.", "air.", "flapping."];
 
 /// How the ratios move with what is assumed, with the ramp, and with the law of the coefficients; alike on both wings.
 pub fn sensitivity(wing: &Flown, reference: &Flown) -> Result<Vec<Sensitivity>, WingError> {
-    let fault = |error: LiftError| WingError::design(&wing.file, error);
-    let row = |what: &str, value: String, pair: [&Flight; 2]| -> Result<Sensitivity, WingError> {
-        let [means, base] = [pair[0].means().map_err(fault)?, pair[1].means().map_err(fault)?];
-        let ratios = Ratios::between(&means, &base).map_err(fault)?;
-        let frequency = pair[0].stroke.frequency_hz / pair[1].stroke.frequency_hz;
-        let equal = ratios.at_rate_ratio(1.0).map_err(fault)?;
-        Ok(Sensitivity {
-            wing: wing.name.clone(),
-            what: what.to_string(),
-            value,
-            lift_to_drag: ratios.lift_to_drag,
-            lift_at_equal_rate: equal.lift,
-            lift_per_power_at_equal_rate: equal.lift_per_power,
-            lift_per_power_at_equal_amplitude: equal.lift_per_power / frequency,
-        })
-    };
+    let row = |what: &str, value: String, pair: [&Flight; 2]| sensitivity_row(wing, what, value, pair);
     let mut rows = vec![row("nothing", "–".into(), [&wing.flight, &reference.flight])?];
     for assumption in wing.model.loaded.design.assumptions() {
         if !KEYS.iter().any(|key| assumption.key.starts_with(key)) {
@@ -231,26 +216,48 @@ pub fn sensitivity(wing: &Flown, reference: &Flown) -> Result<Vec<Sensitivity>, 
             [&pair[0], &pair[1]],
         )?);
     }
-    for share in [1e-6, 0.1, 0.3, 0.5] {
-        let ramped = |flown: &Flown| {
-            let mut flight = flown.flight.clone();
-            if let TwistHistory::Ramp { share: own, .. } = &mut flight.twist {
-                *own = share;
-            }
-            flight
-        };
+    for share in [1e-6_f64, 0.1, 0.3, 0.5] {
         if !matches!(wing.flight.twist, TwistHistory::Ramp { .. }) {
             break;
         }
         let percent = (100.0 * share).round();
         let words = format!("{percent:.0}/{:.0}/{percent:.0}", 100.0 - 2.0 * percent);
-        rows.push(row(
-            "ramp of the twist",
-            words,
-            [&ramped(wing), &ramped(reference)],
-        )?);
+        let pair = [wing, reference].map(|flown| ramped(flown, share));
+        rows.push(row("ramp of the twist", words, [&pair[0], &pair[1]])?);
     }
     Ok(rows)
+}
+
+/// The ratios of a wing to its reference, both flown with something changed to this value.
+fn sensitivity_row(
+    wing: &Flown,
+    what: &str,
+    value: String,
+    pair: [&Flight; 2],
+) -> Result<Sensitivity, WingError> {
+    let fault = |error: LiftError| WingError::design(&wing.file, error);
+    let [means, base] = [pair[0].means().map_err(fault)?, pair[1].means().map_err(fault)?];
+    let ratios = Ratios::between(&means, &base).map_err(fault)?;
+    let frequency = pair[0].stroke.frequency_hz / pair[1].stroke.frequency_hz;
+    let equal = ratios.at_rate_ratio(1.0).map_err(fault)?;
+    Ok(Sensitivity {
+        wing: wing.name.clone(),
+        what: what.to_string(),
+        value,
+        lift_to_drag: ratios.lift_to_drag,
+        lift_at_equal_rate: equal.lift,
+        lift_per_power_at_equal_rate: equal.lift_per_power,
+        lift_per_power_at_equal_amplitude: equal.lift_per_power / frequency,
+    })
+}
+
+/// The flight of a wing whose twist takes this share of the half-stroke to rise, if it is a ramp.
+fn ramped(flown: &Flown, share: f64) -> Flight {
+    let mut flight = flown.flight.clone();
+    if let TwistHistory::Ramp { share: own, .. } = &mut flight.twist {
+        *own = share;
+    }
+    flight
 }
 
 /// The flight of a wing whose design is changed, with the twist that it has.

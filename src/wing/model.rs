@@ -103,6 +103,14 @@ impl WingModel {
     ///
     /// # Errors
     /// As [`WingModel::with`].
+    ///
+    /// # Example
+    /// ```
+    /// # use washout::wing::WingModel;
+    /// let wing = WingModel::open("designs/twist-v2.toml", &[])?.with_effect("root-flexure", 0.5)?;
+    /// assert!(wing.design().effects.contains_key("root-flexure"));
+    /// # Ok::<(), washout::wing::WingError>(())
+    /// ```
     pub fn with_effect(&self, effect: &str, strength: f64) -> Result<WingModel, WingError> {
         self.with(&format!("effects.{effect}.strength"), strength)
     }

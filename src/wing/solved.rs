@@ -39,11 +39,29 @@ impl SolvedWing {
     ///
     /// # Errors
     /// As [`SolvedWing::observer`].
+    ///
+    /// # Example
+    /// ```
+    /// # use washout::{progress::Progress, wing::WingModel};
+    /// let solved = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.5"])?.solve(&Progress::quiet())?;
+    /// for reading in &solved.profile()?.readings {
+    ///     println!("{:5.1} mm {:6.2} deg", 1e3 * reading.r_m, reading.twist_rad.to_degrees());
+    /// }
+    /// # Ok::<(), washout::wing::WingError>(())
+    /// ```
     pub fn profile(&self) -> Result<TwistProfile, WingError> {
         Ok(self.observer()?.profile())
     }
 
     /// Twist at `r_m` from the base, rad, positive for washout; none where it cannot be read.
+    ///
+    /// # Example
+    /// ```
+    /// # use washout::{progress::Progress, wing::WingModel};
+    /// let solved = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.5"])?.solve(&Progress::quiet())?;
+    /// assert!(solved.twist_at(0.04) > solved.twist_at(0.02));
+    /// # Ok::<(), washout::wing::WingError>(())
+    /// ```
     pub fn twist_at(&self, r_m: f64) -> Option<f64> {
         twist_at(self.model.design(), &self.model.planform, &self.solution, r_m)
     }
@@ -52,6 +70,15 @@ impl SolvedWing {
     ///
     /// # Errors
     /// If the air cannot be set up.
+    ///
+    /// # Example
+    /// ```
+    /// # use washout::{progress::Progress, wing::WingModel};
+    /// let solved = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.5"])?.solve(&Progress::quiet())?;
+    /// let lift = solved.lift()?.expect("it flaps");
+    /// assert!(lift.solved.lift_mn > 0.0);
+    /// # Ok::<(), washout::wing::WingError>(())
+    /// ```
     pub fn lift(&self) -> Result<Option<LiftReport>, WingError> {
         let Some(flow) = Flow::from_design(self.model.design()) else {
             return Ok(None);

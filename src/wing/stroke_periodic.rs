@@ -5,7 +5,7 @@ use crate::coupling::mid_stroke::left_out;
 use crate::coupling::periodic::periodic_near;
 use crate::coupling::{CouplingError, Periodic, PeriodicSettings};
 use crate::lift::Forces;
-use crate::observation::read_profile;
+use crate::observation::{TwistReading, read_profile};
 use crate::progress::Progress;
 use crate::structure::largest;
 
@@ -28,22 +28,12 @@ pub fn periodic_stroke<E: From<WingError>>(
     progress: &Progress,
     mut draw: impl FnMut(PhaseShape) -> Result<(), E>,
 ) -> Result<StrokeSummary, E> {
-    let SolvedWing { model, solution } = wing;
+    let model = &wing.model;
     let design = model.design();
     let frequency_hz = flapping(model, "--stroke")?.frequency_hz.value();
     progress.say("moving over the stroke");
-    let moving = PeriodicSettings::of_design(design).and_then(|settings| {
-        periodic_near(
-            design,
-            &model.mesh,
-            model.air_table(),
-            &settings,
-            Some(solution),
-            progress,
-        )
-    });
     let fault = |source| model.unsolved(source);
-    let moving = moving.map_err(fault)?;
+    let moving = moving(wing, progress).map_err(fault)?;
     let (mut phases, mut profile) = (Vec::new(), Vec::new());
     for index in 0..count {
         progress.check().map_err(WingError::from)?;
@@ -61,27 +51,15 @@ pub fn periodic_stroke<E: From<WingError>>(
             solution: &solution,
             instant: Some(&now),
         })?;
-        let forces = now.forces;
-        let tip = read.tip();
-        phases.push(PhaseRow {
+        let file = format!("wing-phase-{index:03}.vtu");
+        phases.push(phase_row(
+            &moving,
+            &now,
             phase_deg,
-            tip_twist_deg: tip.map(|tip| tip.twist_rad.to_degrees()),
-            stop_moment_mn_mm: Some(now.stop_moment_n_m * 1e6),
-            moving: Some(MovingRow {
-                time_ms: phase_deg / 360.0 / frequency_hz * 1e3,
-                sweep_deg: now.sweep_rad.to_degrees(),
-                pitch_deg: now.pitch_rad.to_degrees(),
-                is_flipping: now.is_flipping,
-                standing_tip_twist_deg: tip.and_then(|tip| standing_deg(&moving, tip.r_m, phase_deg)),
-            }),
-            forces: Some(Forces::new(
-                format!("at stroke phase {phase_deg:.1} deg"),
-                forces.lift_n,
-                forces.drag_n,
-                forces.power_w,
-            )),
-            file: format!("wing-phase-{index:03}.vtu"),
-        });
+            frequency_hz,
+            read.tip(),
+            file,
+        ));
     }
     let mean = moving.mean_forces().map_err(fault)?;
     Ok(StrokeSummary {
@@ -94,15 +72,64 @@ pub fn periodic_stroke<E: From<WingError>>(
             mean.drag_n,
             mean.power_w,
         )),
-        periodic: Some(PeriodicSummary {
-            mode_hz: moving.modes.iter().map(|mode| mode.frequency_hz).collect(),
-            damping_ratio: moving.settings.damping_ratio,
-            flip_share: moving.settings.flip_share,
-            left_out: left_out(design).map_err(|error| model.fault(error))?,
-            largest_swing_deg: largest_swing_deg(&moving),
-            released_deg: released_deg(&moving).map_err(fault)?,
-        }),
+        periodic: Some(summary(wing, &moving)?),
     })
+}
+
+fn moving(wing: &SolvedWing, progress: &Progress) -> Result<Periodic, CouplingError> {
+    let SolvedWing { model, solution } = wing;
+    let design = model.design();
+    let settings = PeriodicSettings::of_design(design)?;
+    periodic_near(
+        design,
+        &model.mesh,
+        model.air_table(),
+        &settings,
+        Some(solution),
+        progress,
+    )
+}
+
+fn summary(wing: &SolvedWing, moving: &Periodic) -> Result<PeriodicSummary, WingError> {
+    let model = &wing.model;
+    Ok(PeriodicSummary {
+        mode_hz: moving.modes.iter().map(|mode| mode.frequency_hz).collect(),
+        damping_ratio: moving.settings.damping_ratio,
+        flip_share: moving.settings.flip_share,
+        left_out: left_out(model.design()).map_err(|error| model.fault(error))?,
+        largest_swing_deg: largest_swing_deg(moving),
+        released_deg: released_deg(moving).map_err(|source| model.unsolved(source))?,
+    })
+}
+
+fn phase_row(
+    moving: &Periodic,
+    now: &Instant,
+    phase_deg: f64,
+    frequency_hz: f64,
+    tip: Option<&TwistReading>,
+    file: String,
+) -> PhaseRow {
+    let forces = now.forces;
+    PhaseRow {
+        phase_deg,
+        tip_twist_deg: tip.map(|tip| tip.twist_rad.to_degrees()),
+        stop_moment_mn_mm: Some(now.stop_moment_n_m * 1e6),
+        moving: Some(MovingRow {
+            time_ms: phase_deg / 360.0 / frequency_hz * 1e3,
+            sweep_deg: now.sweep_rad.to_degrees(),
+            pitch_deg: now.pitch_rad.to_degrees(),
+            is_flipping: now.is_flipping,
+            standing_tip_twist_deg: tip.and_then(|tip| standing_deg(moving, tip.r_m, phase_deg)),
+        }),
+        forces: Some(Forces::new(
+            format!("at stroke phase {phase_deg:.1} deg"),
+            forces.lift_n,
+            forces.drag_n,
+            forces.power_w,
+        )),
+        file,
+    }
 }
 
 fn standing_deg(moving: &Periodic, r_m: f64, phase_deg: f64) -> Option<f64> {

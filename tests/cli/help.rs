@@ -47,6 +47,16 @@ fn help_names_every_verb_and_the_exit_codes() {
 }
 
 #[test]
+fn no_line_of_help_is_wider_than_80_columns() {
+    for verb in VERBS.into_iter().filter(|verb| *verb != "help") {
+        let said = washout(folder().path(), &[verb, "--help"]);
+        for line in said.out.lines() {
+            assert!(line.chars().count() <= 80, "{verb}: {line}");
+        }
+    }
+}
+
+#[test]
 fn help_of_every_verb_shows_examples_that_begin_with_that_verb() {
     for verb in VERBS.into_iter().filter(|verb| *verb != "help") {
         let said = washout(folder().path(), &[verb, "--help"]);

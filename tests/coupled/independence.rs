@@ -1,6 +1,7 @@
 //! What must not matter does not: load increments, accelerator, drilling stiffness, number of threads.
 
 use washout::coupling::solution::Solution;
+use washout::input::Design;
 
 use crate::support::{Wing, apart, lift_n, shipped};
 
@@ -35,6 +36,56 @@ fn load_increments_and_accelerator_leave_twist_and_lift_within_a_millionth() {
                 "{name} {set}: {errors:?}"
             );
         }
+    }
+}
+
+/// A strip of 500 × 50 mm, flat to the load: 20 N press along its chord, 1 N across tells it to which side to go. It buckles sideways at 13.4 N
+/// (4.013 √(EI GJ)/L²), and from there on another stable shape stands at −52°, which a long increment may fall into.
+#[test]
+fn a_strip_that_buckles_sideways_turns_to_the_side_of_its_load_for_any_number_of_increments() {
+    let text = r#"
+format = 1
+name = "strip"
+
+[planform]
+length_mm = 500.0
+outline = [[0.0, 50.0], [500.0, 50.0]]
+base_closure = 0.0
+tip_cut = 1.0
+
+[ribs]
+bays = 20
+rod_chord_fraction = 0.5
+
+[[rod]]
+from_mm = 0.0
+to_mm = 500.0
+
+[rod.section]
+shape = "given"
+gj_n_m2 = 0.7
+ei_flap_n_m2 = 1.0
+ei_edge_n_m2 = 1e4
+ea_n = 1e7
+mass_kg_m = 0.2
+
+[[load]]
+at_mm = 500.0
+chord_offset_mm = 25.0
+force_n = [0.0, -20.0, 1.0]
+
+[structure]
+load_increments = INCREMENTS
+"#;
+    for increments in [1, 2, 3, 4, 5, 7, 10, 50] {
+        let text = text.replace("INCREMENTS", &increments.to_string());
+        let wing = Wing::of(Design::from_toml(&text, "strip.toml").expect("a design"));
+        let tip_deg = wing.twists(&wing.solve()).last().expect("a tip").to_degrees();
+        println!("{increments} increments: {tip_deg:.3} deg");
+        assert!(
+            (tip_deg - 49.7).abs() < 0.1,
+            "{increments} increments: {tip_deg} deg"
+        );
     }
 }
 

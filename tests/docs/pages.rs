@@ -43,7 +43,11 @@ fn follow(page: &str, slow: bool) {
     let here = workshop();
     for step in steps(&text_of(page)) {
         match step {
-            Step::Write { file, text } => std::fs::write(here.path().join(file), text).expect("a file"),
+            Step::Write { file, text } => {
+                let path = here.path().join(file);
+                std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+                std::fs::write(path, text).expect("a file");
+            }
             Step::Quote { file, text } => {
                 let whole = std::fs::read_to_string(root().join(&file)).expect("the file that is quoted");
                 assert!(whole.contains(&text), "{page}: {file} does not hold\n{text}");
@@ -112,6 +116,7 @@ macro_rules! pages {
 }
 
 pages! {
+    errors "docs/errors.md"
     first_wing "docs/first-wing.md"
     find_a_hidden_effect "docs/find-a-hidden-effect.md"
     from_your_own_table "docs/from-your-own-table.md"

@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from washout import notebook
+
 Row = Mapping[str, Any]
 
 
@@ -32,6 +34,16 @@ class Columns(Mapping[str, NDArray[Any]]):
 
     def __len__(self) -> int:
         return len(self._columns)
+
+    def to_frame(self) -> Any:
+        """The rows as a pandas.DataFrame; needs pandas."""
+        import pandas
+
+        return pandas.DataFrame(list(self.rows))
+
+    def _repr_html_(self) -> str:
+        names = list(self._columns)
+        return notebook.table(names, [[row.get(name) for name in names] for row in self.rows])
 
     def __repr__(self) -> str:
         return f"Columns({len(self.rows)} rows: {', '.join(self._columns)})"

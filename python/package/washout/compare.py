@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from washout import notebook
 from washout.columns import Columns
 from washout.folder import in_folder
 from washout.solve import Numbers
@@ -52,6 +53,15 @@ class Comparison:
         """Twist in degrees along the span, for each run that gives it."""
 
 
+    def __repr__(self) -> str:
+        return f"<washout.Comparison {self.wing}: {self.verdict}>"
+
+    def _repr_html_(self) -> str:
+        names = ("channel", "r_mm", "r_to_mm", "measured", "sigma", "modelled", "error", "unit")
+        rows = [[row.get(name) for name in names] for row in self.rows.rows]
+        return notebook.answer(self.verdict, notebook.table(names, rows))
+
+
 class Span:
     """Twist along the span, measured and modelled, at the same stations; degrees and millimetres."""
 
@@ -95,6 +105,14 @@ class StudyComparison:
         """Chi-square per fitted row as stated."""
         self.chi_square_per_row_after: float = after
         """Chi-square per fitted row, calibrated."""
+
+    def __repr__(self) -> str:
+        return f"<washout.StudyComparison {self.study}: {self.words[0]}>"
+
+    def _repr_html_(self) -> str:
+        names = ("name", "unit", "mean", "value", "standard_error", "pull")
+        rows = [[row.get(name) for name in names] for row in self.unknowns.rows]
+        return notebook.answer(" ".join(self.words), notebook.table(names, rows))
 
     @property
     def residuals_before(self) -> Numbers:

@@ -6,16 +6,20 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from washout import notebook
 from washout.columns import Columns
 from washout.folder import in_folder
+from washout.readings import Readings, file_of
 from washout.solve import Numbers
 from washout.verb import Document, FilePath, Progress, Setting, set_options
 
 
 def diagnose(
-    study: FilePath,
+    design_or_study: FilePath,
+    readings: Readings | None = None,
     sets: Mapping[str, Setting] | None = None,
     *,
+    sigma: float | None = None,
     effects: Sequence[str] = (),
     significance: float = 0.01,
     seed: int = 1,
@@ -25,6 +29,9 @@ def diagnose(
 ) -> Diagnosis:
     """Finds which effect the model of a study lacks, how sure that is, and what else it could be.
 
+    Of a design, `readings` are what was measured on it: a pandas.DataFrame, columns by their heads, or the file of a table, long or
+    wide; `sigma` is the standard deviation of those that state none. A study names its own.
+
     `effects`: try these only; `significance`: accepted probability of a false alarm; `seed`: of the draws of noise;
     `own_data`: even data that `washout synthesize` made with the same formulas; `output` keeps pictures and tables in that
     folder. Gives what `washout diagnose --json` prints.
@@ -33,7 +40,12 @@ def diagnose(
     options += [option for effect in effects for option in ("--effect", effect)]
     options += ["--significance", repr(significance), "--seed", str(seed)]
     options += ["--own-data"] if own_data else []
-    return Diagnosis(in_folder("diagnose", options, study, output, progress))
+    options += [] if sigma is None else ["--sigma", repr(sigma)]
+    if readings is None:
+        return Diagnosis(in_folder("diagnose", options, design_or_study, output, progress))
+    with file_of(readings) as table:
+        options += ["--with", str(table)]
+        return Diagnosis(in_folder("diagnose", options, design_or_study, output, progress))
 
 
 class Diagnosis:
@@ -48,8 +60,8 @@ class Diagnosis:
         """`nothing`, `effect`, `set`, `pair`, `novel`, …: the word for it."""
         self.p_nothing: float = document["p_nothing"]
         """Probability that nothing is missing."""
-        self.p_null: float = document["significance"]["p_null"]
-        """Probability of a misfit like this if nothing were missing."""
+        self.tried: Document = document["tried"]
+        """How many of how many known effects were tried."""
         self.hypotheses = Columns([{"what": what(row), **row} for row in document["hypotheses"]])
         """What may be missing, most probable first: `what`, `probability`, `strength`, `standard_error`, `in_set`, …"""
         self.effects = Columns(document["effects"])
@@ -67,6 +79,18 @@ class Diagnosis:
         """Held-out numbers, as measured, and as predicted by the `calibrated` and the `explained` model."""
         self.notes: list[str] = document["notes"]
         """What a reader must know besides."""
+
+    def __repr__(self) -> str:
+        return f"<washout.Diagnosis: {self.sentence}>"
+
+    def _repr_html_(self) -> str:
+        heads = ("what is missing", "probability", "strength", "error")
+        names = ("what", "probability", "strength", "standard_error")
+        rows = [[row.get(name) for name in names] for row in self.hypotheses.rows[:6]]
+        steps = [[step["name"], step["chi_square_per_number"], step["in_sample"]] for step in self.ladder.rows]
+        return notebook.answer(
+            self.sentence, notebook.table(heads, rows), notebook.table(("model", "chi-square per reading", "error"), steps)
+        )
 
     @property
     def residuals(self) -> Numbers:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from washout import _washout
+from washout import _washout, notebook
 from washout.columns import Columns
 from washout.verb import Document, FilePath, Progress, Setting, set_options
 
@@ -227,6 +227,10 @@ class Run:
     def _forces(self, when: str) -> Forces | None:
         lift = self.summary["lift"]
         return Forces(**lift[when]) if lift and lift[when] else None
+
+    def _repr_html_(self) -> str:
+        rows = zip(self.r_mm.tolist(), self.twist_deg.tolist(), strict=True)
+        return notebook.answer(repr(self).strip("<>"), notebook.table(("r, mm", "twist, deg"), rows))
 
     def __repr__(self) -> str:
         twist = "no tip" if self.tip_twist_deg is None else f"tip twist {self.tip_twist_deg:.2f} deg"

@@ -53,6 +53,9 @@ enum Off {
     Modulus(String, f64),
 }
 
+/// What is off, and the wings that are off in it either way.
+type Moved = (String, [Off; 2]);
+
 /// The twist of a layout with each thing off by its tolerance, one at a time, either way.
 ///
 /// # Errors
@@ -64,7 +67,40 @@ pub fn band(
     progress: &Progress,
 ) -> Result<Band, ExploreError> {
     let layout = &best.layout;
-    let mut moved: Vec<(String, [Off; 2])> = Vec::new();
+    let mut moved = moved_pieces(layout, tolerances.break_mm);
+    moved.extend(moved_moduli(workshop, layout, tolerances.shear_modulus_share));
+    let twists = Twists {
+        best: &best.twist,
+        by_cause: twists_by_cause(workshop, layout, &moved, progress)?,
+    };
+    let causes: Vec<(String, f64)> = moved
+        .iter()
+        .zip(&twists.by_cause)
+        .map(|((name, _), pair)| {
+            (
+                name.clone(),
+                0.5 * distance_deg(&pair[0], &pair[1], workshop.tip_m),
+            )
+        })
+        .collect();
+    let built = moved
+        .iter()
+        .zip(&causes)
+        .filter(|((_, pair), _)| matches!(pair[0], Off::Layout(_)));
+    let built_deg = built.map(|(_, (_, cause))| cause * cause).sum::<f64>().sqrt();
+    let rms_deg = causes.iter().map(|(_, cause)| cause * cause).sum::<f64>().sqrt();
+    Ok(Band {
+        pieces: twists.pieces(layout),
+        stations: twists.stations(),
+        rms_deg,
+        built_deg,
+        causes,
+    })
+}
+
+/// The diameter and the outer end of each piece.
+fn moved_pieces(layout: &Layout, break_mm: f64) -> Vec<Moved> {
+    let mut moved = Vec::new();
     for (index, piece) in layout.pieces.iter().enumerate() {
         let by_mm = piece.rod.tolerance_mm;
         if let (Some(less), Some(more)) = (
@@ -74,13 +110,18 @@ pub fn band(
             let name = format!("diameter of {} ± {by_mm} mm", piece.rod.name);
             moved.push((name, [Off::Layout(less), Off::Layout(more)]));
         }
-        let by_mm = tolerances.break_mm;
         let at = |mm: f64| layout.with_break(index, piece.to_mm + mm);
-        if let (Some(inner), Some(outer)) = (at(-by_mm), at(by_mm)) {
-            let name = format!("break at {:.1} ± {by_mm} mm", piece.to_mm);
+        if let (Some(inner), Some(outer)) = (at(-break_mm), at(break_mm)) {
+            let name = format!("break at {:.1} ± {break_mm} mm", piece.to_mm);
             moved.push((name, [Off::Layout(inner), Off::Layout(outer)]));
         }
     }
+    moved
+}
+
+/// The shear modulus of each material, over its assumed range or else by a share.
+fn moved_moduli(workshop: &Workshop, layout: &Layout, share: f64) -> Vec<Moved> {
+    let mut moved = Vec::new();
     let mut materials: Vec<&String> = layout.pieces.iter().map(|piece| &piece.rod.material).collect();
     materials.sort();
     materials.dedup();
@@ -94,15 +135,21 @@ pub fn band(
             .find(|known| known.key == key)
             .map(|known| known.range);
         let stated = workshop.wing.design().get(&key);
-        let range = range.or_else(|| {
-            let share = tolerances.shear_modulus_share;
-            stated.map(|value| [value * (1.0 - share), value * (1.0 + share)])
-        });
+        let range = range.or_else(|| stated.map(|value| [value * (1.0 - share), value * (1.0 + share)]));
         if let Some([low, high]) = range {
             let name = format!("shear modulus of {material} {low:.1} to {high:.1} GPa");
             moved.push((name, [Off::Modulus(key.clone(), low), Off::Modulus(key, high)]));
         }
     }
+    moved
+}
+
+fn twists_by_cause(
+    workshop: &Workshop,
+    layout: &Layout,
+    moved: &[Moved],
+    progress: &Progress,
+) -> Result<Vec<Vec<TwistAlongSpan>>, ExploreError> {
     progress.say("tolerances");
     let unseen = progress.unseen();
     let jobs: Vec<(usize, &Off)> = moved
@@ -120,59 +167,53 @@ pub fn band(
         let (index, twist) = twist?;
         by_cause[index].push(twist);
     }
-    let half = |of: &dyn Fn(&TwistAlongSpan) -> f64| -> f64 {
-        let squares = by_cause
+    Ok(by_cause)
+}
+
+/// The twist of a layout, and that with each thing off either way.
+struct Twists<'a> {
+    best: &'a TwistAlongSpan,
+    by_cause: Vec<Vec<TwistAlongSpan>>,
+}
+
+impl Twists<'_> {
+    /// Half the width of the band of a number: causes added as if they were independent.
+    fn half(&self, of: &dyn Fn(&TwistAlongSpan) -> f64) -> f64 {
+        let squares = self
+            .by_cause
             .iter()
             .map(|pair| (0.5 * (of(&pair[0]) - of(&pair[1]))).powi(2));
         squares.sum::<f64>().sqrt()
-    };
-    let stations: Vec<[f64; 3]> = best
-        .twist
-        .points()
-        .iter()
-        .map(|&[r_m, twist]| [r_m, twist, half(&|t| t.twist_rad(r_m))])
-        .collect();
-    let reach_mm = best.twist.points().last().map_or(0.0, |last| last[0] * 1e3);
-    let mut from_mm = 0.0;
-    let pieces = layout.pieces.iter().map(|piece| {
-        let to_mm = piece.to_mm.min(reach_mm);
-        let rate = |twist: &TwistAlongSpan| {
-            let rise = twist.twist_rad(to_mm * 1e-3) - twist.twist_rad(from_mm * 1e-3);
-            rise.to_degrees() / (to_mm - from_mm)
-        };
-        let found = PieceBand {
-            from_mm,
-            to_mm,
-            rate_deg_per_mm: rate(&best.twist),
-            tolerance_deg_per_mm: half(&rate),
-        };
-        from_mm = to_mm;
-        found
-    });
-    let pieces = pieces.collect();
-    let causes: Vec<(String, f64)> = moved
-        .iter()
-        .zip(&by_cause)
-        .map(|((name, _), pair)| {
-            (
-                name.clone(),
-                0.5 * distance_deg(&pair[0], &pair[1], workshop.tip_m),
-            )
-        })
-        .collect();
-    let built = moved
-        .iter()
-        .zip(&causes)
-        .filter(|((_, pair), _)| matches!(pair[0], Off::Layout(_)));
-    let built_deg = built.map(|(_, (_, cause))| cause * cause).sum::<f64>().sqrt();
-    let rms_deg = causes.iter().map(|(_, cause)| cause * cause).sum::<f64>().sqrt();
-    Ok(Band {
-        pieces,
-        stations,
-        rms_deg,
-        built_deg,
-        causes,
-    })
+    }
+
+    fn stations(&self) -> Vec<[f64; 3]> {
+        self.best
+            .points()
+            .iter()
+            .map(|&[r_m, twist]| [r_m, twist, self.half(&|t| t.twist_rad(r_m))])
+            .collect()
+    }
+
+    fn pieces(&self, layout: &Layout) -> Vec<PieceBand> {
+        let reach_mm = self.best.points().last().map_or(0.0, |last| last[0] * 1e3);
+        let mut from_mm = 0.0;
+        let pieces = layout.pieces.iter().map(|piece| {
+            let to_mm = piece.to_mm.min(reach_mm);
+            let rate = |twist: &TwistAlongSpan| {
+                let rise = twist.twist_rad(to_mm * 1e-3) - twist.twist_rad(from_mm * 1e-3);
+                rise.to_degrees() / (to_mm - from_mm)
+            };
+            let found = PieceBand {
+                from_mm,
+                to_mm,
+                rate_deg_per_mm: rate(self.best),
+                tolerance_deg_per_mm: self.half(&rate),
+            };
+            from_mm = to_mm;
+            found
+        });
+        pieces.collect()
+    }
 }
 
 fn twist_of(

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::page::text::significant;
 
-use super::wing::{MAP, Wing};
+use super::wing::{Field, MAP, Wing};
 
 const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 300.0;
@@ -19,12 +19,49 @@ pub fn still(wing: &Wing) -> String {
     let [rest, loaded] =
         [rest, loaded].map(|points| points.into_iter().map(|p| frame.place(p)).collect::<Vec<_>>());
     let field = wing.fields.first();
+    let (low, high) = ends(field);
+    let mut svg = format!(
+        "<svg role=\"img\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" style=\"display:block;width:100%\"><title>{}</title>\n\
+         <g fill=\"none\" stroke=\"#888\" stroke-dasharray=\"5 4\">\n",
+        crate::plot::pen::escaped(&wing.name)
+    );
+    // Writing to a String cannot fail.
+    for [a, b] in outline(&wing.triangles) {
+        let _ = write!(svg, "<path d=\"{}\"/>", path(&[rest[a], rest[b]]));
+    }
+    svg.push_str("</g>\n<g shape-rendering=\"crispEdges\">\n");
+    svg.push_str(&coloured(wing, &loaded));
+    svg.push_str("</g>\n<g stroke=\"#222\" stroke-linecap=\"round\">\n");
+    for &([a, b], part) in &wing.lines {
+        let width = if part == 1 { 3.0 } else { 1.4 };
+        let _ = write!(
+            svg,
+            "<path stroke-width=\"{width}\" d=\"{}\"/>",
+            path(&[loaded[a], loaded[b]])
+        );
+    }
+    svg.push_str("</g>\n");
+    if let Some(field) = field.filter(|_| high > low) {
+        svg.push_str(&bar(&format!("{} ({})", field.name, field.unit), low, high));
+    }
+    svg.push_str("</svg>");
+    svg
+}
+
+/// The lowest and the highest value.
+fn ends(field: Option<&Field>) -> (f64, f64) {
     let values = field.map_or(&[][..], |field| &field.values);
-    let (low, high) = values
+    values
         .iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| {
             (low.min(v), high.max(v))
-        });
+        })
+}
+
+/// The triangles from the farthest to the nearest.
+fn coloured(wing: &Wing, loaded: &[[f64; 3]]) -> String {
+    let field = wing.fields.first();
+    let (low, high) = ends(field);
     let share = |value: f64| {
         if high > low {
             (value - low) / (high - low)
@@ -43,16 +80,6 @@ pub fn still(wing: &Wing) -> String {
         Some(field) => field.values[triangle],
         None => 0.0,
     };
-    let mut svg = format!(
-        "<svg role=\"img\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" style=\"display:block;width:100%\"><title>{}</title>\n\
-         <g fill=\"none\" stroke=\"#888\" stroke-dasharray=\"5 4\">\n",
-        crate::plot::pen::escaped(&wing.name)
-    );
-    // Writing to a String cannot fail.
-    for [a, b] in outline(&wing.triangles) {
-        let _ = write!(svg, "<path d=\"{}\"/>", path(&[rest[a], rest[b]]));
-    }
-    svg.push_str("</g>\n<g shape-rendering=\"crispEdges\">\n");
     let depth = |triangle: &usize| {
         wing.triangles[*triangle]
             .iter()
@@ -61,6 +88,7 @@ pub fn still(wing: &Wing) -> String {
     };
     let mut order: Vec<usize> = (0..wing.triangles.len()).collect();
     order.sort_by(|a, b| depth(b).total_cmp(&depth(a)));
+    let mut svg = String::new();
     for triangle in order {
         let corners = wing.triangles[triangle].map(|n| loaded[n]);
         let _ = write!(
@@ -70,20 +98,6 @@ pub fn still(wing: &Wing) -> String {
             path(&corners)
         );
     }
-    svg.push_str("</g>\n<g stroke=\"#222\" stroke-linecap=\"round\">\n");
-    for &([a, b], part) in &wing.lines {
-        let width = if part == 1 { 3.0 } else { 1.4 };
-        let _ = write!(
-            svg,
-            "<path stroke-width=\"{width}\" d=\"{}\"/>",
-            path(&[loaded[a], loaded[b]])
-        );
-    }
-    svg.push_str("</g>\n");
-    if let Some(field) = field.filter(|_| high > low) {
-        svg.push_str(&bar(&format!("{} ({})", field.name, field.unit), low, high));
-    }
-    svg.push_str("</svg>");
     svg
 }
 

@@ -56,19 +56,6 @@ pub struct Field {
 impl Wing {
     /// From the grids of its unloaded and its loaded shape.
     pub fn of_grids(name: &str, rest: &Grid, loaded: &Grid) -> Wing {
-        let of = |arrays: &[Array], name: &str, component: usize, entries: usize| {
-            let array = arrays.iter().find(|array| array.name == name)?;
-            let values: Vec<f64> = match &array.values {
-                Values::Real(components, values) => values
-                    .iter()
-                    .skip(component)
-                    .step_by((*components).max(1))
-                    .copied()
-                    .collect(),
-                Values::Index(values) => values.iter().map(|&value| f64::from(value)).collect(),
-            };
-            values.get(..entries).map(<[f64]>::to_vec)
-        };
         let (points, cells) = (loaded.points_mm.len(), loaded.triangles.len());
         let field = |name, unit, is_on_points, values: Option<Vec<f64>>| {
             // A field that is zero everywhere is none: a wing of ribs has no film that could carry tension.
@@ -81,10 +68,20 @@ impl Wing {
             })
         };
         let (on_points, on_cells) = (&loaded.point_arrays, &loaded.cell_arrays);
-        let tension = |component| of(on_cells, "principal_tension_n_per_m", component, cells);
+        let tension = |component| component_of(on_cells, "principal_tension_n_per_m", component, cells);
         let mut fields: Vec<Field> = [
-            field("twist", "deg", true, of(on_points, "twist_deg", 0, points)),
-            field("pressure", "Pa", false, of(on_cells, "pressure_pa", 0, cells)),
+            field(
+                "twist",
+                "deg",
+                true,
+                component_of(on_points, "twist_deg", 0, points),
+            ),
+            field(
+                "pressure",
+                "Pa",
+                false,
+                component_of(on_cells, "pressure_pa", 0, cells),
+            ),
             field("film tension", "N/m", false, tension(0)),
             field("smaller film tension", "N/m", false, tension(1)),
         ]
@@ -99,7 +96,7 @@ impl Wing {
                 values: vec![0.0; points],
             });
         }
-        let parts = of(on_cells, "part", 0, cells + loaded.lines.len()).unwrap_or_default();
+        let parts = component_of(on_cells, "part", 0, cells + loaded.lines.len()).unwrap_or_default();
         let part = |line: usize| parts.get(cells + line).map_or(2, |&part| part as i32);
         Wing {
             name: name.to_string(),
@@ -164,6 +161,21 @@ impl Wing {
             fields.join(",")
         ))
     }
+}
+
+/// One component of an array over its first `entries` entries.
+fn component_of(arrays: &[Array], name: &str, component: usize, entries: usize) -> Option<Vec<f64>> {
+    let array = arrays.iter().find(|array| array.name == name)?;
+    let values: Vec<f64> = match &array.values {
+        Values::Real(components, values) => values
+            .iter()
+            .skip(component)
+            .step_by((*components).max(1))
+            .copied()
+            .collect(),
+        Values::Index(values) => values.iter().map(|&value| f64::from(value)).collect(),
+    };
+    values.get(..entries).map(<[f64]>::to_vec)
 }
 
 fn joined(values: &[f64], show: impl Fn(f64) -> String) -> String {

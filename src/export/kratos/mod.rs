@@ -48,43 +48,7 @@ pub fn model_part(name: &str, standing: &Standing) -> Result<ModelPart, ExportEr
         let x = x * 1e3;
         format!("{} {:.17e} {:.17e} {:.17e}", node + 1, x.x, x.y, x.z)
     });
-    let shells = model.shells.iter().enumerate();
-    block(
-        &mut text,
-        "Elements ShellThinElementCorotational3D3N",
-        shells,
-        |(element, shell)| {
-            let [a, b, c] = shell.nodes.map(|node| node + 1);
-            format!("{} {} {a} {b} {c}", element + 1, shell.sheet + 1)
-        },
-    );
-    let first = model.shells.len() + 1;
-    let beams = || model.beams.iter().enumerate();
-    let section_id = |section: usize| model.sheets.len() + section + 1;
-    block(
-        &mut text,
-        "Elements CrBeamElement3D2N",
-        beams(),
-        |(element, beam)| {
-            let [a, b] = beam.nodes.map(|node| node + 1);
-            format!("{} {} {a} {b}", first + element, section_id(beam.section))
-        },
-    );
-    block(
-        &mut text,
-        "ElementalData LOCAL_AXIS_2",
-        beams(),
-        |(element, beam)| {
-            let edge = beam.axes().column(1);
-            format!(
-                "{} [3] ({:.17e},{:.17e},{:.17e})",
-                first + element,
-                edge.x,
-                edge.y,
-                edge.z
-            )
-        },
-    );
+    elements(&mut text, model);
     supports(&mut text, model);
     loads(&mut text, standing);
     Ok(ModelPart {
@@ -150,6 +114,36 @@ fn properties(text: &mut String, model: &Model) {
             |row| row,
         );
     }
+}
+
+fn elements(text: &mut String, model: &Model) {
+    let shells = model.shells.iter().enumerate();
+    block(
+        text,
+        "Elements ShellThinElementCorotational3D3N",
+        shells,
+        |(element, shell)| {
+            let [a, b, c] = shell.nodes.map(|node| node + 1);
+            format!("{} {} {a} {b} {c}", element + 1, shell.sheet + 1)
+        },
+    );
+    let first = model.shells.len() + 1;
+    let beams = || model.beams.iter().enumerate();
+    let section_id = |section: usize| model.sheets.len() + section + 1;
+    block(text, "Elements CrBeamElement3D2N", beams(), |(element, beam)| {
+        let [a, b] = beam.nodes.map(|node| node + 1);
+        format!("{} {} {a} {b}", first + element, section_id(beam.section))
+    });
+    block(text, "ElementalData LOCAL_AXIS_2", beams(), |(element, beam)| {
+        let edge = beam.axes().column(1);
+        format!(
+            "{} [3] ({:.17e},{:.17e},{:.17e})",
+            first + element,
+            edge.x,
+            edge.y,
+            edge.z
+        )
+    });
 }
 
 fn supports(text: &mut String, model: &Model) {

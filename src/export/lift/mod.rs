@@ -1,5 +1,6 @@
 //! What twist buys in lift, power and efficiency: the document of `washout lift`.
 
+#[cfg(feature = "cli")]
 pub mod page;
 
 pub mod tables;

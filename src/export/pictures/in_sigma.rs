@@ -102,7 +102,6 @@ fn natural(name: &str) -> Vec<(String, f64)> {
 pub fn heat_map(compared: &Compared) -> HeatMap {
     let key = |row: &StudyRow| (row.wing.clone(), row.case.clone());
     let cases = distinct(compared.rows.iter().map(key));
-    let has_wings = cases.iter().any(|(wing, _)| *wing != cases[0].0);
     let has_runs = distinct(compared.rows.iter().map(|row| row.run.clone())).len() > 1;
     let chords = |channel: Channel| {
         let of_channel = compared.rows.iter().filter(|row| row.channel == channel);
@@ -123,16 +122,6 @@ pub fn heat_map(compared: &Compared) -> HeatMap {
         name
     };
     let columns = distinct(compared.rows.iter().map(column));
-    let rows = cases.iter().map(|(wing, case)| {
-        let of_case = |row: &&StudyRow| row.wing == *wing && row.case == *case;
-        let is_fitted = compared.rows.iter().filter(of_case).any(|row| !row.is_held_out);
-        let name = if has_wings && !case.contains(wing.as_str()) {
-            format!("{wing} {case}")
-        } else {
-            case.clone()
-        };
-        (name, is_fitted)
-    });
     let table = |state: usize, title: &str| {
         let mut cells = vec![vec![None; columns.len()]; cases.len()];
         for row in &compared.rows {
@@ -156,8 +145,24 @@ pub fn heat_map(compared: &Compared) -> HeatMap {
     };
     HeatMap {
         title: String::new(),
-        rows: rows.collect(),
+        rows: named_cases(compared, &cases),
         columns,
         tables,
     }
+}
+
+/// The cases, by wing and name, as they are called, and whether anything of each is fitted.
+fn named_cases(compared: &Compared, cases: &[(String, String)]) -> Vec<(String, bool)> {
+    let has_wings = cases.iter().any(|(wing, _)| *wing != cases[0].0);
+    let rows = cases.iter().map(|(wing, case)| {
+        let of_case = |row: &&StudyRow| row.wing == *wing && row.case == *case;
+        let is_fitted = compared.rows.iter().filter(of_case).any(|row| !row.is_held_out);
+        let name = if has_wings && !case.contains(wing.as_str()) {
+            format!("{wing} {case}")
+        } else {
+            case.clone()
+        };
+        (name, is_fitted)
+    });
+    rows.collect()
 }

@@ -2,7 +2,7 @@
 
 use crate::export::ExportError;
 use crate::export::csv::table;
-use crate::export::pareto::{ParetoSummary, fronts, untwisted};
+use crate::export::pareto::{Front, ParetoSummary, fronts, untwisted};
 use crate::export::run::RunFolder;
 use crate::plot::{Chart, Figure, Ink, Key, Limit, Mark, Panel, Point, Sample, Shape, Weight};
 
@@ -45,68 +45,75 @@ pub fn front(summary: &ParetoSummary) -> Figure {
         label: mark.name.clone(),
         sample: Sample::Dot(Ink::Curve(index + 1), Shape::of_curve(index), true),
     }));
-    let panel = |(index, front): (usize, &crate::export::pareto::Front)| {
-        let lowest = front
-            .points
-            .iter()
-            .map(|p| p.lift)
-            .fold(f64::INFINITY, f64::min)
-            .min(0.5);
-        let stops: Vec<[f64; 2]> = summary
-            .untwisted
-            .iter()
-            .filter(|p| p.lift > lowest && p.stop_deg <= summary.stop_angle_deg + 1e-9)
-            .map(|p| [p.lift, p.efficiency])
-            .collect();
-        let mut marks = vec![
-            Mark::Line {
-                points: stops,
-                ink: Ink::Grey,
-                weight: Weight::Thin,
-            },
-            Mark::Line {
-                points: front.points.iter().map(|p| [p.lift, p.efficiency]).collect(),
-                ink: Ink::Curve(0),
-                weight: Weight::Thick,
-            },
-        ];
-        marks.extend(
-            summary
-                .marks
-                .iter()
-                .enumerate()
-                .map(|(place, mark)| Mark::Points {
-                    points: vec![Point {
-                        x: mark.lift[index],
-                        x_to: None,
-                        y: mark.efficiency,
-                        sigma: 0.0,
-                        limit: Limit::None,
-                    }],
-                    ink: Ink::Curve(place + 1),
-                    shape: Shape::of_curve(place),
-                    is_filled: true,
-                }),
-        );
-        Panel::Chart(Chart {
-            title: front.name.clone(),
-            x_label: "lift over the untwisted wing".to_string(),
-            y_label: "efficiency over the untwisted wing".to_string(),
-            marks,
-            x_includes: None,
-            has_zero_line: false,
-        })
-    };
     Figure {
         title: "Front between lift and efficiency".to_string(),
         legend,
-        panels: summary.fronts.iter().enumerate().map(panel).collect(),
+        panels: summary
+            .fronts
+            .iter()
+            .enumerate()
+            .map(|(index, front)| front_panel(summary, index, front))
+            .collect(),
         columns: None,
         caption: format!(
             "Efficiency: {}. {:.1} Hz, ±{:.1} deg, every wing at the same stroke.",
             summary.efficiency, summary.frequency_hz, summary.half_amplitude_deg
         ),
     }
+}
+
+/// A front with the marked wings, whose lift over it is the one at `index`.
+fn front_panel(summary: &ParetoSummary, index: usize, front: &Front) -> Panel {
+    let lowest = front
+        .points
+        .iter()
+        .map(|p| p.lift)
+        .fold(f64::INFINITY, f64::min)
+        .min(0.5);
+    let stops: Vec<[f64; 2]> = summary
+        .untwisted
+        .iter()
+        .filter(|p| p.lift > lowest && p.stop_deg <= summary.stop_angle_deg + 1e-9)
+        .map(|p| [p.lift, p.efficiency])
+        .collect();
+    let mut marks = vec![
+        Mark::Line {
+            points: stops,
+            ink: Ink::Grey,
+            weight: Weight::Thin,
+        },
+        Mark::Line {
+            points: front.points.iter().map(|p| [p.lift, p.efficiency]).collect(),
+            ink: Ink::Curve(0),
+            weight: Weight::Thick,
+        },
+    ];
+    marks.extend(
+        summary
+            .marks
+            .iter()
+            .enumerate()
+            .map(|(place, mark)| Mark::Points {
+                points: vec![Point {
+                    x: mark.lift[index],
+                    x_to: None,
+                    y: mark.efficiency,
+                    sigma: 0.0,
+                    limit: Limit::None,
+                }],
+                ink: Ink::Curve(place + 1),
+                shape: Shape::of_curve(place),
+                is_filled: true,
+            }),
+    );
+    Panel::Chart(Chart {
+        title: front.name.clone(),
+        x_label: "lift over the untwisted wing".to_string(),
+        y_label: "efficiency over the untwisted wing".to_string(),
+        marks,
+        x_includes: None,
+        has_zero_line: false,
+    })
 }
 
 /// Twist along the span at the ends of each front, beside the named wings.
@@ -125,7 +132,7 @@ pub fn profiles(summary: &ParetoSummary) -> Figure {
         label: mark.name.clone(),
         sample: Sample::Line(Ink::Curve(index + 2), Weight::Thin),
     }));
-    let panel = |front: &crate::export::pareto::Front| {
+    let panel = |front: &Front| {
         let ends = [front.highest_lift(), front.highest_efficiency()]
             .into_iter()
             .enumerate();

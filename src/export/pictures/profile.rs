@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::compare::{ComparedStation, ProfileOrigin};
+use crate::compare::{ComparedStation, ProfileOrigin, SpanComparison};
 use crate::coupling::solution::StripLoad;
 use crate::export::summary::RunSummary;
 use crate::input::measurement::Bound;
@@ -13,85 +13,111 @@ const ALONG: &str = "distance from the wing base (mm)";
 
 /// Twist along the span: modelled, its band and stages where there are such, measured where it was.
 pub fn twist(summary: &RunSummary) -> Figure {
-    let (mut marks, mut legend) = (Vec::new(), Vec::new());
-    let mut key = |label: &str, sample: Sample| {
-        legend.push(Key {
+    let mut curves = Curves::default();
+    curves.model(summary);
+    curves.model_as_measured(summary);
+    for span in summary.measured.iter().flat_map(|measured| &measured.span) {
+        curves.measurement(span);
+    }
+    Figure {
+        title: format!("{} – twist along the span", summary.name),
+        legend: curves.legend,
+        panels: vec![Panel::Chart(Chart {
+            title: String::new(),
+            x_label: ALONG.to_string(),
+            x_includes: Some(0.0),
+            y_label: "twist, washout positive (deg)".to_string(),
+            marks: curves.marks,
+            has_zero_line: true,
+        })],
+        columns: None,
+        caption: String::new(),
+    }
+}
+
+/// What is drawn of the twist along the span, with the legend.
+#[derive(Default)]
+struct Curves {
+    marks: Vec<Mark>,
+    legend: Vec<Key>,
+}
+
+impl Curves {
+    fn key(&mut self, label: &str, sample: Sample) {
+        self.legend.push(Key {
             label: label.to_string(),
             sample,
-        })
-    };
-    let band = band(summary);
-    if !band.is_empty() {
-        key(
-            "5 to 95 % over the assumed ranges",
-            Sample::Band(Ink::Curve(0), Weight::Thin),
-        );
-        marks.push(Mark::Band {
-            points: band,
-            ink: Ink::Curve(0),
         });
     }
-    if let Some(points) = stages(summary) {
-        key("its stages", Sample::Line(Ink::Grey, Weight::Thin));
-        marks.push(Mark::Line {
-            points,
-            ink: Ink::Grey,
-            weight: Weight::Thin,
-        });
+
+    fn line(&mut self, points: Vec<[f64; 2]>, ink: Ink, weight: Weight) {
+        self.marks.push(Mark::Line { points, ink, weight });
     }
-    key("model", Sample::Line(Ink::Curve(0), Weight::Thick));
-    let read = summary.along_span.iter().filter(|row| row.bound == Bound::None);
-    marks.push(Mark::Line {
-        points: read.map(|row| [row.r_mm, row.twist_deg]).collect(),
-        ink: Ink::Curve(0),
-        weight: Weight::Thick,
-    });
-    let instrument = summary.design.observation.instrument;
-    let foreign = summary
-        .measured
-        .as_ref()
-        .filter(|measured| measured.instrument != instrument);
-    for span in foreign.iter().flat_map(|measured| &measured.span).take(1) {
-        key(
-            "model as the instrument of the measurement reads it",
-            Sample::Line(Ink::Curve(2), Weight::Thick),
-        );
-        marks.push(Mark::Line {
-            points: span.stations.iter().map(|s| [s.r_mm, s.modelled_deg]).collect(),
-            ink: Ink::Curve(2),
-            weight: Weight::Thick,
-        });
+
+    fn model(&mut self, summary: &RunSummary) {
+        let points = band(summary);
+        if !points.is_empty() {
+            let ink = Ink::Curve(0);
+            self.key(
+                "5 to 95 % over the assumed ranges",
+                Sample::Band(ink, Weight::Thin),
+            );
+            self.marks.push(Mark::Band { points, ink });
+        }
+        if let Some(points) = stages(summary) {
+            self.key("its stages", Sample::Line(Ink::Grey, Weight::Thin));
+            self.line(points, Ink::Grey, Weight::Thin);
+        }
+        self.key("model", Sample::Line(Ink::Curve(0), Weight::Thick));
+        let read = summary.along_span.iter().filter(|row| row.bound == Bound::None);
+        let points = read.map(|row| [row.r_mm, row.twist_deg]).collect();
+        self.line(points, Ink::Curve(0), Weight::Thick);
     }
-    for span in summary.measured.iter().flat_map(|measured| &measured.span) {
+
+    /// Only where the measurement has another instrument than the design.
+    fn model_as_measured(&mut self, summary: &RunSummary) {
+        let instrument = summary.design.observation.instrument;
+        let foreign = summary
+            .measured
+            .as_ref()
+            .filter(|measured| measured.instrument != instrument);
+        for span in foreign.iter().flat_map(|measured| &measured.span).take(1) {
+            self.key(
+                "model as the instrument of the measurement reads it",
+                Sample::Line(Ink::Curve(2), Weight::Thick),
+            );
+            let points = span.stations.iter().map(|s| [s.r_mm, s.modelled_deg]);
+            self.line(points.collect(), Ink::Curve(2), Weight::Thick);
+        }
+    }
+
+    fn measurement(&mut self, span: &SpanComparison) {
         let run = match span.run.as_str() {
             "" => String::new(),
             run => format!(", run {run}"),
         };
         match span.origin {
             ProfileOrigin::IntegratedRates => {
-                key(
+                self.key(
                     &format!("measured rates integrated from the base, ±1σ{run}"),
                     Sample::Band(Ink::Black, Weight::Thin),
                 );
                 let ends = span.stations.iter();
                 let ends = ends.map(|s| [s.r_mm, s.measured_deg - s.sigma_deg, s.measured_deg + s.sigma_deg]);
-                marks.push(Mark::Band {
+                self.marks.push(Mark::Band {
                     points: std::iter::once([0.0; 3]).chain(ends).collect(),
                     ink: Ink::Black,
                 });
                 let line = span.stations.iter().map(|s| [s.r_mm, s.measured_deg]);
-                marks.push(Mark::Line {
-                    points: std::iter::once([0.0; 2]).chain(line).collect(),
-                    ink: Ink::Black,
-                    weight: Weight::Thin,
-                });
+                let line = std::iter::once([0.0; 2]).chain(line);
+                self.line(line.collect(), Ink::Black, Weight::Thin);
             }
             ProfileOrigin::Twists => {
-                key(
+                self.key(
                     &format!("measured, ±1σ{run}"),
                     Sample::Marker(Ink::Curve(1), Shape::Circle, true),
                 );
-                marks.push(Mark::Points {
+                self.marks.push(Mark::Points {
                     points: span.stations.iter().map(measured).collect(),
                     ink: Ink::Curve(1),
                     shape: Shape::Circle,
@@ -99,20 +125,6 @@ pub fn twist(summary: &RunSummary) -> Figure {
                 });
             }
         }
-    }
-    Figure {
-        title: format!("{} – twist along the span", summary.name),
-        legend,
-        panels: vec![Panel::Chart(Chart {
-            title: String::new(),
-            x_label: ALONG.to_string(),
-            x_includes: Some(0.0),
-            y_label: "twist, washout positive (deg)".to_string(),
-            marks,
-            has_zero_line: true,
-        })],
-        columns: None,
-        caption: String::new(),
     }
 }
 

@@ -99,10 +99,28 @@ fn title(span: &SpanComparison) -> String {
 }
 
 fn chart(comparison: &Comparison, span: &SpanComparison, profile: Option<&TwistProfile>) -> Panel {
+    let mut marks = vec![Mark::Line {
+        points: modelled(comparison, span, profile),
+        ink: Ink::Curve(0),
+        weight: Weight::Thick,
+    }];
+    marks.extend(measured(span));
+    Panel::Chart(Chart {
+        title: title(span),
+        x_label: "distance from the wing base (mm)".to_string(),
+        x_includes: Some(0.0),
+        y_label: "twist, washout positive (deg)".to_string(),
+        marks,
+        has_zero_line: true,
+    })
+}
+
+/// The whole profile, if it is read as the measurement was.
+fn modelled(comparison: &Comparison, span: &SpanComparison, profile: Option<&TwistProfile>) -> Vec<[f64; 2]> {
     let same = profile.filter(|profile| {
         profile.instrument == comparison.instrument && profile.camera_axis == comparison.camera_axis
     });
-    let modelled: Vec<[f64; 2]> = if let Some(profile) = same {
+    if let Some(profile) = same {
         let values = profile
             .readings
             .iter()
@@ -115,27 +133,31 @@ fn chart(comparison: &Comparison, span: &SpanComparison, profile: Option<&TwistP
             .iter()
             .map(|station| [station.r_mm, station.modelled_deg])
             .collect()
-    };
-    let mut marks = Vec::new();
+    }
+}
+
+fn measured(span: &SpanComparison) -> Vec<Mark> {
     let stations = span.stations.iter();
     match span.origin {
         ProfileOrigin::IntegratedRates => {
             let values = stations.map(|s| [s.r_mm, s.measured_deg, s.sigma_deg]);
             let points: Vec<[f64; 3]> = std::iter::once([0.0; 3]).chain(values).collect();
-            marks.push(Mark::Band {
-                points: points
-                    .iter()
-                    .map(|[x, y, sigma]| [*x, y - sigma, y + sigma])
-                    .collect(),
-                ink: Ink::Black,
-            });
-            marks.push(Mark::Line {
-                points: points.iter().map(|[x, y, _]| [*x, *y]).collect(),
-                ink: Ink::Black,
-                weight: Weight::Thin,
-            });
+            vec![
+                Mark::Band {
+                    points: points
+                        .iter()
+                        .map(|[x, y, sigma]| [*x, y - sigma, y + sigma])
+                        .collect(),
+                    ink: Ink::Black,
+                },
+                Mark::Line {
+                    points: points.iter().map(|[x, y, _]| [*x, *y]).collect(),
+                    ink: Ink::Black,
+                    weight: Weight::Thin,
+                },
+            ]
         }
-        ProfileOrigin::Twists => marks.push(Mark::Points {
+        ProfileOrigin::Twists => vec![Mark::Points {
             points: stations
                 .map(|s| Point {
                     x: s.r_mm,
@@ -152,22 +174,6 @@ fn chart(comparison: &Comparison, span: &SpanComparison, profile: Option<&TwistP
             ink: Ink::Curve(0),
             shape: Shape::Circle,
             is_filled: true,
-        }),
+        }],
     }
-    marks.insert(
-        0,
-        Mark::Line {
-            points: modelled,
-            ink: Ink::Curve(0),
-            weight: Weight::Thick,
-        },
-    );
-    Panel::Chart(Chart {
-        title: title(span),
-        x_label: "distance from the wing base (mm)".to_string(),
-        x_includes: Some(0.0),
-        y_label: "twist, washout positive (deg)".to_string(),
-        marks,
-        has_zero_line: true,
-    })
 }

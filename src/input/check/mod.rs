@@ -13,7 +13,8 @@ mod refusal;
 mod section;
 
 use refusal::material_is_known;
-pub(crate) use refusal::{refuse, refused_in};
+pub(crate) use refusal::refuse;
+pub use refusal::refused_in;
 
 use super::design::Design;
 use super::document::Node;

@@ -30,24 +30,7 @@ pub(super) fn check(planform: &Planform, has_mesh_file: bool, root: &Node) -> Re
 }
 
 fn outline(planform: &Planform, points: &[[f64; 2]], root: &Node) -> Result<(), InputError> {
-    for (key, given) in [
-        ("mean_chord_mm", planform.mean_chord_mm.is_some()),
-        ("r2_hat", planform.r2_hat.is_some()),
-        ("r1_hat", planform.r1_hat.is_some()),
-    ] {
-        if given {
-            let key = format!("planform.{key}");
-            let cure =
-                "Keep the outline, or mean_chord_mm and r2_hat; the outline has its own mean chord and radii";
-            return refuse(
-                root,
-                &key,
-                "cannot stand together with outline",
-                &["planform.outline"],
-                cure,
-            );
-        }
-    }
+    stands_alone(planform, root)?;
     let whole = "planform.outline";
     if points.len() < 2 {
         let cure = "Give two points [r_mm, chord_mm] or more, r rising from 0 to the length";
@@ -90,6 +73,29 @@ fn outline(planform: &Planform, points: &[[f64; 2]], root: &Node) -> Result<(), 
         );
         let cure = "Add points at the wing base and at the tip";
         return refuse(root, whole, message, &["planform.length_mm"], cure);
+    }
+    Ok(())
+}
+
+/// Refuses what an outline has by itself.
+fn stands_alone(planform: &Planform, root: &Node) -> Result<(), InputError> {
+    for (key, given) in [
+        ("mean_chord_mm", planform.mean_chord_mm.is_some()),
+        ("r2_hat", planform.r2_hat.is_some()),
+        ("r1_hat", planform.r1_hat.is_some()),
+    ] {
+        if given {
+            let key = format!("planform.{key}");
+            let cure =
+                "Keep the outline, or mean_chord_mm and r2_hat; the outline has its own mean chord and radii";
+            return refuse(
+                root,
+                &key,
+                "cannot stand together with outline",
+                &["planform.outline"],
+                cure,
+            );
+        }
     }
     Ok(())
 }

@@ -55,7 +55,7 @@ pub(crate) fn refuse<T>(
 }
 
 /// The refusal of the value at `key` of a TOML file on disk, with its place; that of the file, if it cannot be read any more.
-pub(crate) fn refused_in(path: &Path, what: &str, key: &str, message: &str, cure: &str) -> InputError {
+pub fn refused_in(path: &Path, what: &str, key: &str, message: &str, cure: &str) -> InputError {
     let root = read_text(path, what).and_then(|text| Node::parse_file(&shown(path), &text));
     match root.and_then(|root| refuse::<()>(&root, key, message, &[], cure)) {
         Err(refusal) => refusal,

@@ -61,6 +61,15 @@ impl Expression {
     ///
     /// # Errors
     /// Where and why it cannot be read.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::input::Expression;
+    ///
+    /// let formula = Expression::parse("2*x^2 + sin(pi*y)", &["x", "y"])?;
+    /// assert!((formula.value(&[3.0_f64, 0.5]) - 19.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn parse(text: &str, names: &[&str]) -> Result<Expression, ExpressionError> {
         let mut reader = Reader {
             text,

@@ -167,6 +167,13 @@ impl Channel {
     }
 
     /// Unit of its values; `1` for ratios.
+    ///
+    /// # Example
+    /// ```
+    /// use washout::input::measurement::Channel;
+    ///
+    /// assert_eq!(Channel::Twist.unit(), "deg");
+    /// ```
     pub fn unit(self) -> &'static str {
         match self {
             Channel::Twist => "deg",

@@ -12,6 +12,16 @@ use crate::input::table::Table;
 
 impl Measurement {
     /// Reads a measurement file with all its cases.
+    ///
+    /// # Example
+    /// ```
+    /// # use std::path::Path;
+    /// use washout::input::measurement::Measurement;
+    ///
+    /// let measurement = Measurement::load(Path::new("measurements/three-rods.csv"))?;
+    /// assert!(measurement.cases().len() > 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn load(path: &Path) -> Result<Measurement, InputError> {
         let (text, input) = file::read_input(path, "measurement file")?;
         let measurement = Measurement::from_csv(&text, &file::shown(path))?;

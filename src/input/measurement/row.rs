@@ -29,33 +29,14 @@ pub(super) fn read_row(record: &Record) -> Result<Row, InputError> {
         true => 0.0,
         false => record.number_in("value", channel.range(), &cure)?,
     };
-    let sigma_cure = "Give the standard deviation of the value in its unit; if the source states none, assume one \
-                      and write sigma_kind = assumed";
-    let sigma = record.number("sigma", sigma_cure)?;
-    if sigma <= 0.0 {
-        return Err(record.conflict("sigma", "must be larger than 0", &[], sigma_cure));
-    }
-    if !SIGMAS.contains(&sigma) {
-        let words = format!("outside {:e} to {:e}", SIGMAS.start(), SIGMAS.end());
-        return Err(record.conflict("sigma", words, &[], sigma_cure));
-    }
+    let sigma = read_sigma(record)?;
     let kinds = [
         ("stated", SigmaKind::Stated),
         ("repeats", SigmaKind::Repeats),
         ("assumed", SigmaKind::Assumed),
     ];
     let sigma_kind = record.word("sigma_kind", &kinds, "Say where sigma comes from")?;
-    let bounds = [
-        ("none", Bound::None),
-        ("upper", Bound::Upper),
-        ("lower", Bound::Lower),
-    ];
-    let bound = record.word("bound", &bounds, "Write none unless the value is only a bound")?;
-    let bound = match (washout, bound) {
-        (false, Bound::Upper) => Bound::Lower,
-        (false, Bound::Lower) => Bound::Upper,
-        _ => bound,
-    };
+    let bound = read_bound(record, washout)?;
     Ok(Row {
         line: record.line,
         case,
@@ -70,6 +51,35 @@ pub(super) fn read_row(record: &Record) -> Result<Row, InputError> {
         sigma,
         sigma_kind,
         bound,
+    })
+}
+
+fn read_sigma(record: &Record) -> Result<f64, InputError> {
+    let cure = "Give the standard deviation of the value in its unit; if the source states none, assume one \
+                and write sigma_kind = assumed";
+    let sigma = record.number("sigma", cure)?;
+    if sigma <= 0.0 {
+        return Err(record.conflict("sigma", "must be larger than 0", &[], cure));
+    }
+    if !SIGMAS.contains(&sigma) {
+        let words = format!("outside {:e} to {:e}", SIGMAS.start(), SIGMAS.end());
+        return Err(record.conflict("sigma", words, &[], cure));
+    }
+    Ok(sigma)
+}
+
+/// Whether the value is only a bound, as washout has it.
+fn read_bound(record: &Record, washout: bool) -> Result<Bound, InputError> {
+    let bounds = [
+        ("none", Bound::None),
+        ("upper", Bound::Upper),
+        ("lower", Bound::Lower),
+    ];
+    let bound = record.word("bound", &bounds, "Write none unless the value is only a bound")?;
+    Ok(match (washout, bound) {
+        (false, Bound::Upper) => Bound::Lower,
+        (false, Bound::Lower) => Bound::Upper,
+        _ => bound,
     })
 }
 

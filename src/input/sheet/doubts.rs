@@ -25,6 +25,13 @@ pub fn doubts(
     design: &Design,
 ) -> Result<Vec<String>, InputError> {
     let mut doubts = Vec::new();
+    doubts.extend(of_stations(table, design)?);
+    doubts.extend(of_twists(table, columns));
+    doubts.extend(of_amplitude(conditions, design));
+    Ok(doubts)
+}
+
+fn of_stations(table: &Measurement, design: &Design) -> Result<Option<String>, InputError> {
     let length = design.planform.length_mm.value();
     let stations: Vec<f64> = table.rows.iter().filter_map(|row| row.r_mm).collect();
     let farthest = stations.iter().fold(0.0_f64, |far, r| far.max(r.abs()));
@@ -40,13 +47,17 @@ pub fn doubts(
         );
         return Err(InputError::about_file(&table.file, message, cure));
     }
-    if short > 0 {
-        doubts.push(format!(
+    Ok((short > 0).then(|| {
+        format!(
             "{short} of {} stations lie within {} mm of the wing base: is one in metres? All stations are in one unit.",
             stations.len(),
             METRES * length
-        ));
-    }
+        )
+    }))
+}
+
+fn of_twists(table: &Measurement, columns: &[Column]) -> Vec<String> {
+    let mut doubts = Vec::new();
     let twists = table.rows.iter().filter(|row| row.channel == Channel::Twist);
     let twists: Vec<f64> = twists.map(|row| row.value).collect();
     let largest = twists
@@ -69,18 +80,17 @@ pub fn doubts(
             twists.len()
         ));
     }
-    if let Some(flapping) = &design.flapping {
-        let own = flapping.half_amplitude_deg.value();
-        let points = conditions.iter().flat_map(|condition| &condition.points);
-        let mut wide = points
-            .filter(|point| point.key == "flapping.half_amplitude_deg" && point.value > WHOLE_STROKE * own);
-        if let Some(point) = wide.next() {
-            doubts.push(format!(
-                "{} deg is taken for the half amplitude, {own} deg in the design: is it the whole stroke? Then write {} deg.",
-                point.value,
-                point.value / 2.0
-            ));
-        }
-    }
-    Ok(doubts)
+    doubts
+}
+
+fn of_amplitude(conditions: &[Condition], design: &Design) -> Option<String> {
+    let own = design.flapping.as_ref()?.half_amplitude_deg.value();
+    let mut points = conditions.iter().flat_map(|condition| &condition.points);
+    let point = points
+        .find(|point| point.key == "flapping.half_amplitude_deg" && point.value > WHOLE_STROKE * own)?;
+    Some(format!(
+        "{} deg is taken for the half amplitude, {own} deg in the design: is it the whole stroke? Then write {} deg.",
+        point.value,
+        point.value / 2.0
+    ))
 }

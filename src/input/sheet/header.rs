@@ -124,22 +124,46 @@ pub fn columns(grid: &Grid, design: &Design) -> Result<Vec<Column>, InputError> 
 }
 
 fn column(place: usize, head: &str, design: &Design) -> Result<Column, (String, String)> {
-    let made = |role, factor, has_unit| {
-        Ok(Column {
-            place,
-            role,
-            factor,
-            has_unit,
-        })
+    let made = |role, factor, has_unit| Column {
+        place,
+        role,
+        factor,
+        has_unit,
     };
     if head.contains('.') && head.starts_with(|c: char| c.is_ascii_lowercase()) && !head.contains(' ') {
-        return made(Role::Key(head.to_string()), 1.0, true);
+        return Ok(made(Role::Key(head.to_string()), 1.0, true));
     }
     let (found, left) = numbers(head);
     let (name, unit) = parted(&left);
     if let Some(column) = OPTIONAL_COLUMNS.iter().find(|column| **column == name) {
-        return made(Role::Word(column), 1.0, true);
+        return Ok(made(Role::Word(column), 1.0, true));
     }
+    let (points, station) = condition(found, design)?;
+    let is_condition = !points.is_empty() || station.is_some();
+    let readings = Words::of(&name);
+    if let Some(readings) = readings.filter(|words| is_condition || words.says_something()) {
+        let channel = readings.channel;
+        let factor = reading_factor(unit.as_deref(), channel)?;
+        let role = Role::Readings {
+            points,
+            station,
+            channel,
+            nose_up: readings.nose_up,
+            is_sigma: readings.is_sigma,
+        };
+        return Ok(made(role, factor, unit.is_some()));
+    }
+    if !is_condition && let Some(column) = named(place, &name, unit.as_deref(), design)? {
+        return Ok(column);
+    }
+    Err(("is not understood".to_string(), cure_of(head)))
+}
+
+/// The points of a condition and the station, mm, that the numbers of a head give.
+fn condition(
+    found: Vec<(f64, Kind)>,
+    design: &Design,
+) -> Result<(Vec<Point>, Option<f64>), (String, String)> {
     let mut points = Vec::new();
     let mut station = None;
     for (value, kind) in found {
@@ -155,71 +179,66 @@ fn column(place: usize, head: &str, design: &Design) -> Result<Column, (String, 
             }
         }
     }
-    let is_condition = !points.is_empty() || station.is_some();
-    let readings = Words::of(&name);
-    if let Some(readings) = readings.filter(|words| is_condition || words.says_something()) {
-        let channel = readings.channel;
-        let factor = reading_factor(unit.as_deref(), channel)?;
-        let role = Role::Readings {
-            points,
-            station,
-            channel,
-            nose_up: readings.nose_up,
-            is_sigma: readings.is_sigma,
-        };
-        return made(role, factor, unit.is_some());
-    }
-    if !is_condition {
-        let known = NAMES.iter().find(|(_, names)| names.contains(&name.as_str()));
-        let point = POINTS.iter().find(|(known, _)| *known == name);
-        let given = unit
-            .as_deref()
-            .and_then(|unit| unit_at(unit).map(|(kind, factor, _)| (kind, factor)));
-        match (known.map(|(column, _)| *column), point) {
-            (Some(column @ ("r_mm" | "r_to_mm")), _) => {
-                let role = if column == "r_mm" {
-                    Role::Station
-                } else {
-                    Role::StationTo
-                };
-                return match (given, &unit) {
-                    (Some((Kind::Length, factor)), _) => made(role, factor, true),
-                    (None, None) => made(role, 1.0, false),
-                    _ => Err((
-                        "has a unit that is no length".to_string(),
-                        "Write e.g. r (mm), r (m)".to_string(),
-                    )),
-                };
+    Ok((points, station))
+}
+
+/// What a column is by its name alone; none if the name is not known.
+fn named(
+    place: usize,
+    name: &str,
+    unit: Option<&str>,
+    design: &Design,
+) -> Result<Option<Column>, (String, String)> {
+    let known = NAMES.iter().find(|(_, names)| names.contains(&name));
+    let point = POINTS.iter().find(|(known, _)| *known == name);
+    let given = unit.and_then(|unit| unit_at(unit).map(|(kind, factor, _)| (kind, factor)));
+    let (role, factor, has_unit) = match (known.map(|(column, _)| *column), point) {
+        (Some(column @ ("r_mm" | "r_to_mm")), _) => {
+            let role = if column == "r_mm" {
+                Role::Station
+            } else {
+                Role::StationTo
+            };
+            match (given, unit) {
+                (Some((Kind::Length, factor)), _) => (role, factor, true),
+                (None, None) => (role, 1.0, false),
+                _ => {
+                    let message = "has a unit that is no length".to_string();
+                    return Err((message, "Write e.g. r (mm), r (m)".to_string()));
+                }
             }
-            (Some(column @ ("value" | "sigma")), _) => {
-                let role = Role::Readings {
-                    points,
-                    station,
-                    channel: None,
-                    nose_up: None,
-                    is_sigma: column == "sigma",
-                };
-                return made(role, reading_factor(unit.as_deref(), None)?, unit.is_some());
-            }
-            (Some(column), _) => return made(Role::Word(column), 1.0, unit.is_some()),
-            (None, Some((_, kind))) => {
-                let key =
-                    key(*kind, design).map_err(|cure| ("sets what the design has not".to_string(), cure))?;
-                return match (given, &unit) {
-                    (Some((own, factor)), _) if own == *kind => {
-                        made(Role::Key(key.to_string()), factor, true)
-                    }
-                    (None, None) => made(Role::Key(key.to_string()), 1.0, false),
-                    _ => Err((
-                        "has another unit than its name".to_string(),
-                        format!("{key} is meant; give its unit"),
-                    )),
-                };
-            }
-            (None, None) => {}
         }
-    }
-    Err(("is not understood".to_string(), cure_of(head)))
+        (Some(column @ ("value" | "sigma")), _) => {
+            let role = Role::Readings {
+                points: Vec::new(),
+                station: None,
+                channel: None,
+                nose_up: None,
+                is_sigma: column == "sigma",
+            };
+            (role, reading_factor(unit, None)?, unit.is_some())
+        }
+        (Some(column), _) => (Role::Word(column), 1.0, unit.is_some()),
+        (None, Some((_, kind))) => {
+            let key =
+                key(*kind, design).map_err(|cure| ("sets what the design has not".to_string(), cure))?;
+            match (given, unit) {
+                (Some((own, factor)), _) if own == *kind => (Role::Key(key.to_string()), factor, true),
+                (None, None) => (Role::Key(key.to_string()), 1.0, false),
+                _ => {
+                    let message = "has another unit than its name".to_string();
+                    return Err((message, format!("{key} is meant; give its unit")));
+                }
+            }
+        }
+        (None, None) => return Ok(None),
+    };
+    Ok(Some(Column {
+        place,
+        role,
+        factor,
+        has_unit,
+    }))
 }
 
 /// What to write instead of a head that says nothing.

@@ -54,6 +54,18 @@ impl Sheet {
     ///
     /// # Errors
     /// As [`Sheet::load`].
+    ///
+    /// # Example
+    /// ```
+    /// # use std::path::Path;
+    /// use washout::input::{Design, sheet::Sheet};
+    ///
+    /// let design = Design::load(Path::new("designs/twist-v2.toml"), &[])?.design;
+    /// let table = "r (mm);22 Hz, 30 deg;23 Hz, 34 deg\n40;5,1;6,0\n60;11,2;13,4\n";
+    /// let sheet = Sheet::from_text(table, "sheet.csv", design, Some(0.5))?;
+    /// assert_eq!(sheet.measurement.rows.len(), 4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn from_text(
         text: &str,
         file: &str,

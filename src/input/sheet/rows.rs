@@ -13,6 +13,18 @@ use crate::input::measurement::{Bound, CHANNELS, Channel, Row, SigmaKind};
 /// Standard deviation of a twist that states none, deg, and of a displacement, mm: a careful reading of a video frame.
 const SIGMA: f64 = 0.5;
 
+const BOUNDS: [(&str, Bound); 3] = [
+    ("none", Bound::None),
+    ("upper", Bound::Upper),
+    ("lower", Bound::Lower),
+];
+
+const SIGMA_KINDS: [(&str, SigmaKind); 3] = [
+    ("stated", SigmaKind::Stated),
+    ("repeats", SigmaKind::Repeats),
+    ("assumed", SigmaKind::Assumed),
+];
+
 /// What was read.
 pub struct Read {
     pub rows: Vec<Row>,
@@ -92,51 +104,17 @@ impl<'a> Reader<'a> {
         let Some(value) = self.cells.number(line, column)? else {
             return Ok(());
         };
-        let channel = match channel {
-            Some(channel) => *channel,
-            None => self
-                .cells
-                .choice(line, "channel", &CHANNELS, (Channel::Twist, "twist"))?,
-        };
-        let unit = self.cells.word(line, "unit").map(|(cell, _)| cell.to_lowercase());
-        if unit.is_none() && !column.has_unit {
-            self.cells.assume("unit", channel.unit());
-        }
-        let factor = reading_factor(unit.as_deref(), Some(channel)).map_err(|(message, cure)| {
-            self.cells.grid.fault(
-                line.number,
-                "unit",
-                unit.as_deref().unwrap_or_default(),
-                &message,
-                cure,
-            )
-        })?;
+        let (channel, factor) = self.quantity(line, column, *channel)?;
         let (nose_up, instrument) = self.seen(line, channel, *nose_up)?;
-        let bounds = [
-            ("none", Bound::None),
-            ("upper", Bound::Upper),
-            ("lower", Bound::Lower),
-        ];
-        let bound = self.cells.choice(line, "bound", &bounds, (Bound::None, ""))?;
-        let kinds = [
-            ("stated", SigmaKind::Stated),
-            ("repeats", SigmaKind::Repeats),
-            ("assumed", SigmaKind::Assumed),
-        ];
+        let bound = self.cells.choice(line, "bound", &BOUNDS, (Bound::None, ""))?;
         let (sigma, is_stated) = self.sigma(line, column, channel, factor)?;
         let usual = if is_stated {
             SigmaKind::Stated
         } else {
             SigmaKind::Assumed
         };
-        let sigma_kind = self.cells.choice(line, "sigma_kind", &kinds, (usual, ""))?;
-        let run = self
-            .cells
-            .word(line, "run")
-            .map_or(String::new(), |(cell, _)| cell.to_string());
-        if run.is_empty() {
-            self.cells.assume("run", "one for all: they share a zero");
-        }
+        let sigma_kind = self.cells.choice(line, "sigma_kind", &SIGMA_KINDS, (usual, ""))?;
+        let run = self.run(line);
         let [r_mm, r_to_mm] = self.place(line, column, channel, *station)?;
         let fraction = self
             .cells
@@ -146,8 +124,7 @@ impl<'a> Reader<'a> {
             let cure = format!("{} must lie in {}", channel.name(), channel.range());
             return Err(self.cells.refuse(line, column, "is out of range", cure));
         }
-        let points = points.clone();
-        let condition = self.condition(line, points)?;
+        let condition = self.condition(line, points.clone())?;
         self.rows.push(Row {
             line: line.number,
             case: condition,
@@ -168,6 +145,36 @@ impl<'a> Reader<'a> {
             },
         });
         Ok(())
+    }
+
+    /// The channel of a reading, and what it is multiplied by for the unit that its row names.
+    fn quantity(&mut self, line: &Line, column: &Column, named: Option<Channel>) -> Checked<(Channel, f64)> {
+        let channel = match named {
+            Some(channel) => channel,
+            None => self
+                .cells
+                .choice(line, "channel", &CHANNELS, (Channel::Twist, "twist"))?,
+        };
+        let unit = self.cells.word(line, "unit").map(|(cell, _)| cell.to_lowercase());
+        if unit.is_none() && !column.has_unit {
+            self.cells.assume("unit", channel.unit());
+        }
+        let factor = reading_factor(unit.as_deref(), Some(channel)).map_err(|(message, cure)| {
+            let unit = unit.as_deref().unwrap_or_default();
+            self.cells.grid.fault(line.number, "unit", unit, &message, cure)
+        })?;
+        Ok((channel, factor))
+    }
+
+    fn run(&mut self, line: &Line) -> String {
+        let run = self
+            .cells
+            .word(line, "run")
+            .map_or(String::new(), |(cell, _)| cell.to_string());
+        if run.is_empty() {
+            self.cells.assume("run", "one for all: they share a zero");
+        }
+        run
     }
 
     /// Whether a twist is counted nose up, and the instrument that it was read with.
@@ -310,48 +317,9 @@ impl<'a> Reader<'a> {
         }
         let named = self.cells.word(line, "case");
         if let Some((cell, column)) = named {
-            let refuse = |message: &str, cure: String| Err(self.cells.refuse(line, column, message, cure));
-            let found = numbers(cell).0;
-            if found.is_empty()
-                && points.is_empty()
-                && cell != self.design.name
-                && cell.contains(|c: char| c.is_ascii_digit())
-            {
-                let digits: String = cell
-                    .chars()
-                    .skip_while(|c| !c.is_ascii_digit())
-                    .take_while(|c| c.is_ascii_digit() || *c == '.')
-                    .collect();
-                let cure = format!(
-                    "Did you mean {digits} Hz? Write the number with its unit, or name a column frequency (Hz)"
-                );
-                return refuse("names a condition without a unit", cure);
-            }
-            for (value, kind) in found {
-                match key(kind, self.design) {
-                    Ok(key) => points.push(Point {
-                        key: key.to_string(),
-                        value,
-                    }),
-                    Err(cure) => return refuse("names a condition that the design has not", cure),
-                }
-            }
+            self.points_of_name(line, (cell, column), &mut points)?;
         }
-        let mut once: Vec<Point> = Vec::new();
-        for point in points {
-            match once.iter().find(|known| known.key == point.key) {
-                None => once.push(point),
-                Some(known) if known.value == point.value => {}
-                Some(known) => {
-                    let message = format!("sets {} to {} and to {}", point.key, known.value, point.value);
-                    let cure = "State it once, in the head or in the row".to_string();
-                    return Err(self
-                        .cells
-                        .grid
-                        .fault(line.number, "condition", "", &message, cure));
-                }
-            }
-        }
+        let once = self.once(line, points)?;
         let name = named.map_or(self.design.name.as_str(), |(cell, _)| cell);
         let condition = Condition {
             points: once,
@@ -365,6 +333,60 @@ impl<'a> Reader<'a> {
             self.conditions.push(condition);
         }
         Ok(case)
+    }
+
+    /// Adds the points that the name of a condition holds.
+    fn points_of_name(
+        &self,
+        line: &Line,
+        (cell, column): (&str, &Column),
+        points: &mut Vec<Point>,
+    ) -> Checked<()> {
+        let refuse = |message: &str, cure: String| Err(self.cells.refuse(line, column, message, cure));
+        let found = numbers(cell).0;
+        if found.is_empty()
+            && points.is_empty()
+            && cell != self.design.name
+            && cell.contains(|c: char| c.is_ascii_digit())
+        {
+            let digits: String = cell
+                .chars()
+                .skip_while(|c| !c.is_ascii_digit())
+                .take_while(|c| c.is_ascii_digit() || *c == '.')
+                .collect();
+            let cure = format!(
+                "Did you mean {digits} Hz? Write the number with its unit, or name a column frequency (Hz)"
+            );
+            return refuse("names a condition without a unit", cure);
+        }
+        for (value, kind) in found {
+            match key(kind, self.design) {
+                Ok(key) => points.push(Point {
+                    key: key.to_string(),
+                    value,
+                }),
+                Err(cure) => return refuse("names a condition that the design has not", cure),
+            }
+        }
+        Ok(())
+    }
+
+    /// The points, each key once.
+    fn once(&self, line: &Line, points: Vec<Point>) -> Checked<Vec<Point>> {
+        let mut once: Vec<Point> = Vec::new();
+        for point in points {
+            match once.iter().find(|known| known.key == point.key) {
+                None => once.push(point),
+                Some(known) if known.value == point.value => {}
+                Some(known) => {
+                    let message = format!("sets {} to {} and to {}", point.key, known.value, point.value);
+                    let cure = "State it once, in the head or in the row".to_string();
+                    let grid = self.cells.grid;
+                    return Err(grid.fault(line.number, "condition", "", &message, cure));
+                }
+            }
+        }
+        Ok(once)
     }
 
     fn rows_repeat(&self) -> Checked<()> {

@@ -71,6 +71,16 @@ impl LoadedStudy {
     ///
     /// # Errors
     /// Whatever is wrong with it, with place and cure.
+    ///
+    /// # Example
+    /// ```
+    /// # use std::path::Path;
+    /// use washout::input::study::LoadedStudy;
+    ///
+    /// let study = LoadedStudy::load(Path::new("studies/paper-wings.toml"), &[])?;
+    /// assert_eq!(study.cases.len(), 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn load(path: &Path, sets: &[String]) -> Result<LoadedStudy, InputError> {
         let (text, input) = file::read_input(path, "study file")?;
         LoadedStudy::of_measured(path, &text, sets, input)
@@ -247,17 +257,10 @@ struct Origin<'a> {
     readings: Option<&'a Measurement>,
 }
 
-/// Adds the cases of one table; gives all that its measurement file holds.
-fn family(
-    case: &Case,
-    table: &str,
-    from: &Origin,
-    cases: &mut Vec<LoadedCase>,
-) -> Result<Measurement, InputError> {
-    let (root, sets) = (from.root, from.sets);
-    let key = |name: &str| format!("{table}.{name}");
-    let beside = |name: &str, value: &str| {
-        let path = file::beside(from.path, value);
+impl Origin<'_> {
+    /// The path of a file that a table of cases names.
+    fn beside(&self, table: &str, key: &str, name: &str) -> Result<PathBuf, InputError> {
+        let path = file::beside(self.path, name);
         if path.is_file() {
             return Ok(path);
         }
@@ -265,64 +268,31 @@ fn family(
             "Looked for {}; paths are relative to the study",
             file::shown(&path)
         );
-        refuse(root, &key(name), "no such file", &[], cure)
-    };
-    let design_path = beside("design", &case.design)?;
+        refuse(self.root, &format!("{table}.{key}"), "no such file", &[], cure)
+    }
+}
+
+/// Adds the cases of one table; gives all that its measurement file holds.
+fn family(
+    case: &Case,
+    table: &str,
+    from: &Origin,
+    cases: &mut Vec<LoadedCase>,
+) -> Result<Measurement, InputError> {
+    let design_path = from.beside(table, "design", &case.design)?;
     let all = match from.readings.filter(|readings| readings.file == case.measurement) {
         Some(readings) => readings.clone(),
-        None => Measurement::load(&beside("measurement", &case.measurement)?)?,
+        None => Measurement::load(&from.beside(table, "measurement", &case.measurement)?)?,
     };
     let form = match Form::parse(&case.measured) {
         Ok(form) => form,
         Err(message) => {
             let cure = "Write e.g. measured = \"bending-{mass}\"";
-            return refuse(root, &key("measured"), message, &[], cure);
+            return refuse(from.root, &format!("{table}.measured"), message, &[], cure);
         }
     };
-    let names = all.cases();
-    let found: Vec<_> = names
-        .iter()
-        .filter_map(|name| Some((*name, form.read(name)?)))
-        .collect();
-    if found.is_empty() {
-        let shown = names.iter().take(8).copied().collect::<Vec<_>>().join(", ");
-        let more = if names.len() > 8 { ", …" } else { "" };
-        let cure = format!("These are the cases of {}: {shown}{more}", all.file);
-        return refuse(
-            root,
-            &key("measured"),
-            "no measured case has this name",
-            &[],
-            cure,
-        );
-    }
-    if let Some(other) = case
-        .held_out
-        .iter()
-        .find(|held| !found.iter().any(|(name, _)| name == held))
-    {
-        let cure = format!("Name cases of the form {}", case.measured);
-        return refuse(
-            root,
-            &key("held_out"),
-            format!("{other} is none of these cases"),
-            &["measured"],
-            cure,
-        );
-    }
-    for (name, numbers) in found {
-        let mut changes = Vec::new();
-        for set in &case.set {
-            match put_in(set, &numbers) {
-                Ok(change) => changes.push(change),
-                Err(message) => {
-                    let cure =
-                        "Write e.g. set = [\"load[0].mass_kg={mass}\"] with measured = \"bending-{mass}\"";
-                    return refuse(root, &key("set"), message, &["measured"], cure);
-                }
-            }
-        }
-        changes.extend_from_slice(sets);
+    for (name, numbers) in members(case, table, from.root, &all, &form)? {
+        let changes = changes(case, table, from, &numbers)?;
         let loaded = Design::load(&design_path, &changes)?;
         let measurement = all.case(name);
         measurement.check_stations(&loaded.design)?;
@@ -344,6 +314,59 @@ fn family(
         });
     }
     Ok(all)
+}
+
+/// A measured case of a family: its name, and the numbers that its form has there.
+type Member<'a> = (&'a str, Vec<(&'a str, f64)>);
+
+/// The measured cases of a family, at least one, among them all that are held out.
+fn members<'a>(
+    case: &Case,
+    table: &str,
+    root: &Node,
+    all: &'a Measurement,
+    form: &Form<'a>,
+) -> Result<Vec<Member<'a>>, InputError> {
+    let names = all.cases();
+    let found: Vec<Member> = names
+        .iter()
+        .filter_map(|name| Some((*name, form.read(name)?)))
+        .collect();
+    if found.is_empty() {
+        let shown = names.iter().take(8).copied().collect::<Vec<_>>().join(", ");
+        let more = if names.len() > 8 { ", …" } else { "" };
+        let cure = format!("These are the cases of {}: {shown}{more}", all.file);
+        let message = "no measured case has this name";
+        return refuse(root, &format!("{table}.measured"), message, &[], cure);
+    }
+    let mut held_out = case.held_out.iter();
+    if let Some(other) = held_out.find(|held| !found.iter().any(|(name, _)| name == held)) {
+        let cure = format!("Name cases of the form {}", case.measured);
+        let message = format!("{other} is none of these cases");
+        return refuse(root, &format!("{table}.held_out"), message, &["measured"], cure);
+    }
+    Ok(found)
+}
+
+/// What changes the design for a case with these numbers: settings of the case, then of the user.
+fn changes(
+    case: &Case,
+    table: &str,
+    from: &Origin,
+    numbers: &[(&str, f64)],
+) -> Result<Vec<String>, InputError> {
+    let mut changes = Vec::new();
+    for set in &case.set {
+        match put_in(set, numbers) {
+            Ok(change) => changes.push(change),
+            Err(message) => {
+                let cure = "Write e.g. set = [\"load[0].mass_kg={mass}\"] with measured = \"bending-{mass}\"";
+                return refuse(from.root, &format!("{table}.set"), message, &["measured"], cure);
+            }
+        }
+    }
+    changes.extend_from_slice(from.sets);
+    Ok(changes)
 }
 
 /// Refuses rulers of which no run is that of a reading of their channel; some may belong to cases that were taken out.

@@ -105,6 +105,19 @@ impl LoadedVideo {
             let cure = "Add marks of a frame that shows the wing under load";
             return refuse(root, "marks", "there is no frame besides rest", &["rest"], cure);
         }
+        self.references_are_enough(root)?;
+        if self.video.sigma_px.is_none() && points.iter().all(|point| point.mark().scatter_px2 == 0.0) {
+            let cure = "Give the standard deviation of a click, e.g. sigma_px = 0.5, or click each mark several times and \
+                        number the clicks in the column repeat";
+            let message = "is missing, and no mark was clicked twice at different places";
+            return refuse(root, "sigma_px", message, &[], cure);
+        }
+        let mut stations = self.frames.iter().flat_map(|frame| &frame.stations);
+        stations.try_for_each(|station| self.station_is_enough(station, points))
+    }
+
+    /// Refuses frames that do not say what untwisted is.
+    fn references_are_enough(&self, root: &Node) -> Result<(), InputError> {
         let referred: Vec<&VideoFrame> = (self.frames.iter().chain(&self.rest))
             .filter(|frame| frame.references.is_some())
             .collect();
@@ -147,34 +160,28 @@ impl LoadedVideo {
             let cure = "Give the distance between the reference points, or name the frame that shows the wing untwisted";
             return refuse(root, "references.distance_mm", "is missing", &["rest"], cure);
         }
-        if self.video.sigma_px.is_none() && points.iter().all(|point| point.mark().scatter_px2 == 0.0) {
-            let cure = "Give the standard deviation of a click, e.g. sigma_px = 0.5, or click each mark several times and \
-                        number the clicks in the column repeat";
-            let message = "is missing, and no mark was clicked twice at different places";
-            return refuse(root, "sigma_px", message, &[], cure);
-        }
-        for frame in &self.frames {
-            for station in &frame.stations {
-                let point = points
-                    .iter()
-                    .find(|point| point.record.line == station.leading.line);
-                let Some(point) = point else { continue };
-                match &self.rest {
-                    Some(rest) if !rest.stations.iter().any(|s| s.r_mm == station.r_mm) => {
-                        let message = format!("frame {} has no marks at this station", rest.name);
-                        let cure = "Click both edges there too, or leave the station out";
-                        return Err(point.record.conflict("r_mm", message, &["frame"], cure));
-                    }
-                    None if self.video.view.along != Along::Span && station.chord_mm.is_none() => {
-                        let cure = "Give the chord at the station in a column chord_mm; without a frame of the untwisted wing \
-                                    it says how much of the chord the frame shows";
-                        return Err(point.record.conflict("chord_mm", "is missing", &["r_mm"], cure));
-                    }
-                    _ => {}
-                }
-            }
-        }
         Ok(())
+    }
+
+    /// Refuses a station of which neither the untwisted wing nor the chord is known where it is needed.
+    fn station_is_enough(&self, station: &VideoStation, points: &[Point]) -> Result<(), InputError> {
+        let point = points
+            .iter()
+            .find(|point| point.record.line == station.leading.line);
+        let Some(point) = point else { return Ok(()) };
+        match &self.rest {
+            Some(rest) if !rest.stations.iter().any(|s| s.r_mm == station.r_mm) => {
+                let message = format!("frame {} has no marks at this station", rest.name);
+                let cure = "Click both edges there too, or leave the station out";
+                Err(point.record.conflict("r_mm", message, &["frame"], cure))
+            }
+            None if self.video.view.along != Along::Span && station.chord_mm.is_none() => {
+                let cure = "Give the chord at the station in a column chord_mm; without a frame of the untwisted wing \
+                            it says how much of the chord the frame shows";
+                Err(point.record.conflict("chord_mm", "is missing", &["r_mm"], cure))
+            }
+            _ => Ok(()),
+        }
     }
 }
 
@@ -194,21 +201,12 @@ fn check(video: &Video, root: &Node) -> Result<(), InputError> {
                             about the leading edge in the frame, or \"clockwise\"";
                 return refuse(root, "view.washout", "is missing", &with, cure);
             }
-            for (key, value) in [
-                ("root_angle_deg", view.root_angle_deg),
-                ("root_angle_sigma_deg", view.root_angle_sigma_deg),
-            ] {
-                if value.is_some() {
-                    let cure = "Delete it: along the span the frame shows the angle itself";
-                    return refuse(
-                        root,
-                        &format!("view.{key}"),
-                        "does not belong to this view",
-                        &with,
-                        cure,
-                    );
-                }
-            }
+            let strangers = [
+                ("view.root_angle_deg", view.root_angle_deg.is_some()),
+                ("view.root_angle_sigma_deg", view.root_angle_sigma_deg.is_some()),
+            ];
+            let cure = "Delete it: along the span the frame shows the angle itself";
+            refuse_strangers(root, strangers, cure)
         }
         Along::Stroke | Along::FlappingAxis => {
             let Some(angle_deg) = view.root_angle_deg else {
@@ -222,24 +220,22 @@ fn check(video: &Video, root: &Node) -> Result<(), InputError> {
                 let cure = "Look along the other line: see docs/from-video-to-twist.md";
                 return refuse(root, "view.root_angle_deg", message, &with, cure);
             }
-            for (key, stands) in [
-                ("washout", view.washout.is_some()),
-                ("zero_sigma_deg", view.zero_sigma_deg.is_some()),
-            ] {
-                if stands {
-                    let cure = "Delete it: it belongs to along = \"span\"; here the length of the chord in the frame is read";
-                    return refuse(
-                        root,
-                        &format!("view.{key}"),
-                        "does not belong to this view",
-                        &with,
-                        cure,
-                    );
-                }
-            }
+            let strangers = [
+                ("view.washout", view.washout.is_some()),
+                ("view.zero_sigma_deg", view.zero_sigma_deg.is_some()),
+            ];
+            let cure = "Delete it: it belongs to along = \"span\"; here the length of the chord in the frame is read";
+            refuse_strangers(root, strangers, cure)
         }
     }
-    Ok(())
+}
+
+/// Refuses keys that belong to another view, if they stand.
+fn refuse_strangers(root: &Node, keys: [(&str, bool); 2], cure: &str) -> Result<(), InputError> {
+    match keys.into_iter().find(|(_, stands)| *stands) {
+        Some((key, _)) => refuse(root, key, "does not belong to this view", &["view.along"], cure),
+        None => Ok(()),
+    }
 }
 
 /// The frames in the order of the file, each with its stations from base to tip.

@@ -77,16 +77,7 @@ impl Point {
 pub(super) fn read(file: &str, text: &str) -> Result<Vec<Point>, InputError> {
     let mut points: Vec<Point> = Vec::new();
     for record in Table::parse(file, text, &COLUMNS, &OPTIONAL)?.records {
-        let frame = record.text("frame").to_string();
-        if frame.is_empty() {
-            let cure = "Name the frame, e.g. rest or aero-5-30; the name becomes that of the measured case";
-            return Err(record.conflict("frame", "is missing", &[], cure));
-        }
-        let allowed = |c: char| c.is_ascii_alphanumeric() || "_-.".contains(c);
-        if !frame.chars().all(allowed) {
-            let cure = "Use letters, digits, -, _ and . only: the name becomes that of the measured case";
-            return Err(record.conflict("frame", "is no name", &[], cure));
-        }
+        let frame = frame(&record)?;
         let words = [
             Which::Leading,
             Which::Trailing,
@@ -107,19 +98,9 @@ pub(super) fn read(file: &str, text: &str) -> Result<Vec<Point>, InputError> {
                 Some(record.number_in("chord_mm", length(true), cure)?)
             }
         };
-        let coordinate = |column| {
-            let cure = "Give the pixel coordinate, x to the right and y down, e.g. 512.5";
-            let range = Range {
-                low: -1e6,
-                high: 1e6,
-                open: false,
-                unit: "px",
-            };
-            record.number_in(column, range, cure)
-        };
         let click = (
             record.text("repeat").to_string(),
-            [coordinate("x_px")?, coordinate("y_px")?],
+            [coordinate(&record, "x_px")?, coordinate(&record, "y_px")?],
         );
         let same = |point: &&mut Point| {
             (point.frame.as_str(), point.which, point.r_mm) == (frame.as_str(), which, r_mm)
@@ -145,6 +126,31 @@ pub(super) fn read(file: &str, text: &str) -> Result<Vec<Point>, InputError> {
         }
     }
     Ok(points)
+}
+
+fn frame(record: &Record) -> Result<String, InputError> {
+    let frame = record.text("frame").to_string();
+    if frame.is_empty() {
+        let cure = "Name the frame, e.g. rest or aero-5-30; the name becomes that of the measured case";
+        return Err(record.conflict("frame", "is missing", &[], cure));
+    }
+    let allowed = |c: char| c.is_ascii_alphanumeric() || "_-.".contains(c);
+    if !frame.chars().all(allowed) {
+        let cure = "Use letters, digits, -, _ and . only: the name becomes that of the measured case";
+        return Err(record.conflict("frame", "is no name", &[], cure));
+    }
+    Ok(frame)
+}
+
+fn coordinate(record: &Record, column: &str) -> Result<f64, InputError> {
+    let cure = "Give the pixel coordinate, x to the right and y down, e.g. 512.5";
+    let range = Range {
+        low: -1e6,
+        high: 1e6,
+        open: false,
+        unit: "px",
+    };
+    record.number_in(column, range, cure)
 }
 
 fn station(record: &Record, which: Which) -> Result<Option<f64>, InputError> {

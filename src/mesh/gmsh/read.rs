@@ -132,18 +132,7 @@ impl File<'_> {
         elements.sort_by_key(|element| element.tag);
         let mut beams: BTreeMap<BeamPart, Vec<([usize; 2], usize)>> = BTreeMap::new();
         for element in elements {
-            let mut nodes = [0; 3];
-            for (node, &tag) in nodes.iter_mut().zip(&element.nodes[..element.count]) {
-                *node = *index_of.get(&tag).ok_or_else(|| {
-                    self.lines.error(
-                        Some(element.line),
-                        FileDefect::UnknownNode {
-                            element: element.tag,
-                            tag,
-                        },
-                    )
-                })?;
-            }
+            let nodes = self.nodes_of(element, &index_of)?;
             let sets = self.sets.get(&element.entity).map_or(&[][..], Vec::as_slice);
             if element.count == 3 {
                 if sets.is_empty() {
@@ -188,6 +177,27 @@ impl File<'_> {
             set.dedup();
         }
         Ok((mesh, places))
+    }
+
+    /// Indices of the nodes of an element, of which it has three at most.
+    fn nodes_of(
+        &self,
+        element: &RawElement,
+        index_of: &BTreeMap<u64, usize>,
+    ) -> Result<[usize; 3], GmshError> {
+        let mut nodes = [0; 3];
+        for (node, &tag) in nodes.iter_mut().zip(&element.nodes[..element.count]) {
+            *node = *index_of.get(&tag).ok_or_else(|| {
+                self.lines.error(
+                    Some(element.line),
+                    FileDefect::UnknownNode {
+                        element: element.tag,
+                        tag,
+                    },
+                )
+            })?;
+        }
+        Ok(nodes)
     }
 
     /// Nodes in the order of their tags; the index of each tag.

@@ -100,21 +100,10 @@ fn edge_set(mesh: &Mesh, name: SetName, edges: &[[usize; 2]], nodes: &[usize]) -
 }
 
 fn write_sections(text: &mut String, mesh: &Mesh, entities: &[Entity]) -> std::fmt::Result {
-    let mut names: Vec<(usize, SetName)> = entities
-        .iter()
-        .flat_map(|e| e.sets.iter().map(|&set| (e.dimension, set)))
-        .collect();
-    names.sort_unstable();
-    names.dedup();
-    let physical_tag = |dimension: usize, set: SetName| {
-        names
-            .iter()
-            .position(|&name| name == (dimension, set))
-            .map_or(0, |place| place + 1)
-    };
-    writeln!(text, "$PhysicalNames\n{}", names.len())?;
-    for &(dimension, set) in &names {
-        writeln!(text, "{dimension} {} \"{set}\"", physical_tag(dimension, set))?;
+    let names = PhysicalNames::of(entities);
+    writeln!(text, "$PhysicalNames\n{}", names.0.len())?;
+    for &(dimension, set) in &names.0 {
+        writeln!(text, "{dimension} {} \"{set}\"", names.tag(dimension, set))?;
     }
     writeln!(text, "$EndPhysicalNames")?;
 
@@ -128,27 +117,60 @@ fn write_sections(text: &mut String, mesh: &Mesh, entities: &[Entity]) -> std::f
         .collect();
     writeln!(text, "$Entities\n{} {} {} 0", counts[0], counts[1], counts[2])?;
     for dimension in 0..3 {
-        for (entity, tag) in entities
-            .iter()
-            .zip(&tags)
-            .filter(|(entity, _)| entity.dimension == dimension)
-        {
-            let [low, high] = bounds(mesh, entity);
-            write!(text, "{tag} {} {} {} ", low[0], low[1], low[2])?;
-            if dimension > 0 {
-                write!(text, "{} {} {} ", high[0], high[1], high[2])?;
+        for (entity, tag) in entities.iter().zip(&tags) {
+            if entity.dimension == dimension {
+                write_entity(text, mesh, (entity, *tag), &names)?;
             }
-            write!(text, "{}", entity.sets.len())?;
-            for &set in &entity.sets {
-                write!(text, " {}", physical_tag(dimension, set))?;
-            }
-            // No entity bounds another: the mesh needs no geometry.
-            writeln!(text, "{}", if dimension > 0 { " 0" } else { "" })?;
         }
     }
     writeln!(text, "$EndEntities")?;
     write_nodes(text, mesh, entities, &tags)?;
+    write_elements(text, entities, &tags)
+}
 
+/// The names of sets by dimension, their tags counting from 1.
+struct PhysicalNames(Vec<(usize, SetName)>);
+
+impl PhysicalNames {
+    fn of(entities: &[Entity]) -> PhysicalNames {
+        let mut names: Vec<(usize, SetName)> = entities
+            .iter()
+            .flat_map(|e| e.sets.iter().map(|&set| (e.dimension, set)))
+            .collect();
+        names.sort_unstable();
+        names.dedup();
+        PhysicalNames(names)
+    }
+
+    fn tag(&self, dimension: usize, set: SetName) -> usize {
+        self.0
+            .iter()
+            .position(|&name| name == (dimension, set))
+            .map_or(0, |place| place + 1)
+    }
+}
+
+fn write_entity(
+    text: &mut String,
+    mesh: &Mesh,
+    (entity, tag): (&Entity, usize),
+    names: &PhysicalNames,
+) -> std::fmt::Result {
+    let dimension = entity.dimension;
+    let [low, high] = bounds(mesh, entity);
+    write!(text, "{tag} {} {} {} ", low[0], low[1], low[2])?;
+    if dimension > 0 {
+        write!(text, "{} {} {} ", high[0], high[1], high[2])?;
+    }
+    write!(text, "{}", entity.sets.len())?;
+    for &set in &entity.sets {
+        write!(text, " {}", names.tag(dimension, set))?;
+    }
+    // No entity bounds another: the mesh needs no geometry.
+    writeln!(text, "{}", if dimension > 0 { " 0" } else { "" })
+}
+
+fn write_elements(text: &mut String, entities: &[Entity], tags: &[usize]) -> std::fmt::Result {
     let count: usize = entities.iter().map(|entity| entity.elements.len()).sum();
     writeln!(
         text,
@@ -157,7 +179,7 @@ fn write_sections(text: &mut String, mesh: &Mesh, entities: &[Entity]) -> std::f
         count.min(1)
     )?;
     let mut element = 0;
-    for (entity, tag) in entities.iter().zip(&tags) {
+    for (entity, tag) in entities.iter().zip(tags) {
         let kind = [15, 1, 2][entity.dimension];
         writeln!(
             text,

@@ -1,0 +1,54 @@
+"""A table of readings that Python holds, and what a notebook shows of the answer."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import washout
+from washout.readings import Readings, file_of
+
+HEADS = ("r (mm)", "22 Hz", "18 Hz")
+COLUMNS = {
+    HEADS[0]: [15.0, 28.0, 40.0, 51.0, 62.0],
+    HEADS[1]: [4.92, 7.05, 9.71, 16.9, 19.3],
+    HEADS[2]: [3.60, 5.18, 7.21, 13.1, 15.2],
+}
+DESIGN = "designs/twist-v2.toml"
+
+
+def diagnosed(readings: Readings) -> washout.Diagnosis:
+    """Two effects, on a coarse mesh."""
+    effects = ["root-flexure", "coefficient-scale"]
+    return washout.diagnose(DESIGN, readings, {"mesh.refine": 0.4}, effects=effects, sigma=0.3)
+
+
+def test_columns_a_frame_and_a_file_give_the_same_diagnosis(tmp_path: Path) -> None:
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame(COLUMNS)
+    path = tmp_path / "readings.csv"
+    frame.to_csv(path, index=False)
+    by_columns = diagnosed(COLUMNS)
+    for readings in (frame, frame.set_index(HEADS[0]), path):
+        other = diagnosed(readings)
+        assert other.sentence == by_columns.sentence
+        assert other.hypotheses.rows == by_columns.hypotheses.rows
+    assert list(by_columns.hypotheses.to_frame()["what"]) == by_columns.hypotheses["what"].tolist()
+    shown = by_columns._repr_html_()
+    assert by_columns.sentence.split(":")[0] in shown and "<table>" in shown
+
+
+def test_a_reading_that_is_none_is_an_empty_cell() -> None:
+    with file_of({"r (mm)": [20.0, 40.0], "22 Hz": [5.1, float("nan")]}) as path:
+        assert path.read_text().splitlines() == ["r (mm),22 Hz", "20.0,5.1", "40.0,"]
+
+
+def test_columns_of_different_length_are_refused_with_their_lengths() -> None:
+    with pytest.raises(ValueError, match="'r' 2, '22 Hz' 1"), file_of({"r": [1, 2], "22 Hz": [3]}):
+        pass
+
+
+def test_a_study_takes_no_table() -> None:
+    with pytest.raises(washout.InputError, match="names its own readings"):
+        washout.diagnose("studies/tang-dowell-gravity.toml", COLUMNS)
