@@ -35,6 +35,7 @@ def test_columns_a_frame_and_a_file_give_the_same_diagnosis(tmp_path: Path) -> N
         assert other.sentence == by_columns.sentence
         assert other.hypotheses.rows == by_columns.hypotheses.rows
     assert list(by_columns.hypotheses.to_frame()["what"]) == by_columns.hypotheses["what"].tolist()
+    assert any("Not in the table, so taken to be" in note for note in by_columns.notes)
     shown = by_columns._repr_html_()
     assert by_columns.sentence.split(":")[0] in shown and "<table>" in shown
 

@@ -151,6 +151,10 @@ impl Diagnose {
             }
             commands => format!("To take it into the model\n{keep}{commands}\n"),
         };
+        report
+            .diagnosis
+            .notes
+            .extend(table.map_or(Vec::new(), FromSheet::notes));
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
         report.files = folder.listed_with(self.report);
         if self.report {

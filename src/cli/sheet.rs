@@ -112,6 +112,19 @@ impl FromSheet {
         text
     }
 
+    /// The same of what is assumed and what looks wrong, for the document: who reads that has not seen it.
+    pub fn notes(&self) -> Vec<String> {
+        let Sheet { assumed, doubts, .. } = &self.sheet;
+        let assumed: Vec<String> = assumed.iter().map(|[what, is]| format!("{what}: {is}")).collect();
+        let taken = format!("Not in the table, so taken to be: {}.", assumed.join("; "));
+        let doubts = doubts.iter().map(|doubt| format!("Check the table: {doubt}"));
+        (!assumed.is_empty())
+            .then_some(taken)
+            .into_iter()
+            .chain(doubts)
+            .collect()
+    }
+
     /// The study of the table, as `washout init --study --readings` writes it, without a file; `sets` change the design.
     ///
     /// # Errors

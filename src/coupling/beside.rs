@@ -10,7 +10,7 @@ use crate::mesh::{Mesh, MeshError};
 use crate::progress::Progress;
 
 use super::error::{CouplingError, SensitivityError};
-use super::motion::motion_by;
+use super::motion::{Motions, motion_by};
 use super::periodic::PeriodicSettings;
 use super::solution::Solution;
 use super::wing::Wing;
@@ -36,7 +36,7 @@ pub(super) struct Home<'a> {
     /// Outline and mesh of a design.
     pub remesh: Remesh<'a>,
     planform: OnceCell<Planform>,
-    motion: OnceCell<(PeriodicSettings, Arc<Motion>)>,
+    motions: Motions,
 }
 
 /// A design beside the solved one, with its wing.
@@ -67,7 +67,7 @@ impl<'a> Home<'a> {
             solution,
             remesh,
             planform: OnceCell::new(),
-            motion: OnceCell::new(),
+            motions: Motions::default(),
         }
     }
 
@@ -135,21 +135,17 @@ impl<'a> Home<'a> {
         if let Some(known) = self.wing.motion.as_ref().filter(|_| is_own) {
             return Ok(known.clone());
         }
-        if let Some((_, known)) = self.motion.get().filter(|(of, _)| *of == settings) {
-            return Ok(known.clone());
-        }
-        let mesh = &self.solution.mesh;
-        let found = motion_by(
-            &settings,
-            self.design,
-            mesh,
-            self.air_table,
-            Some(self.solution),
-            &Progress::quiet(),
-        )?;
-        let found = Arc::new(found);
-        // of other settings, those that come first stay
-        let _ = self.motion.set((settings, found.clone()));
-        Ok(found)
+        let found = self.motions.by(settings, |settings| {
+            let near = Some(self.solution);
+            motion_by(
+                settings,
+                self.design,
+                &self.solution.mesh,
+                self.air_table,
+                near,
+                &Progress::quiet(),
+            )
+        });
+        Ok(found?)
     }
 }

@@ -1,7 +1,7 @@
 //! The design at mid-stroke, about which its motion is found.
 
 use super::error::CouplingError;
-use crate::effects::{Need, bind};
+use crate::effects::{Card, Need, bind};
 use crate::input::design::Design;
 
 /// Names of a design's effects that are made from its motion, or act nowhere but off mid-stroke: the motion is found
@@ -10,20 +10,37 @@ use crate::input::design::Design;
 /// # Errors
 /// If its effects are not what their cards ask for.
 pub fn left_out(design: &Design) -> Result<Vec<String>, CouplingError> {
-    let names = bind(design)?.into_iter().filter_map(|bound| {
-        let card = bound.effect.card();
-        let moves = |need: &Need| matches!(need, Need::Motion | Need::OffMidStroke);
-        card.needs.iter().any(moves).then(|| card.name.to_string())
-    });
-    Ok(names.collect())
+    let bound = bind(design)?;
+    let cards = bound.iter().map(|bound| bound.effect.card());
+    Ok(cards
+        .filter(is_left_out)
+        .map(|card| card.name.to_string())
+        .collect())
 }
 
-/// The design at mid-stroke, without [`left_out`].
+fn is_left_out(card: &Card) -> bool {
+    let moves = |need: &Need| matches!(need, Need::Motion | Need::OffMidStroke);
+    card.needs.iter().any(moves)
+}
+
+/// The design with those of its effects alone that act on its motion: what it moves as.
+///
+/// # Errors
+/// As [`left_out`].
+pub fn moving(design: &Design) -> Result<Design, CouplingError> {
+    let bound = bind(design)?;
+    let cards = bound.iter().map(|bound| bound.effect.card());
+    let acting: Vec<String> = (cards.filter(|card| !is_left_out(card)))
+        .map(|card| card.name.to_string())
+        .collect();
+    let mut moving = design.clone();
+    moving.effects.retain(|name, _| acting.contains(name));
+    Ok(moving)
+}
+
+/// The design at mid-stroke, as it moves.
 pub(super) fn at_mid_stroke(design: &Design) -> Result<Design, CouplingError> {
-    let mut still = design.clone();
-    for name in left_out(design)? {
-        still.effects.remove(&name);
-    }
+    let mut still = moving(design)?;
     if let Some(flapping) = &mut still.flapping {
         flapping.phase_deg = 0.0.into();
     }

@@ -3,7 +3,6 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::error::CouplingError;
-use super::mid_stroke::left_out;
 use super::periodic::{Periodic, PeriodicSettings, periodic_near};
 use super::solution::Solution;
 use super::wing::needs_motion;
@@ -31,36 +30,35 @@ pub fn motion_needed(
     }
 }
 
-/// Motions about one solved design, by the settings with which they were found: strengths of the effects that are made from the motion do not
-/// change it.
-#[derive(Debug)]
-pub struct Motions {
-    of: Design,
-    found: Mutex<Vec<(PeriodicSettings, Arc<Motion>)>>,
-}
+/// Motions of one wing, by the settings with which they were found: the strengths of effects that are made from its motion do not change it.
+#[derive(Debug, Default)]
+pub struct Motions(Mutex<Vec<(PeriodicSettings, Arc<Motion>)>>);
 
 impl Motions {
-    /// About a design, none found so far.
+    /// The motion with these settings, found once. Whoever asks must find the same.
     ///
     /// # Errors
-    /// If its effects are not what their cards ask for.
-    pub fn about(design: &Design) -> Result<Motions, CouplingError> {
-        Ok(Motions {
-            of: less_what_is_left_out(design)?,
-            found: Mutex::default(),
-        })
+    /// As `find`.
+    pub fn by(
+        &self,
+        settings: PeriodicSettings,
+        find: impl FnOnce(&PeriodicSettings) -> Result<Motion, CouplingError>,
+    ) -> Result<Arc<Motion>, CouplingError> {
+        // nothing that panics is done while it is locked
+        let list = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = list()
+            .iter()
+            .find(|own| own.0 == settings)
+            .map(|own| own.1.clone());
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        let found = Arc::new(find(&settings)?);
+        list().push((settings, found.clone()));
+        Ok(found)
     }
 
-    /// Whether a design moves as the one that this is about.
-    ///
-    /// # Errors
-    /// If its effects are not what their cards ask for.
-    pub fn are_of(&self, design: &Design) -> Result<bool, CouplingError> {
-        Ok(less_what_is_left_out(design)? == self.of)
-    }
-
-    /// As [`motion_needed`], of a design that moves as this one; `nearby` must be the solution of this one, so that the same is found
-    /// whichever design asks first.
+    /// As [`motion_needed`], of a design that [moves](super::mid_stroke::moving) as all others that ask here; `nearby` must be the same for all.
     ///
     /// # Errors
     /// As [`motion_needed`].
@@ -76,33 +74,11 @@ impl Motions {
             return Ok(None);
         }
         let settings = PeriodicSettings::of_design(design)?;
-        // nothing that panics is done while it is locked
-        let list = || self.found.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = list()
-            .iter()
-            .find(|own| own.0 == settings)
-            .map(|own| own.1.clone());
-        if known.is_some() {
-            return Ok(known);
-        }
-        let found = motion_by(&settings, design, mesh, air_table, Some(nearby), progress)?;
-        let found = Arc::new(found);
-        list().push((settings, found.clone()));
-        Ok(Some(found))
+        let find = |settings: &PeriodicSettings| {
+            motion_by(settings, design, mesh, air_table, Some(nearby), progress)
+        };
+        self.by(settings, find).map(Some)
     }
-}
-
-/// A design with those of its effects alone that act on its motion.
-fn less_what_is_left_out(design: &Design) -> Result<Design, CouplingError> {
-    let left_out = left_out(design)?;
-    let acting: Vec<String> = bind(design)?
-        .iter()
-        .map(|bound| bound.effect.card().name.to_string())
-        .filter(|name| !left_out.contains(name))
-        .collect();
-    let mut still = design.clone();
-    still.effects.retain(|name, _| acting.contains(name));
-    Ok(still)
 }
 
 /// The motion of a design at its phase. Effects that are made from it do not act back on it.

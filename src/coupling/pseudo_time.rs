@@ -16,8 +16,9 @@ use crate::structure::{Damper, Equilibrium, Loads, Mixed, larger};
 
 /// Steps after which it is given up, for each step that the design allows the fixed point: one of those solves the whole structure.
 const PATIENCE: usize = 7;
-/// A wing that leaves less than this of its load creeps to rest: it is granted as many steps again, as long as it was so near within the last few.
+/// A wing that leaves less than this of its load creeps to rest: it is granted as many steps again.
 const NEARLY: f64 = 1e-3;
+/// Steps since it was so near last, after which it is not granted any more: triangles that switch make the residual jump in between.
 const LAST: usize = 60;
 /// Residual of the linear solve over that of the step.
 const TOLERANCE: f64 = 1e-4;

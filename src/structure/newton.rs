@@ -155,7 +155,7 @@ impl Equilibrium<'_> {
             return false;
         }
         let turns = from.rotation.iter().zip(&to.rotation).map(|(q, r)| q.angle_to(r));
-        largest(turns) > TURN_OF_INCREMENT || self.factorize(to, loads).is_ok_and(|negative| negative > 0)
+        largest(turns) > TURN_OF_INCREMENT || !matches!(self.factorize(to, loads), Ok(0))
     }
 
     /// Newton's method at fixed loads; the inner error is the best relative residual.

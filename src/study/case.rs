@@ -10,6 +10,7 @@ use super::forward::{Condition, Observable};
 use super::unnamed;
 use super::work::Work;
 use crate::aero::Flow;
+use crate::coupling::mid_stroke::moving;
 use crate::coupling::motion::{Motions, motion_needed};
 use crate::coupling::sensitivity::Nearby;
 use crate::coupling::wing::Wing;
@@ -43,8 +44,8 @@ pub struct PreparedCase {
     is_held_out: bool,
     /// The case as it stands, from which it is solved with other values: fixed by the study, so that results are too.
     base: Option<Arc<Solved>>,
-    /// What the case as it stands does over the stroke.
-    motions: Option<Arc<Motions>>,
+    /// What the case as it stands moves as, and its motions over the stroke.
+    motions: Option<(Design, Arc<Motions>)>,
     pub(super) air_table: Option<Vec<[f64; 3]>>,
     mesh_file: Option<(String, Arc<[u8]>)>,
 }
@@ -181,7 +182,9 @@ impl PreparedCase {
     /// Starts every further solve from this one.
     pub fn start_from(&mut self, solved: Solved) {
         // a design whose effects are not what their cards ask for was not solved
-        self.motions = Motions::about(&solved.at.design).ok().map(Arc::new);
+        self.motions = moving(&solved.at.design)
+            .ok()
+            .map(|design| (design, Arc::default()));
         self.base = Some(Arc::new(solved));
     }
 
@@ -231,8 +234,9 @@ impl PreparedCase {
         let alike = base.filter(|base| base.at.solution.mesh == mesh);
         let (alike, nearby) = (alike.map(|base| &base.wing), start.map(|near| near.solution));
         let air_table = self.air_table.as_deref();
+        let moves_as = |other: &Design| moving(design).is_ok_and(|design| design == *other);
         let motion = match (base, &self.motions) {
-            (Some(base), Some(motions)) if motions.are_of(design).unwrap_or(false) => {
+            (Some(base), Some((other, motions))) if moves_as(other) => {
                 motions.needed(design, &mesh, air_table, &base.at.solution, progress)
             }
             _ => motion_needed(design, &mesh, air_table, nearby, progress),

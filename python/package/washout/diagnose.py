@@ -60,8 +60,8 @@ class Diagnosis:
         """`nothing`, `effect`, `set`, `pair`, `novel`, …: the word for it."""
         self.p_nothing: float = document["p_nothing"]
         """Probability that nothing is missing."""
-        self.tried: Document = document["tried"]
-        """How many of how many known effects were tried."""
+        self.tried: int = document["tried"]
+        """How many of the known effects were tried."""
         self.hypotheses = Columns([{"what": what(row), **row} for row in document["hypotheses"]])
         """What may be missing, most probable first: `what`, `probability`, `strength`, `standard_error`, `in_set`, …"""
         self.effects = Columns(document["effects"])
