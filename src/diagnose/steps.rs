@@ -1,5 +1,5 @@
 //! At which strengths the model is asked for an effect: at its plausible ends, and between and beyond them as often as cubics
-//! between the answers need.
+//! between the answers need, in the conditions that need it.
 
 use nalgebra::DVector;
 
@@ -18,6 +18,8 @@ const RETREATS: usize = 3;
 const DEEPEST: usize = 3;
 /// Error between two steps that is accepted, over the error of the effect's own formula.
 const STRAIGHT: f64 = 0.5;
+/// Share of the error between two steps that is accepted, for conditions in which no further step is asked for.
+const UNASKED: f64 = 0.5;
 /// Error between two steps that never counts, over the readings (root mean square): a fraction of any formulation error.
 const FAINT: f64 = 0.002;
 /// Readings near zero count like this share of the root mean square of all.
@@ -85,6 +87,7 @@ impl<'a> Steps<'a> {
                 solved: vec![Solved {
                     strength: 0.0,
                     change: DVector::zeros(self.here.len()),
+                    asked: self.all_conditions(),
                     warm_start: self.warm_start.cloned(),
                 }],
                 unsolved: Vec::new(),
@@ -106,12 +109,61 @@ impl<'a> Steps<'a> {
         }
     }
 
+    /// Every condition, as asked.
+    fn all_conditions(&self) -> Vec<bool> {
+        vec![true; self.forward.conditions().len()]
+    }
+
     /// Whether an error of a change does not count beside that of the effect's own formula.
     fn is_faint(&self, error: &DVector<f64>, change: &DVector<f64>, unknown: &Unknown) -> bool {
-        let size = |of: &DVector<f64>| of.component_mul(&self.weights).norm();
-        let count = self.data.rows.len() as f64;
-        size(error) <= (STRAIGHT * unknown.own_error() * size(change)).max(FAINT * count.sqrt())
+        self.size(error) <= self.accepted(change, unknown)
     }
+
+    /// The largest error of a change that does not count, over the readings.
+    fn accepted(&self, change: &DVector<f64>, unknown: &Unknown) -> f64 {
+        let count = self.data.rows.len() as f64;
+        (STRAIGHT * unknown.own_error() * self.size(change)).max(FAINT * count.sqrt())
+    }
+
+    /// A change or its error over the readings.
+    fn size(&self, of: &DVector<f64>) -> f64 {
+        of.component_mul(&self.weights).norm()
+    }
+
+    /// By condition, whether it is among the few of those `asked` that hold most of an error: all others together hold so little
+    /// that no further step is worth its time.
+    fn worst(
+        &self,
+        error: &DVector<f64>,
+        change: &DVector<f64>,
+        unknown: &Unknown,
+        asked: &[bool],
+    ) -> Vec<bool> {
+        let mut squares = vec![0.0; self.forward.conditions().len()];
+        for (row, observable) in self.forward.observables().iter().enumerate() {
+            squares[observable.condition] += (error[row] * self.weights[row]).powi(2);
+        }
+        let accepted = UNASKED * self.accepted(change, unknown);
+        let worst = largest(&squares, accepted.powi(2));
+        worst
+            .iter()
+            .zip(asked)
+            .map(|(own, asked)| *own && *asked)
+            .collect()
+    }
+}
+
+/// Which of some parts are the largest, so that all others together come to no more than `rest`.
+fn largest(parts: &[f64], rest: f64) -> Vec<bool> {
+    let mut smallest_first: Vec<usize> = (0..parts.len()).collect();
+    smallest_first.sort_by(|&a, &b| parts[a].total_cmp(&parts[b]));
+    let mut sum = 0.0;
+    let mut is_large = vec![false; parts.len()];
+    for part in smallest_first {
+        sum += parts[part];
+        is_large[part] = sum > rest;
+    }
+    is_large
 }
 
 /// The steps of one effect to one side of none.
@@ -129,6 +181,8 @@ struct Side<'a> {
 struct Solved {
     strength: f64,
     change: DVector<f64>,
+    /// By condition: whether it was solved there; if not, its changes lie on the curve through the others.
+    asked: Vec<bool>,
     warm_start: Option<WarmStart>,
 }
 
@@ -149,7 +203,7 @@ impl Side<'_> {
             .as_ref()
             .filter(|bend| steps.is_faint(&(*bend * 0.25), &last, unknown));
         if straight.is_none() {
-            self.between(0.0, reached, bend.as_ref(), 0)?;
+            self.between(0.0, reached, bend.as_ref(), &steps.all_conditions(), 0)?;
         }
         let [low, high] = unknown.range;
         let beyond = (BEYOND * end).clamp(low, high);
@@ -157,13 +211,14 @@ impl Side<'_> {
             return Ok(());
         }
         let (Some(bend), Some(slope)) = (straight, self.slope) else {
-            self.ask(beyond)?;
+            self.ask(beyond, &steps.all_conditions())?;
             return Ok(());
         };
         let far_beyond = self.measure().of(beyond);
         self.solved.push(Solved {
             strength: beyond,
             change: slope * far_beyond + bend * (far_beyond / far).powi(2),
+            asked: steps.all_conditions(),
             warm_start: None,
         });
         Ok(())
@@ -171,13 +226,14 @@ impl Side<'_> {
 
     /// The largest strength up to `end` with a solution, as far as bisections find it; 0 if none.
     fn reach(&mut self, end: f64) -> Result<f64, DiagnoseError> {
-        if self.ask(end)? || is_all_or_none(&self.steps.forward.unknowns()[self.i]) {
+        let all = self.steps.all_conditions();
+        if self.ask(end, &all)? || is_all_or_none(&self.steps.forward.unknowns()[self.i]) {
             return Ok(self.solved.last().map_or(0.0, |last| last.strength));
         }
         let (mut low, mut high) = (0.0, end);
         for _ in 0..RETREATS {
             let middle = self.measure().middle(low, high);
-            if self.ask(middle)? {
+            if self.ask(middle, &all)? {
                 low = middle;
             } else {
                 high = middle;
@@ -186,19 +242,21 @@ impl Side<'_> {
         Ok(low)
     }
 
-    /// Steps between two that a straight line does not hold for; `bend`: the larger one less the slope at none.
+    /// Steps between two that a straight line does not hold for in the conditions `asked`; `bend`: the larger one less the slope at
+    /// none.
     fn between(
         &mut self,
         from: f64,
         to: f64,
         bend: Option<&DVector<f64>>,
+        asked: &[bool],
         depth: usize,
     ) -> Result<(), DiagnoseError> {
         let middle = self.measure().middle(from, to);
         let straight = (self.at(from) + self.at(to)) * 0.5;
         let before = self.interpolated(middle);
         let is_known = self.solved.iter().any(|own| own.strength == middle);
-        if !is_known && !self.ask(middle)? {
+        if !is_known && !self.ask(middle, asked)? {
             return Ok(());
         }
         let here = self.at(middle);
@@ -211,8 +269,9 @@ impl Side<'_> {
         let left = (&here - expected) * 0.25;
         let unknown = &self.steps.forward.unknowns()[self.i];
         if !self.steps.is_faint(&left, &here, unknown) && depth + 1 < DEEPEST {
-            self.between(from, middle, None, depth + 1)?;
-            self.between(middle, to, None, depth + 1)?;
+            let worst = self.steps.worst(&left, &here, unknown, asked);
+            self.between(from, middle, None, &worst, depth + 1)?;
+            self.between(middle, to, None, &worst, depth + 1)?;
         }
         Ok(())
     }
@@ -232,8 +291,9 @@ impl Side<'_> {
         known.map_or_else(|| DVector::zeros(self.steps.here.len()), |own| own.change.clone())
     }
 
-    /// Solves the model at a strength, from the nearest that was solved; false if there is no solution.
-    fn ask(&mut self, strength: f64) -> Result<bool, DiagnoseError> {
+    /// Solves the model at a strength in the conditions `asked`, from the nearest that was solved in these; false if there is no
+    /// solution.
+    fn ask(&mut self, strength: f64, asked: &[bool]) -> Result<bool, DiagnoseError> {
         let Steps {
             forward,
             data,
@@ -243,11 +303,16 @@ impl Side<'_> {
         } = self.steps;
         let measure = self.measure();
         let off = |own: &&Solved| (measure.of(own.strength) - measure.of(strength)).abs();
-        let nearest = self.solved.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        let holds = |own: &&Solved| own.asked.iter().zip(asked).all(|(own, asked)| *own || !asked);
+        let nearest = self
+            .solved
+            .iter()
+            .filter(holds)
+            .min_by(|a, b| off(a).total_cmp(&off(b)));
         let warm_start = nearest.and_then(|own| own.warm_start.as_ref());
         let is_between = self.solved.iter().any(|own| own.strength.abs() > strength.abs());
         let warm_start = match is_between {
-            true => warm_start.map(WarmStart::roughly_between),
+            true => warm_start.map(|own| own.roughly_between().of_conditions(asked)),
             false => warm_start.cloned(),
         };
         let mut there = at.to_vec();
@@ -262,9 +327,15 @@ impl Side<'_> {
         for row in data.kept_bounds(*forward, here) {
             change[row] = 0.0;
         }
+        let unasked = |row: &usize| !asked[forward.observables()[*row].condition];
+        let curve = self.interpolated(strength);
+        for row in (0..change.len()).filter(unasked) {
+            change[row] = curve[row];
+        }
         self.solved.push(Solved {
             strength,
             change,
+            asked: asked.to_vec(),
             warm_start: left.as_ref().map(WarmStart::roughly),
         });
         Ok(true)
@@ -303,4 +374,16 @@ fn ends(unknown: &Unknown) -> Vec<f64> {
     ends.map(|end: f64| end.clamp(low, high))
         .filter(|end| *end != 0.0)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::largest;
+
+    #[test]
+    fn parts_left_out_come_to_no_more_than_the_rest_together() {
+        assert_eq!(largest(&[0.4, 3.0, 0.5, 0.2], 1.0), [false, true, true, false]);
+        assert_eq!(largest(&[0.4, 0.1], 0.0), [true, true]);
+        assert_eq!(largest(&[0.4, 0.1], 0.5), [false, false]);
+    }
 }

@@ -231,7 +231,8 @@ impl Campaign {
         let ground = warm_start.and_then(WarmStart::get::<SolvedPoint>);
         let touches = |unknown: usize| self.targets.targets[unknown].touches(index, at);
         let care = warm_start.map_or(Care::Full, WarmStart::care);
-        let is_left = care.is_rough() && self.conditions[index].is_held_out;
+        let is_asked = warm_start.is_none_or(|warm_start| warm_start.asks(index));
+        let is_left = care.is_rough() && (self.conditions[index].is_held_out || !is_asked);
         if let Some(ground) = ground.filter(|ground| is_left || ground.is_same(at, touches)) {
             return Ok((ground.cases[index].clone(), None));
         }

@@ -179,6 +179,8 @@ pub struct MeshError {
 pub struct WarmStart {
     kept: Arc<dyn Any + Send + Sync>,
     care: Care,
+    /// By condition: whether it is asked; none: all are.
+    asked: Option<Arc<[bool]>>,
 }
 
 impl WarmStart {
@@ -187,6 +189,7 @@ impl WarmStart {
         WarmStart {
             kept: Arc::new(kept),
             care: Care::Full,
+            asked: None,
         }
     }
 
@@ -212,6 +215,20 @@ impl WarmStart {
     #[must_use]
     pub fn roughly_between(&self) -> WarmStart {
         self.with(Care::RoughBetween)
+    }
+
+    /// The same for answers of these conditions alone, by position; a rough answer leaves the others as they are.
+    #[must_use]
+    pub fn of_conditions(&self, asked: &[bool]) -> WarmStart {
+        WarmStart {
+            asked: Some(asked.into()),
+            ..self.clone()
+        }
+    }
+
+    /// Whether a condition is asked.
+    pub fn asks(&self, condition: usize) -> bool {
+        self.asked.as_ref().is_none_or(|asked| asked[condition])
     }
 
     /// How much is asked of answers from there.
