@@ -204,7 +204,7 @@ impl Campaign {
         &self,
         warm_start: Option<&WarmStart>,
         at: &[f64],
-        give: impl Fn(usize, Stand, Option<Tangent>) -> Result<T, StudyError> + Sync,
+        give: impl Fn(usize, Stand, Option<Tangent>, &mut Work) -> Result<T, StudyError> + Sync,
     ) -> Result<Vec<T>, StudyError> {
         let times = 1 + self.asked.fetch_add(1, Ordering::Relaxed);
         self.progress.say(format_args!(
@@ -212,13 +212,26 @@ impl Campaign {
             self.name,
             self.cases.len()
         ));
-        (0..self.cases.len())
-            .into_par_iter()
-            .map(|index| {
-                let (stand, tangent) = self.stand(index, warm_start, at)?;
-                give(index, stand, tangent)
-            })
-            .collect()
+        let first_failed = AtomicUsize::new(usize::MAX);
+        let give_one = |index: usize| {
+            if index > first_failed.load(Ordering::Relaxed) {
+                return None;
+            }
+            let mut work = Work::default();
+            let stand = self.stand(index, warm_start, at, &mut work);
+            let given = stand.and_then(|(stand, tangent)| give(index, stand, tangent, &mut work));
+            if given.is_err() {
+                first_failed.fetch_min(index, Ordering::Relaxed);
+            }
+            Some((work, given))
+        };
+        let given: Vec<_> = (0..self.cases.len()).into_par_iter().map(give_one).collect();
+        // how many cases after the first that fails are begun depends on the threads: they do not count
+        let counted = given.into_iter().flatten().map(|(work, given)| {
+            self.tally.add(work);
+            given
+        });
+        counted.collect()
     }
 
     /// A case solved: as it was at the warm start if nothing that acts on it has moved, else from there.
@@ -227,6 +240,7 @@ impl Campaign {
         index: usize,
         warm_start: Option<&WarmStart>,
         at: &[f64],
+        work: &mut Work,
     ) -> Result<(Stand, Option<Tangent>), StudyError> {
         let ground = warm_start.and_then(WarmStart::get::<SolvedPoint>);
         let touches = |unknown: usize| self.targets.targets[unknown].touches(index, at);
@@ -243,7 +257,7 @@ impl Campaign {
             Some(solved) => (solved, None),
             None => {
                 let (solved, tangent) = case.solve(&design, near.as_ref(), &self.progress.unseen())?;
-                self.tally.add(solved.work());
+                *work += solved.work();
                 (Arc::new(solved), Some(tangent))
             }
         };
@@ -263,6 +277,7 @@ impl Campaign {
         tangent: Option<Tangent>,
         at: &[f64],
         wanted: &[bool],
+        work: &mut Work,
     ) -> Result<Stand, StudyError> {
         let design = &stand.solved.at.design;
         let mut asked: Vec<Asked> = Vec::new();
@@ -297,8 +312,8 @@ impl Campaign {
             });
         }
         let progress = self.progress.unseen();
-        let (columns, work) = self.cases[index].rates(&stand.solved, tangent, &asked, &progress)?;
-        self.tally.add(work);
+        let (columns, more) = self.cases[index].rates(&stand.solved, tangent, &asked, &progress)?;
+        *work += more;
         let columns = columns.into_iter().map(|(k, column)| (k, Arc::new(column)));
         stand.columns.extend(columns);
         Ok(stand)
@@ -328,7 +343,7 @@ impl Forward for Campaign {
 
     fn predict(&self, at: &[f64]) -> Result<DVector<f64>, StudyError> {
         let raw = self
-            .each(None, at, |_, stand, _| Ok(stand.reading.to_vec()))?
+            .each(None, at, |_, stand, _, _| Ok(stand.reading.to_vec()))?
             .concat();
         let seen = raw.into_iter().enumerate().map(|(row, y)| {
             let (scale, offset) = self.ruler(at, row);
@@ -348,8 +363,8 @@ impl Forward for Campaign {
         wanted: &dyn Fn(&Unknown) -> bool,
     ) -> Result<(Linear, Option<WarmStart>), StudyError> {
         let wanted: Vec<bool> = self.targets.unknowns.iter().map(wanted).collect();
-        let stands = self.each(warm_start, at, |index, stand, tangent| {
-            self.with_columns(index, stand, tangent, at, &wanted)
+        let stands = self.each(warm_start, at, |index, stand, tangent, work| {
+            self.with_columns(index, stand, tangent, at, &wanted, work)
         })?;
         let size = self.observables.len();
         let mut value = DVector::zeros(size);
@@ -392,7 +407,7 @@ impl Forward for Campaign {
         at: &[f64],
         stations: usize,
     ) -> Result<DMatrix<f64>, StudyError> {
-        let parts = self.each(warm_start, at, |index, stand, _| {
+        let parts = self.each(warm_start, at, |index, stand, _, _| {
             self.cases[index].moment_response(&stand.solved, stations)
         })?;
         let mut response = DMatrix::zeros(self.observables.len(), stations);
