@@ -14,6 +14,8 @@ const BEYOND: f64 = 1.5;
 const WORTHWHILE: f64 = 1.1;
 /// Bisections by which the largest strength with a solution is looked for.
 const RETREATS: usize = 3;
+/// How far from the middle of a stretch, as a share of it, a strength may be that is known already and bisects it.
+const ABOUT_MIDDLE: f64 = 0.25;
 /// Most bisections of one stretch.
 const DEEPEST: usize = 3;
 /// Error between two steps that is accepted, over the error of the effect's own formula.
@@ -252,16 +254,18 @@ impl Side<'_> {
         asked: &[bool],
         depth: usize,
     ) -> Result<(), DiagnoseError> {
-        let middle = self.measure().middle(from, to);
-        let straight = (self.at(from) + self.at(to)) * 0.5;
-        let before = self.interpolated(middle);
-        let is_known = self.solved.iter().any(|own| own.strength == middle);
-        if !is_known && !self.ask(middle, asked)? {
+        let known = self.known_between(from, to);
+        let middle = known.unwrap_or_else(|| self.measure().middle(from, to));
+        let before = self.interpolated(middle, |own| own <= from.abs() || own >= to.abs());
+        if known.is_none() && !self.ask(middle, asked)? {
             return Ok(());
         }
         let here = self.at(middle);
         let expected = match bend {
-            Some(bend) => straight - bend * 0.25,
+            Some(bend) => {
+                let share = self.share(from, to, middle);
+                self.at(from) * (1.0 - share) + self.at(to) * share - bend * (share * (1.0 - share))
+            }
             None => before,
         };
         // the step in the middle is expected to make cubics four times as good; where torsional stiffness is lost, they were found to be
@@ -276,9 +280,25 @@ impl Side<'_> {
         Ok(())
     }
 
-    /// Change at a strength between those that were solved.
-    fn interpolated(&self, strength: f64) -> DVector<f64> {
-        let knots = self.solved.iter().map(|own| (own.strength, own.change.clone()));
+    /// A strength that was solved while the end was looked for, if it is about in the middle between two.
+    fn known_between(&self, from: f64, to: f64) -> Option<f64> {
+        let off = |strength: f64| (self.share(from, to, strength) - 0.5).abs();
+        let known = self.solved.iter().map(|own| own.strength);
+        let known = known.filter(|own| off(*own) <= ABOUT_MIDDLE);
+        known.min_by(|a, b| off(*a).total_cmp(&off(*b)))
+    }
+
+    /// How far a strength is on the way from one to another.
+    fn share(&self, from: f64, to: f64, strength: f64) -> f64 {
+        let measure = self.measure();
+        let from = measure.of(from);
+        (measure.of(strength) - from) / (measure.of(to) - from)
+    }
+
+    /// Change at a strength between those that were solved and whose size is used.
+    fn interpolated(&self, strength: f64, is_used: impl Fn(f64) -> bool) -> DVector<f64> {
+        let used = self.solved.iter().filter(|own| is_used(own.strength.abs()));
+        let knots = used.map(|own| (own.strength, own.change.clone()));
         self.steps.curve(self.i, knots.collect(), self.slope).at(strength)
     }
 
@@ -328,7 +348,7 @@ impl Side<'_> {
             change[row] = 0.0;
         }
         let unasked = |row: &usize| !asked[forward.observables()[*row].condition];
-        let curve = self.interpolated(strength);
+        let curve = self.interpolated(strength, |_| true);
         for row in (0..change.len()).filter(unasked) {
             change[row] = curve[row];
         }

@@ -87,16 +87,15 @@ impl Beam {
     ) -> Response<12> {
         let frame = self.frame(u, q);
         let p = frame.local_freedoms(&self.rest, u, q);
-        let local = self.local(&untwisted(&p, twist_rad));
-        let Some(guess) = guess else {
-            return frame.to_global(&p, &local);
-        };
-        let tangent = frame.to_global(guess, &self.local(&untwisted(guess, twist_rad)));
-        Response {
-            energy: local.energy,
-            force: frame.global_force(&p, &local.force),
-            stiffness: tangent.stiffness,
+        let about = guess.unwrap_or(&p);
+        let mut response = self.local(&untwisted(about, twist_rad));
+        frame.carry_to_global(about, &mut response);
+        if guess.is_some() {
+            let Response { energy, force, .. } = self.local(&untwisted(&p, twist_rad));
+            response.energy = energy;
+            response.force = frame.global_force(&p, &force);
         }
+        response
     }
 
     /// Local freedoms after a step from a shape, to first order.

@@ -114,10 +114,10 @@ impl<const N: usize, const D: usize> Frame<N, D> {
         self.turned(&force)
     }
 
-    /// Carries the local response to the wing frame: exact gradient, symmetric tangent.
-    pub fn to_global(&self, p: &SVector<f64, D>, local: &Response<D>) -> Response<D> {
+    /// Carries a local response to the wing frame, where it stands: exact gradient, symmetric tangent.
+    pub fn carry_to_global(&self, p: &SVector<f64, D>, local: &mut Response<D>) {
         let (force, unprojected) = self.projected(p, &local.force);
-        let mut k = local.stiffness;
+        let k = &mut local.stiffness;
         // Hᵀ K H and the correction for the turning moment axes
         for i in 0..N {
             let theta: Vector3<f64> = p.fixed_rows::<3>(6 * i + 3).into();
@@ -139,7 +139,7 @@ impl<const N: usize, const D: usize> Frame<N, D> {
         }
         // projection and turning of the frame: K − C G − Gᵀ Cᵀ, of rank six
         let rigid = self.rigid_rotation();
-        let k_rigid = k * rigid;
+        let k_rigid = *k * rigid;
         let mut turning_all = SMatrix::<f64, D, 3>::zeros();
         let mut turning_force = SMatrix::<f64, D, 3>::zeros();
         for i in 0..N {
@@ -182,11 +182,7 @@ impl<const N: usize, const D: usize> Frame<N, D> {
                 }
             }
         }
-        Response {
-            energy: local.energy,
-            force: self.turned(&force),
-            stiffness: k,
-        }
+        local.force = self.turned(&force);
     }
 
     /// Rigid rotation of the nodes about their centroid: unit spins to freedoms.

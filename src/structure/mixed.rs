@@ -123,13 +123,11 @@ impl Shell {
         let frame = self.frame(u);
         let p = frame.local_freedoms(&self.rest, u, q);
         let (energy, force) = self.local_force(sheet, &p);
-        let local = self.local(sheet, about, 0.0);
-        let linearized = local.force + local.stiffness * (p - about);
-        let response = Response {
-            energy,
-            force: frame.global_force(&p, &linearized),
-            stiffness: frame.to_global(&p, &local).stiffness,
-        };
+        let mut response = self.local(sheet, about, 0.0);
+        let linearized = response.force + response.stiffness * (p - about);
+        frame.carry_to_global(&p, &mut response);
+        response.energy = energy;
+        response.force = frame.global_force(&p, &linearized);
         (response, frame.global_force(&p, &force))
     }
 }

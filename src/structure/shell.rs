@@ -133,16 +133,15 @@ impl Shell {
     ) -> Response<18> {
         let frame = self.frame(u);
         let p = frame.local_freedoms(&self.rest, u, q);
-        let Some(guess) = guess else {
-            return frame.to_global(&p, &self.local(sheet, &p, carried));
-        };
-        let (energy, force) = self.local_force(sheet, &p);
-        let tangent = frame.to_global(guess, &self.local(sheet, guess, carried));
-        Response {
-            energy,
-            force: frame.global_force(&p, &force),
-            stiffness: tangent.stiffness,
+        let about = guess.unwrap_or(&p);
+        let mut response = self.local(sheet, about, carried);
+        frame.carry_to_global(about, &mut response);
+        if guess.is_some() {
+            let (energy, force) = self.local_force(sheet, &p);
+            response.energy = energy;
+            response.force = frame.global_force(&p, &force);
         }
+        response
     }
 
     /// Local freedoms after a step from a shape, to first order.
