@@ -20,7 +20,8 @@ const ABOUT_MIDDLE: f64 = 0.25;
 const DEEPEST: usize = 3;
 /// Error between two steps that is accepted, over the error of the effect's own formula.
 const STRAIGHT: f64 = 0.5;
-/// Share of the error between two steps that is accepted, for conditions in which no further step is asked for.
+/// Error in all conditions together in which no further step is asked for, over the error between two steps that is accepted: what
+/// is asked again may leave the rest.
 const UNASKED: f64 = 0.5;
 /// Error between two steps that never counts, over the readings (root mean square): a fraction of any formulation error.
 const FAINT: f64 = 0.002;
@@ -256,7 +257,6 @@ impl Side<'_> {
     ) -> Result<(), DiagnoseError> {
         let known = self.known_between(from, to);
         let middle = known.unwrap_or_else(|| self.measure().middle(from, to));
-        let before = self.interpolated(middle, |own| own <= from.abs() || own >= to.abs());
         if known.is_none() && !self.ask(middle, asked)? {
             return Ok(());
         }
@@ -266,7 +266,8 @@ impl Side<'_> {
                 let share = self.share(from, to, middle);
                 self.at(from) * (1.0 - share) + self.at(to) * share - bend * (share * (1.0 - share))
             }
-            None => before,
+            // through what was solved outside this stretch and at its ends
+            None => self.interpolated(middle, |own| own <= from.abs() || own >= to.abs()),
         };
         // the step in the middle is expected to make cubics four times as good; where torsional stiffness is lost, they were found to be
         // twice as good, so that up to twice the error is left there
@@ -295,7 +296,7 @@ impl Side<'_> {
         (measure.of(strength) - from) / (measure.of(to) - from)
     }
 
-    /// Change at a strength between those that were solved and whose size is used.
+    /// Change at a strength by the curve through those that were solved, as far as their size `is_used`.
     fn interpolated(&self, strength: f64, is_used: impl Fn(f64) -> bool) -> DVector<f64> {
         let used = self.solved.iter().filter(|own| is_used(own.strength.abs()));
         let knots = used.map(|own| (own.strength, own.change.clone()));

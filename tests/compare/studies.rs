@@ -88,6 +88,33 @@ fn derivatives_of_a_study_are_those_of_cases_solved_again() {
     }
 }
 
+#[test]
+fn a_study_that_a_case_refuses_says_and_counts_the_same_on_any_number_of_threads() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/foreign/c005.toml");
+    let study = LoadedStudy::load(&path, &["mesh.refine=0.3".to_string()]).unwrap();
+    let refused = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        pool.build().unwrap().install(|| {
+            let campaign = Campaign::new(&study, &["rotational-damping"], &Progress::quiet()).unwrap();
+            let mut at = campaign.start();
+            let (_, left) = campaign.linearize_from(None, &at, &|_| false).unwrap();
+            let is_strength = |unknown: &Unknown| unknown.name == "effects.rotational-damping.strength";
+            at[campaign.unknowns().iter().position(is_strength).unwrap()] = 1.5;
+            let left = left.map(|left| left.roughly());
+            let before = campaign.work();
+            let refusal = campaign
+                .linearize_from(left.as_ref(), &at, &|_| false)
+                .unwrap_err();
+            (refusal.to_string(), campaign.work() - before)
+        })
+    };
+    let alone = refused(1);
+    println!("{alone:?}");
+    for threads in [2, 3, 4] {
+        assert_eq!(refused(threads), alone, "{threads} threads");
+    }
+}
+
 /// The wing sags and twists as its stated stiffness and mass say: at 45 deg, held out, by −40.4 mm and 0.136 deg.
 #[test]
 fn tang_and_dowells_wing_under_its_own_weight_agrees_within_the_uncertainty_but_for_a_little_twist() {
