@@ -89,11 +89,11 @@ impl Beam {
         let p = frame.local_freedoms(&self.rest, u, q);
         let about = guess.unwrap_or(&p);
         let mut response = self.local(&untwisted(about, twist_rad));
-        frame.carry_to_global(about, &mut response);
+        frame.carry(about).response(&mut response);
         if guess.is_some() {
             let Response { energy, force, .. } = self.local(&untwisted(&p, twist_rad));
             response.energy = energy;
-            response.force = frame.global_force(&p, &force);
+            response.force = frame.carry(&p).force(&force);
         }
         response
     }
@@ -121,7 +121,7 @@ impl Beam {
         let p = frame.local_freedoms(&self.rest, u, q);
         let strained = untwisted(&p, twist_rad);
         let Response { energy, force, .. } = self.local(&strained);
-        (energy, frame.global_force(&p, &force))
+        (energy, frame.carry(&p).force(&force))
     }
 
     /// Section forces at the middle without those of a skin: N, V_edge, V_flap (N), T, M_flap, M_edge (N·m), deformed axes.

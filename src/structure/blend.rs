@@ -93,7 +93,8 @@ impl Blend {
         loads.growing().add_tangent(pattern, &self.rest, &mut grown);
         let mut turned = pattern.congruent(&grown, |node| spin_to_vector(&turn(node)));
         for node in 0..state.rotation.len() {
-            let correction = moment_correction(&turn(node), &moment(node));
+            let h = spin_to_vector(&turn(node));
+            let correction = moment_correction(&turn(node), &moment(node), &h);
             let correction = 0.5 * (correction + correction.transpose());
             pattern.add_node(&mut turned, node, |i, j| {
                 if i >= 3 && j >= 3 {

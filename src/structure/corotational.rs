@@ -8,7 +8,7 @@
 
 use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector3};
 
-use super::rotation::{moment_correction, rotation_vector, skew, spin_moment, spin_to_vector};
+use super::rotation::{moment_correction, rotation_vector, skew, spin_to_vector};
 
 /// The moving frame of an element of N nodes and D = 6 N freedoms.
 #[derive(Debug, Clone)]
@@ -30,6 +30,17 @@ pub struct Response<const D: usize> {
     pub force: SVector<f64, D>,
     /// Symmetric second derivative of the energy.
     pub stiffness: SMatrix<f64, D, D>,
+}
+
+impl<const D: usize> Response<D> {
+    /// To be written.
+    pub fn zero() -> Self {
+        Response {
+            energy: 0.0,
+            force: SVector::zeros(),
+            stiffness: SMatrix::zeros(),
+        }
+    }
 }
 
 /// Rest data of an element that the frame needs.
@@ -108,114 +119,194 @@ impl<const N: usize, const D: usize> Frame<N, D> {
         turned
     }
 
-    /// Carries the local force to the wing frame.
-    pub fn global_force(&self, p: &SVector<f64, D>, local_force: &SVector<f64, D>) -> SVector<f64, D> {
-        let (force, _) = self.projected(p, local_force);
+    /// What carries forces and responses from local freedoms p to the wing frame.
+    pub fn carry(&self, p: &SVector<f64, D>) -> Carry<'_, N, D> {
+        let theta = std::array::from_fn(|i| p.fixed_rows::<3>(6 * i + 3).into());
+        let spin_to_vector = theta.map(|theta| spin_to_vector(&theta));
+        let to_frame = self.axes.transpose();
+        Carry {
+            frame: self,
+            theta,
+            spin_to_vector,
+            about: spin_to_vector.map(|h| h * to_frame),
+            along: to_frame,
+        }
+    }
+}
+
+/// The way from local freedoms to the wing frame.
+#[derive(Debug)]
+pub struct Carry<'a, const N: usize, const D: usize> {
+    frame: &'a Frame<N, D>,
+    /// Local rotation vector of each node.
+    theta: [Vector3<f64>; N],
+    /// Change of each with a spin, frame axes.
+    spin_to_vector: [Matrix3<f64>; N],
+    /// The same of spins in the wing frame.
+    about: [Matrix3<f64>; N],
+    /// Displacements in frame axes from those in the wing frame.
+    along: Matrix3<f64>,
+}
+
+impl<const N: usize, const D: usize> Carry<'_, N, D> {
+    /// A local force in the wing frame.
+    pub fn force(&self, local: &SVector<f64, D>) -> SVector<f64, D> {
+        let (force, _) = self.projected(local);
         self.turned(&force)
     }
 
-    /// Carries a local response to the wing frame, where it stands: exact gradient, symmetric tangent.
-    pub fn carry_to_global(&self, p: &SVector<f64, D>, local: &mut Response<D>) {
-        let (force, unprojected) = self.projected(p, &local.force);
-        let k = &mut local.stiffness;
-        // Hᵀ K H and the correction for the turning moment axes
+    /// A local response in the wing frame, where it stands: exact gradient, symmetric tangent.
+    ///
+    /// With N the local freedoms for those of the wing frame, were the frame at rest, G its spin, R the rigid rotations about its
+    /// centroid: Nᵀ K N − C G − Gᵀ Cᵀ, where C holds what K and the force make of R. Matrices are walked by columns, which are as they
+    /// stand in memory.
+    pub fn response(&self, local: &mut Response<D>) {
+        let (force, unprojected) = self.projected(&local.force);
+        let force = self.turned(&force);
+        let spin = self.spin();
+        let k = &mut local.stiffness.data.0;
+        for (part, columns) in k.chunks_exact_mut(3).enumerate() {
+            combine(columns, self.part(part));
+        }
+        let mut c = self.by_rigid_rotation(k);
+        for rigid in &mut c {
+            self.turn_rows(rigid, 0);
+        }
+        for (column, rows) in k.iter_mut().enumerate() {
+            // only the lower triangle of blocks is made
+            self.turn_rows(rows, column / 3);
+        }
+        // the moment axes turn with the nodes
         for i in 0..N {
-            let theta: Vector3<f64> = p.fixed_rows::<3>(6 * i + 3).into();
-            let h = spin_to_vector(&theta);
-            for j in 0..2 * N {
-                let row = k.fixed_view::<3, 3>(6 * i + 3, 3 * j).into_owned();
-                k.fixed_view_mut::<3, 3>(6 * i + 3, 3 * j)
-                    .copy_from(&(h.transpose() * row));
-            }
-            for j in 0..2 * N {
-                let column = k.fixed_view::<3, 3>(3 * j, 6 * i + 3).into_owned();
-                k.fixed_view_mut::<3, 3>(3 * j, 6 * i + 3)
-                    .copy_from(&(column * h));
-            }
             let moment: Vector3<f64> = local.force.fixed_rows::<3>(6 * i + 3).into();
-            let correction = moment_correction(&theta, &moment);
-            let mut block = k.fixed_view_mut::<3, 3>(6 * i + 3, 6 * i + 3);
-            block += 0.5 * (correction + correction.transpose());
+            let correction = moment_correction(&self.theta[i], &moment, &self.spin_to_vector[i]);
+            let correction = self.frame.axes * (0.5 * (correction + correction.transpose())) * self.along;
+            for (a, column) in c.iter_mut().enumerate() {
+                for b in 0..3 {
+                    k[6 * i + 3 + a][6 * i + 3 + b] += correction[(b, a)];
+                    column[6 * i + 3 + b] += correction[(b, a)];
+                }
+            }
         }
-        // projection and turning of the frame: K − C G − Gᵀ Cᵀ, of rank six
-        let rigid = self.rigid_rotation();
-        let k_rigid = *k * rigid;
-        let mut turning_all = SMatrix::<f64, D, 3>::zeros();
-        let mut turning_force = SMatrix::<f64, D, 3>::zeros();
-        for i in 0..N {
-            let n: Vector3<f64> = force.fixed_rows::<3>(6 * i).into();
-            let m: Vector3<f64> = force.fixed_rows::<3>(6 * i + 3).into();
-            let n_unprojected: Vector3<f64> = unprojected.fixed_rows::<3>(6 * i).into();
-            turning_all.fixed_view_mut::<3, 3>(6 * i, 0).copy_from(&skew(&n));
-            turning_all
-                .fixed_view_mut::<3, 3>(6 * i + 3, 0)
-                .copy_from(&skew(&m));
-            turning_force
-                .fixed_view_mut::<3, 3>(6 * i, 0)
-                .copy_from(&skew(&n_unprojected));
-        }
-        let both = rigid.transpose() * k_rigid + turning_force.transpose() * rigid;
-        let both = 0.5 * (both + both.transpose());
-        let c = k_rigid + 0.5 * (turning_all + turning_force) - 0.5 * self.spin.transpose() * both;
-        let spin = self.spin.transpose();
+        self.add_turning(&mut c, [&force, &self.turned(&unprojected)], &spin);
         for column in 0..D {
-            let by_spin: [f64; 3] = std::array::from_fn(|a| spin[(column, a)]);
-            let by_c: [f64; 3] = std::array::from_fn(|a| c[(column, a)]);
-            // only the lower triangle of blocks is read on
-            for row in column - column % 3..D {
-                let mut sum = 0.0;
-                for a in 0..3 {
-                    sum += c[(row, a)] * by_spin[a] + spin[(row, a)] * by_c[a];
-                }
-                k[(row, column)] -= sum;
+            let (own, by_spin) = (&mut k[column], [0, 1, 2].map(|a| spin[a][column]));
+            let by_c = [0, 1, 2].map(|a| c[a][column]);
+            for row in 0..D {
+                let part = |a: usize| c[a][row] * by_spin[a] + spin[a][row] * by_c[a];
+                own[row] -= part(0) + part(1) + part(2);
             }
         }
-        // to the wing frame
-        let to_frame = self.axes.transpose();
-        for i in 0..2 * N {
-            for j in 0..=i {
-                let block = self.axes * k.fixed_view::<3, 3>(3 * i, 3 * j) * to_frame;
-                k.fixed_view_mut::<3, 3>(3 * i, 3 * j).copy_from(&block);
-                if i != j {
-                    k.fixed_view_mut::<3, 3>(3 * j, 3 * i)
-                        .copy_from(&block.transpose());
-                }
+        for column in 0..D {
+            let (before, own) = k.split_at_mut(column);
+            for (row, other) in before[..column - column % 3].iter().enumerate() {
+                own[0][row] = other[column];
             }
         }
-        local.force = self.turned(&force);
+        local.force = force;
     }
 
-    /// Rigid rotation of the nodes about their centroid: unit spins to freedoms.
-    fn rigid_rotation(&self) -> SMatrix<f64, D, 3> {
-        let mut rigid = SMatrix::<f64, D, 3>::zeros();
+    /// Completes C, of which the part of the stiffness is made already.
+    fn add_turning(
+        &self,
+        c: &mut [[f64; D]; 3],
+        [force, unprojected]: [&SVector<f64, D>; 2],
+        spin: &[[f64; D]; 3],
+    ) {
+        let three = |of: &[f64]| Vector3::new(of[0], of[1], of[2]);
+        // what rigid rotations make of the force, and of moments
+        let mut both = Matrix3::<f64>::zeros();
         for i in 0..N {
-            rigid
-                .fixed_view_mut::<3, 3>(6 * i, 0)
-                .copy_from(&-skew(&self.position[i]));
-            rigid
-                .fixed_view_mut::<3, 3>(6 * i + 3, 0)
-                .copy_from(&Matrix3::identity());
+            let arm = self.frame.axes * self.frame.position[i];
+            let pull = three(&unprojected.as_slice()[6 * i..]);
+            both += skew(&pull) * skew(&arm);
+            for (a, column) in c.iter().enumerate() {
+                let turned = arm.cross(&three(&column[6 * i..])) + three(&column[6 * i + 3..]);
+                let mut column = both.column_mut(a);
+                column += turned;
+            }
+        }
+        let both = 0.25 * (both + both.transpose());
+        for (a, column) in c.iter_mut().enumerate() {
+            for (at, own) in column.iter_mut().enumerate() {
+                *own -= spin[0][at] * both[(0, a)] + spin[1][at] * both[(1, a)] + spin[2][at] * both[(2, a)];
+            }
+            for i in 0..N {
+                let pulls = three(&force.as_slice()[6 * i..]) + three(&unprojected.as_slice()[6 * i..]);
+                let pulls = skew(&(0.5 * pulls)).column(a).into_owned();
+                let turns = skew(&(0.5 * three(&force.as_slice()[6 * i + 3..])))
+                    .column(a)
+                    .into_owned();
+                for b in 0..3 {
+                    column[6 * i + b] += pulls[b];
+                    column[6 * i + 3 + b] += turns[b];
+                }
+            }
+        }
+    }
+
+    /// Of local freedoms 3 `part` to 3 `part` + 2: their change with those of the wing frame.
+    fn part(&self, part: usize) -> &Matrix3<f64> {
+        match part % 2 {
+            0 => &self.along,
+            _ => &self.about[part / 2],
+        }
+    }
+
+    /// Nᵀ column, from part `first` on.
+    fn turn_rows(&self, column: &mut [f64; D], first: usize) {
+        for (part, rows) in column.chunks_exact_mut(3).enumerate().skip(first) {
+            let n = self.part(part);
+            let own = [rows[0], rows[1], rows[2]];
+            for (b, row) in rows.iter_mut().enumerate() {
+                *row = n[(0, b)] * own[0] + n[(1, b)] * own[1] + n[(2, b)] * own[2];
+            }
+        }
+    }
+
+    /// Columns times the rigid rotations of the nodes about their centroid, wing frame, by axis of rotation.
+    fn by_rigid_rotation(&self, columns: &[[f64; D]; D]) -> [[f64; D]; 3] {
+        let mut rigid = [[0.0; D]; 3];
+        for i in 0..N {
+            let arm = self.frame.axes * self.frame.position[i];
+            let [x, y, z] = [0, 1, 2].map(|a| &columns[6 * i + a]);
+            let [rx, ry, rz] = [3, 4, 5].map(|a| &columns[6 * i + a]);
+            for row in 0..D {
+                rigid[0][row] += rx[row] + z[row] * arm.y - y[row] * arm.z;
+                rigid[1][row] += ry[row] + x[row] * arm.z - z[row] * arm.x;
+                rigid[2][row] += rz[row] + y[row] * arm.x - x[row] * arm.y;
+            }
         }
         rigid
     }
 
+    /// Spin of the frame, wing frame, by axis.
+    fn spin(&self) -> [[f64; D]; 3] {
+        let spin = self.frame.axes * self.frame.spin;
+        let mut turned = [[0.0; D]; 3];
+        for part in 0..2 * N {
+            let block = spin.fixed_view::<3, 3>(0, 3 * part) * self.along;
+            for a in 0..3 {
+                for b in 0..3 {
+                    turned[a][3 * part + b] = block[(a, b)];
+                }
+            }
+        }
+        turned
+    }
+
     /// Hᵀ f, projected and unprojected, frame axes.
-    fn projected(
-        &self,
-        p: &SVector<f64, D>,
-        local_force: &SVector<f64, D>,
-    ) -> (SVector<f64, D>, SVector<f64, D>) {
-        let mut unprojected = *local_force;
+    fn projected(&self, local: &SVector<f64, D>) -> (SVector<f64, D>, SVector<f64, D>) {
+        let mut unprojected = *local;
         let mut moment = Vector3::<f64>::zeros();
         for i in 0..N {
-            let theta: Vector3<f64> = p.fixed_rows::<3>(6 * i + 3).into();
-            let m: Vector3<f64> = local_force.fixed_rows::<3>(6 * i + 3).into();
-            let m = spin_moment(&theta, &m);
+            let m: Vector3<f64> = local.fixed_rows::<3>(6 * i + 3).into();
+            let m = self.spin_to_vector[i].tr_mul(&m);
             unprojected.fixed_rows_mut::<3>(6 * i + 3).copy_from(&m);
-            let n: Vector3<f64> = local_force.fixed_rows::<3>(6 * i).into();
-            moment += self.position[i].cross(&n) + m;
+            let n: Vector3<f64> = local.fixed_rows::<3>(6 * i).into();
+            moment += self.frame.position[i].cross(&n) + m;
         }
-        (unprojected - self.spin.transpose() * moment, unprojected)
+        (unprojected - self.frame.spin.tr_mul(&moment), unprojected)
     }
 
     /// From frame axes to the wing frame.
@@ -224,8 +315,18 @@ impl<const N: usize, const D: usize> Frame<N, D> {
         for i in 0..2 * N {
             turned
                 .fixed_rows_mut::<3>(3 * i)
-                .copy_from(&(self.axes * force.fixed_rows::<3>(3 * i)));
+                .copy_from(&(self.frame.axes * force.fixed_rows::<3>(3 * i)));
         }
         turned
+    }
+}
+
+/// Three columns times a matrix of 3 × 3.
+fn combine<const D: usize>(columns: &mut [[f64; D]], by: &Matrix3<f64>) {
+    let [x, y, z] = [columns[0], columns[1], columns[2]];
+    for (b, column) in columns.iter_mut().enumerate() {
+        for row in 0..D {
+            column[row] = x[row] * by[(0, b)] + y[row] * by[(1, b)] + z[row] * by[(2, b)];
+        }
     }
 }

@@ -10,7 +10,8 @@ use faer::sparse::SparseColMatRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky, supernodal::SupernodalLdltRef,
+    factorize_symbolic_cholesky,
+    supernodal::{self, SupernodalLdltRef},
 };
 use faer::{Conj, MatMut, Par, Side};
 
@@ -93,16 +94,32 @@ impl Factor {
     /// Cholesky factor; `false` if the matrix is not positive definite.
     pub fn positive(&mut self, pattern: &Pattern, matrix: &[f64]) -> bool {
         let view = SparseColMatRef::new(pattern.symbolic(), matrix);
-        let done = self.symbolic.factorize_numeric_llt(
-            &mut self.values,
-            view,
-            Side::Lower,
-            LltRegularization::default(),
-            self.par,
-            MemStack::new(&mut self.buffer),
-            Default::default(),
-        );
-        let done = done.is_ok();
+        let stack = MemStack::new(&mut self.buffer);
+        let done = match self.symbolic.raw() {
+            // the order is that of the pattern: straight on, without a copy in the order of elimination
+            SymbolicCholeskyRaw::Supernodal(symbolic) => supernodal::factorize_supernodal_numeric_llt(
+                &mut self.values,
+                view,
+                LltRegularization::default(),
+                symbolic,
+                self.par,
+                stack,
+                Default::default(),
+            )
+            .is_ok(),
+            SymbolicCholeskyRaw::Simplicial(_) => self
+                .symbolic
+                .factorize_numeric_llt(
+                    &mut self.values,
+                    view,
+                    Side::Lower,
+                    LltRegularization::default(),
+                    self.par,
+                    stack,
+                    Default::default(),
+                )
+                .is_ok(),
+        };
         self.kind = if done { Kind::Llt } else { Kind::None };
         done
     }

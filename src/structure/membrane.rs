@@ -142,7 +142,7 @@ pub fn tension_field(
     let centre = 0.5 * (strain[0] + strain[1]);
     let half = 0.5 * (strain[0] - strain[1]);
     let shear = 0.5 * strain[2];
-    let radius = half.hypot(shear);
+    let radius = (half * half + shear * shear).sqrt();
     let (first, second) = (centre + radius, centre - radius);
     let is_taut = second + poisson * first >= 0.0 && first >= 0.0;
     if is_taut && slack == 0.0 {

@@ -106,28 +106,28 @@ impl Guess {
 }
 
 impl Shell {
-    /// Response of the law that is linear about the local freedoms `about`, and the element's own force.
+    /// Writes the response of the law that is linear about the local freedoms `about`; gives the element's own force.
     pub(super) fn mixed_response(
         &self,
         sheet: &Sheet,
-        u: &[Vector3<f64>; 3],
-        q: &[UnitQuaternion<f64>; 3],
+        (u, q): (&[Vector3<f64>; 3], &[UnitQuaternion<f64>; 3]),
         about: &SVector<f64, 18>,
-    ) -> (Response<18>, SVector<f64, 18>) {
+        response: &mut Response<18>,
+    ) -> SVector<f64, 18> {
         if matches!(sheet.compression, Compression::Carries) {
             // its law is linear
-            let response = self.response(sheet, u, q, Some(about), 0.0);
-            let force = response.force;
-            return (response, force);
+            self.respond(sheet, (u, q), Some(about), 0.0, response);
+            return response.force;
         }
         let frame = self.frame(u);
         let p = frame.local_freedoms(&self.rest, u, q);
+        let film = self.local(sheet, about, 0.0, response);
+        let carry = frame.carry(&p);
+        carry.response(response);
+        let linearized = self.local_force_by(film.as_ref(), about, &p);
+        response.force = carry.force(&linearized);
         let (energy, force) = self.local_force(sheet, &p);
-        let mut response = self.local(sheet, about, 0.0);
-        let linearized = response.force + response.stiffness * (p - about);
-        frame.carry_to_global(&p, &mut response);
         response.energy = energy;
-        response.force = frame.global_force(&p, &linearized);
-        (response, frame.global_force(&p, &force))
+        carry.force(&force)
     }
 }

@@ -57,6 +57,7 @@ pub mod sheet;
 pub mod shell;
 
 pub mod shell_force;
+mod shell_local;
 
 pub mod skin;
 

@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 
 use super::StructureError;
 use super::beam::Beam;
 use super::blend::Blend;
+use super::corotational::Response;
 use super::loads::Loads;
 use super::pattern::Pattern;
 use super::rotation::{moment_correction, spin_to_vector};
@@ -19,6 +20,8 @@ use super::state::State;
 
 /// Elements whose responses are held at once.
 const CHUNK: usize = 1024;
+/// Elements from which on they are computed side by side: fewer are added one by one, without a place for each.
+const SIDE_BY_SIDE: usize = 1024;
 
 /// A structure at rest.
 #[derive(Debug, Clone, Default)]
@@ -236,44 +239,19 @@ impl Model {
         aid: Option<&Aid>,
         values: &mut [f64],
     ) -> Assembled {
-        let guess = aid.and_then(|aid| aid.guess.as_ref());
-        let carried = aid.map_or(0.0, |aid| aid.carried);
         let is_mixed = aid.is_some_and(|aid| aid.is_mixed);
         let mut residual = vec![0.0; pattern.len()];
         // what the linear laws of a mixed step add to the residual
         let mut excess = vec![0.0; if is_mixed { pattern.len() } else { 0 }];
-        for (part, shells) in self.shells.chunks(CHUNK).enumerate() {
-            let response = |(index, shell): (usize, &Shell)| {
-                let (u, q) = self.shell_state(shell, state);
-                let guess = guess.and_then(|guess| guess.shell(part * CHUNK + index));
-                let sheet = &self.sheets[shell.sheet];
-                match guess {
-                    Some(about) if is_mixed => shell.mixed_response(sheet, &u, &q, about),
-                    _ => {
-                        let response = shell.response(sheet, &u, &q, guess, carried);
-                        let force = response.force;
-                        (response, force)
-                    }
-                }
-            };
-            // computed side by side, added one after the other: the sums do not depend on the number of threads
-            let responses: Vec<_> = shells
-                .par_iter()
-                .enumerate()
-                .with_min_len(64)
-                .map(response)
-                .collect();
-            for (index, (shell, (response, force))) in shells.iter().zip(&responses).enumerate() {
-                scatter(pattern, &mut residual, &shell.nodes, force.as_slice());
-                if is_mixed {
-                    let more = response.force - force;
-                    scatter(pattern, &mut excess, &shell.nodes, more.as_slice());
-                }
-                pattern.add_shell(values, part * CHUNK + index, shell.nodes, |i, j| {
-                    response.stiffness[(i, j)]
-                });
+        self.each_shell(state, aid, |index, shell, (response, force)| {
+            scatter(pattern, &mut residual, &shell.nodes, force.as_slice());
+            if is_mixed {
+                let more = response.force - force;
+                scatter(pattern, &mut excess, &shell.nodes, more.as_slice());
             }
-        }
+            pattern.add_shell(values, index, shell.nodes, |i, j| response.stiffness[(i, j)]);
+        });
+        let guess = aid.and_then(|aid| aid.guess.as_ref());
         for (index, beam) in self.beams.iter().enumerate() {
             let (u, q) = self.beam_state(beam, state);
             let guess = guess.map(|guess| &guess.beams[index]);
@@ -299,6 +277,50 @@ impl Model {
             residual.clone()
         };
         Assembled { residual, linearized }
+    }
+
+    /// Hands over the response of each shell and its own force, one after the other in their order: sums do not depend on the number
+    /// of threads.
+    fn each_shell(
+        &self,
+        state: &State,
+        aid: Option<&Aid>,
+        mut add: impl FnMut(usize, &Shell, &(Response<18>, SVector<f64, 18>)),
+    ) {
+        let guess = aid.and_then(|aid| aid.guess.as_ref());
+        let carried = aid.map_or(0.0, |aid| aid.carried);
+        let is_mixed = aid.is_some_and(|aid| aid.is_mixed);
+        let respond = |index: usize,
+                       shell: &Shell,
+                       (response, force): &mut (Response<18>, SVector<f64, 18>)| {
+            let (u, q) = self.shell_state(shell, state);
+            let guess = guess.and_then(|guess| guess.shell(index));
+            let sheet = &self.sheets[shell.sheet];
+            match guess {
+                Some(about) if is_mixed => *force = shell.mixed_response(sheet, (&u, &q), about, response),
+                _ => {
+                    shell.respond(sheet, (&u, &q), guess, carried, response);
+                    *force = response.force;
+                }
+            }
+        };
+        let none = (Response::zero(), SVector::zeros());
+        if self.shells.len() < SIDE_BY_SIDE {
+            let mut response = none;
+            for (index, shell) in self.shells.iter().enumerate() {
+                respond(index, shell, &mut response);
+                add(index, shell, &response);
+            }
+            return;
+        }
+        let mut responses = vec![none; self.shells.len().min(CHUNK)];
+        for (part, shells) in self.shells.chunks(CHUNK).enumerate() {
+            let places = responses.par_iter_mut().zip(shells).enumerate().with_min_len(64);
+            places.for_each(|(index, (place, shell))| respond(part * CHUNK + index, shell, place));
+            for (index, (shell, response)) in shells.iter().zip(&responses).enumerate() {
+                add(part * CHUNK + index, shell, response);
+            }
+        }
     }
 
     /// Local freedoms of the elements after a step (by freedom of `pattern`) from `state`, to first order; `shells`:
@@ -394,7 +416,7 @@ impl Spring {
         let about = Matrix3::from_diagonal(&Vector3::from(self.rotation_n_m_rad));
         let h = spin_to_vector(&theta);
         let moment = about * theta;
-        let correction = moment_correction(&theta, &moment);
+        let correction = moment_correction(&theta, &moment, &h);
         let turned = h.transpose() * moment;
         let force = along * Vector3::new(stretch[0], stretch[1], stretch[2]);
         let stiffness = h.transpose() * about * h + 0.5 * (correction + correction.transpose());

@@ -15,10 +15,11 @@ pub fn rotation_vector(r: &Matrix3<f64>) -> Vector3<f64> {
     let axial = Vector3::new(r.m32 - r.m23, r.m13 - r.m31, r.m21 - r.m12) * 0.5;
     let sine = axial.norm();
     let cosine = 0.5 * (r.trace() - 1.0);
-    if cosine > 0.0 && sine < 1e-4 {
-        // asin(s)/s to the sixth order
+    if cosine > 0.0 && sine < 0.03 {
+        // asin(s)/s up to s¹⁰: what is left out is below 1e-20
         let s2 = sine * sine;
-        return axial * (1.0 + s2 / 6.0 + 3.0 * s2 * s2 / 40.0);
+        let high = 15.0 / 336.0 + s2 * (105.0 / 3456.0 + s2 * (945.0 / 42240.0));
+        return axial * (1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * high)));
     }
     if cosine > -0.99 {
         return axial * (sine.atan2(cosine) / sine);
@@ -46,15 +47,8 @@ pub fn spin_to_vector(theta: &Vector3<f64>) -> Matrix3<f64> {
     )
 }
 
-/// Hᵀ m, with H of [`spin_to_vector`].
-pub fn spin_moment(theta: &Vector3<f64>, m: &Vector3<f64>) -> Vector3<f64> {
-    let square = theta.norm_squared();
-    let eta = curvature_factors(square).0;
-    m * (1.0 - eta * square) + 0.5 * theta.cross(m) + theta * (eta * theta.dot(m))
-}
-
-/// Derivative of H(θ)ᵀ m with respect to a spin: ∂(Hᵀ m)/∂θ · H.
-pub fn moment_correction(theta: &Vector3<f64>, m: &Vector3<f64>) -> Matrix3<f64> {
+/// Derivative of H(θ)ᵀ m with respect to a spin: ∂(Hᵀ m)/∂θ · H; H of [`spin_to_vector`].
+pub fn moment_correction(theta: &Vector3<f64>, m: &Vector3<f64>, h: &Matrix3<f64>) -> Matrix3<f64> {
     let square = theta.norm_squared();
     let (eta, mu) = curvature_factors(square);
     let along = theta.dot(m);
@@ -62,7 +56,7 @@ pub fn moment_correction(theta: &Vector3<f64>, m: &Vector3<f64>) -> Matrix3<f64>
         + theta * (eta * m + mu * along * theta).transpose()
         + Matrix3::from_diagonal_element(eta * along)
         - skew(&(0.5 * m));
-    by_vector * spin_to_vector(theta)
+    by_vector * h
 }
 
 /// η = (1 − (θ/2) cot(θ/2))/θ² and μ = (dη/dθ)/θ as functions of θ².
@@ -123,7 +117,7 @@ mod tests {
         let h = 1e-6;
         let m = Vector3::new(0.3, -2.0, 1.1);
         for v in vectors() {
-            let map = moment_correction(&v, &m);
+            let map = moment_correction(&v, &m, &spin_to_vector(&v));
             for axis in 0..3 {
                 let spin = Vector3::ith(axis, h);
                 let at = |spin: Vector3<f64>| {
@@ -133,8 +127,6 @@ mod tests {
                 let difference = (at(spin) - at(-spin)) / (2.0 * h);
                 assert!((difference - map.column(axis)).norm() < 1e-8, "{v} {axis}");
             }
-            let whole = spin_to_vector(&v).transpose() * m;
-            assert!((spin_moment(&v, &m) - whole).norm() < 1e-14, "{v}");
         }
     }
 }

@@ -28,10 +28,11 @@ pub struct Shell {
     pub(super) area_m2: f64,
     /// Gradients of the linear shape functions at rest, element axes, 1/m.
     pub(super) gradient: [Vector2<f64>; 3],
-    /// Stiffness of all that is linear in the local freedoms.
-    stiffness: SMatrix<f64, 18, 18>,
+    /// Stiffness of all that is linear in the local freedoms, in its plane (u, v, θ_z at each node) and out of it (w, θ_x, θ_y).
+    pub(super) in_plane: SMatrix<f64, 9, 9>,
+    pub(super) out_of_plane: SMatrix<f64, 9, 9>,
     /// Local force at zero strain.
-    initial_force: SVector<f64, 18>,
+    pub(super) initial_force: SVector<f64, 18>,
 }
 
 impl Shell {
@@ -64,7 +65,8 @@ impl Shell {
             rest,
             area_m2,
             gradient,
-            stiffness: SMatrix::zeros(),
+            in_plane: SMatrix::zeros(),
+            out_of_plane: SMatrix::zeros(),
             initial_force: SVector::zeros(),
         };
         shell.set_sheet(&plane, sheet);
@@ -75,36 +77,25 @@ impl Shell {
         let stretching = sheet.e_pa * sheet.thickness_m;
         let bending = membrane::isotropic(stretching * sheet.thickness_m.powi(2) / 12.0, sheet.poisson);
         let softness = plate::softness_m2(sheet.thickness_m, sheet.poisson);
-        let k = plate::stiffness(plane, &bending, softness);
-        for i in 0..9 {
-            for j in 0..9 {
-                self.stiffness[(6 * (i / 3) + 2 + i % 3, 6 * (j / 3) + 2 + j % 3)] += k[(i, j)];
-            }
-        }
+        self.out_of_plane = plate::stiffness(plane, &bending, softness);
         match sheet.compression {
             Compression::Carries => {
-                let optimal = membrane::optimal(
+                self.in_plane = membrane::optimal(
                     plane,
                     &membrane::isotropic(stretching, sheet.poisson),
                     membrane::HIGHER_ORDER,
                 );
-                let place = |i: usize| 6 * (i / 3) + [0, 1, 5][i % 3];
                 // the pretension pulls at the nodes alone: lumped onto the rotations about the normal it would, where the
                 // film bends, leave moments in its plane that nothing but its bending could hold
                 for (i, slope) in self.gradient.iter().enumerate() {
                     self.initial_force[6 * i] += sheet.pretension_n_per_m * self.area_m2 * slope.x;
                     self.initial_force[6 * i + 1] += sheet.pretension_n_per_m * self.area_m2 * slope.y;
                 }
-                for i in 0..9 {
-                    for j in 0..9 {
-                        self.stiffness[(place(i), place(j))] += optimal[(i, j)];
-                    }
-                }
             }
             Compression::TensionField { drilling_factor, .. } => {
                 let shear = 0.5 * stretching / (1.0 + sheet.poisson);
                 for node in 0..3 {
-                    self.stiffness[(6 * node + 5, 6 * node + 5)] +=
+                    self.in_plane[(3 * node + 2, 3 * node + 2)] =
                         DRILLING_SHARE * drilling_factor * shear * self.area_m2 / 3.0;
                 }
             }
@@ -131,17 +122,30 @@ impl Shell {
         guess: Option<&SVector<f64, 18>>,
         carried: f64,
     ) -> Response<18> {
+        let mut response = Response::zero();
+        self.respond(sheet, (u, q), guess, carried, &mut response);
+        response
+    }
+
+    /// Writes the same.
+    pub(super) fn respond(
+        &self,
+        sheet: &Sheet,
+        (u, q): (&[Vector3<f64>; 3], &[UnitQuaternion<f64>; 3]),
+        guess: Option<&SVector<f64, 18>>,
+        carried: f64,
+        response: &mut Response<18>,
+    ) {
         let frame = self.frame(u);
         let p = frame.local_freedoms(&self.rest, u, q);
         let about = guess.unwrap_or(&p);
-        let mut response = self.local(sheet, about, carried);
-        frame.carry_to_global(about, &mut response);
+        self.local(sheet, about, carried, response);
+        frame.carry(about).response(response);
         if guess.is_some() {
             let (energy, force) = self.local_force(sheet, &p);
             response.energy = energy;
-            response.force = frame.global_force(&p, &force);
+            response.force = frame.carry(&p).force(&force);
         }
-        response
     }
 
     /// Local freedoms after a step from a shape, to first order.
@@ -156,27 +160,6 @@ impl Shell {
         p + frame.local_change(&p, step)
     }
 
-    pub(super) fn local(&self, sheet: &Sheet, p: &SVector<f64, 18>, carried: f64) -> Response<18> {
-        let (energy, force) = self.local_force(sheet, p);
-        let mut local = Response {
-            energy,
-            force,
-            stiffness: self.stiffness,
-        };
-        if let Some(film) = self.film(sheet, p) {
-            let b = self.strain_matrix();
-            let elastic = membrane::isotropic(sheet.e_pa * sheet.thickness_m, sheet.poisson);
-            let tangent = film.tangent + carried * (elastic - film.tangent);
-            let stiffness = b.transpose() * (tangent * self.area_m2) * b;
-            for i in 0..6 {
-                for j in 0..6 {
-                    local.stiffness[(6 * (i / 2) + i % 2, 6 * (j / 2) + j % 2)] += stiffness[(i, j)];
-                }
-            }
-        }
-        local
-    }
-
     /// Energy and force only.
     pub fn force(
         &self,
@@ -187,54 +170,7 @@ impl Shell {
         let frame = self.frame(u);
         let p = frame.local_freedoms(&self.rest, u, q);
         let (energy, force) = self.local_force(sheet, &p);
-        (energy, frame.global_force(&p, &force))
-    }
-
-    pub(super) fn local_force(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> (f64, SVector<f64, 18>) {
-        let mut force = self.initial_force + self.stiffness * p;
-        let mut energy = p.dot(&(0.5 * (force + self.initial_force)));
-        if let Some(film) = self.film(sheet, p) {
-            energy += film.energy * self.area_m2;
-            let film_force = self.strain_matrix().transpose() * film.force * self.area_m2;
-            for i in 0..6 {
-                force[6 * (i / 2) + i % 2] += film_force[i];
-            }
-        }
-        (energy, force)
-    }
-
-    pub(super) fn film(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> Option<membrane::FilmResponse> {
-        let Compression::TensionField { residual, slack, .. } = sheet.compression else {
-            return None;
-        };
-        let stretching = sheet.e_pa * sheet.thickness_m;
-        let shrinkage = sheet.pretension_n_per_m * (1.0 - sheet.poisson) / stretching;
-        let mut strain = SVector::<f64, 3>::new(shrinkage, shrinkage, 0.0);
-        for i in 0..3 {
-            let (u, v) = (p[6 * i], p[6 * i + 1]);
-            let b = &self.gradient[i];
-            strain[0] += b.x * u;
-            strain[1] += b.y * v;
-            strain[2] += b.y * u + b.x * v;
-        }
-        Some(membrane::tension_field(
-            &strain,
-            stretching,
-            sheet.poisson,
-            residual,
-            slack,
-        ))
-    }
-
-    pub(super) fn strain_matrix(&self) -> SMatrix<f64, 3, 6> {
-        let mut b = SMatrix::zeros();
-        for (i, slope) in self.gradient.iter().enumerate() {
-            b[(0, 2 * i)] = slope.x;
-            b[(1, 2 * i + 1)] = slope.y;
-            b[(2, 2 * i)] = slope.y;
-            b[(2, 2 * i + 1)] = slope.x;
-        }
-        b
+        (energy, frame.carry(&p).force(&force))
     }
 
     pub(super) fn frame(&self, u: &[Vector3<f64>; 3]) -> Frame<3, 18> {
@@ -248,14 +184,14 @@ impl Shell {
         for (x, slope) in x.iter().zip(&self.gradient) {
             f += Vector2::new(x.dot(&g1), x.dot(&g2)) * slope.transpose();
         }
-        let (sine, cosine) = (f.m21 - f.m12).atan2(f.m11 + f.m22).sin_cos();
+        let trace = ((f.m11 + f.m22).powi(2) + (f.m21 - f.m12).powi(2)).sqrt();
+        let (sine, cosine) = ((f.m21 - f.m12) / trace, (f.m11 + f.m22) / trace);
         let e1 = cosine * g1 + sine * g2;
         let axes = Matrix3::from_columns(&[e1, e3.cross(&e1), e3]);
         let to_frame = axes.transpose();
         let position = x.map(|x| to_frame * x);
         let plane = position.map(|x| x.xy());
         let area2 = (plane[1] - plane[0]).perp(&(plane[2] - plane[0]));
-        let trace = (f.m11 + f.m22).hypot(f.m21 - f.m12);
         let mut spin = SMatrix::<f64, 3, 18>::zeros();
         for i in 0..3 {
             let opposite = plane[(i + 2) % 3] - plane[(i + 1) % 3];
@@ -421,7 +357,7 @@ mod tests {
         let shell = Shell::new([0, 1, 2], corners(), 0, &sheet).unwrap();
         let (u, q) = ([Vector3::zeros(); 3], [UnitQuaternion::identity(); 3]);
         let with = shell.response(&sheet, &u, &q, None, 0.0).stiffness;
-        let without = shell.linear_part();
+        let without = shell.linear_part(&sheet);
         let normal = shell.axes().column(2).into_owned();
         let tension = shell.unit_tension();
         for i in 0..3 {
@@ -435,13 +371,15 @@ mod tests {
     }
 
     impl Shell {
-        fn linear_part(&self) -> SMatrix<f64, 18, 18> {
+        fn linear_part(&self, sheet: &Sheet) -> SMatrix<f64, 18, 18> {
             let mut turn = SMatrix::<f64, 18, 18>::zeros();
             for i in 0..6 {
                 turn.fixed_view_mut::<3, 3>(3 * i, 3 * i)
                     .copy_from(&self.rest.axes);
             }
-            turn * self.stiffness * turn.transpose()
+            let mut local = Response::zero();
+            self.local(sheet, &SVector::zeros(), 0.0, &mut local);
+            turn * local.stiffness * turn.transpose()
         }
     }
 }

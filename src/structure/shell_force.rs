@@ -50,16 +50,12 @@ impl Shell {
                 .copy_from(&(self.rest.axes.transpose() * u));
         }
         let stiffness = membrane::isotropic(sheet.e_pa * sheet.thickness_m, sheet.poisson);
-        self.turned_force(&(stiffness * self.mean_strain(&p)), along)
+        self.turned_force(&(stiffness * self.strain(&p)), along)
     }
 
     fn elastic_force(&self, sheet: &Sheet, p: &SVector<f64, 18>) -> SVector<f64, 3> {
         let stiffness = membrane::isotropic(sheet.e_pa * sheet.thickness_m, sheet.poisson);
-        stiffness * self.mean_strain(p) + SVector::<f64, 3>::new(1.0, 1.0, 0.0) * sheet.pretension_n_per_m
-    }
-
-    fn mean_strain(&self, p: &SVector<f64, 18>) -> SVector<f64, 3> {
-        self.strain_matrix() * SVector::<f64, 6>::from_fn(|i, _| p[6 * (i / 2) + i % 2])
+        stiffness * self.strain(p) + SVector::<f64, 3>::new(1.0, 1.0, 0.0) * sheet.pretension_n_per_m
     }
 
     /// Membrane force in axes whose x is the projection of `along`.
