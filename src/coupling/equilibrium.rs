@@ -58,8 +58,8 @@ pub fn solve_wing(
     Ok((solution, equilibrium.into_tangent()))
 }
 
-/// By Newton's method where the design asks for it, from nearby and from rest; else, and where it does not settle on a stable
-/// shape, by the fixed point; in pseudo-time where that does not settle either.
+/// By Newton's method where the design asks for it, from nearby and from rest; where it does not settle on a stable shape, in
+/// pseudo-time, and where that does not settle either, by the fixed point. A design that asks for the fixed point has it first.
 fn couple(
     design: &Design,
     wing: &Wing,
@@ -74,7 +74,9 @@ fn couple(
     let care = near.map_or(Care::Full, |near| near.care);
     let asked = care.tolerances(coupling);
     let mut lost = 0;
-    if coupling.accelerator == Accelerator::Newton && !wing.linear && structure.load_increments == 1 {
+    let is_joint =
+        coupling.accelerator == Accelerator::Newton && !wing.linear && structure.load_increments == 1;
+    if is_joint {
         let nearby = near.and_then(|near| {
             let shape = newton::carried(wing, &near.solution.mesh, &near.solution.state)?;
             Some((shape, near.step.as_deref()))
@@ -103,19 +105,50 @@ fn couple(
             return Err(CouplingError::GivenUp { steps: lost });
         }
     }
-    let by_fixed_point = fixed_point::iterate(wing, equilibrium, rest, coupling, structure, progress);
-    let mut found = match by_fixed_point {
-        Err(told) if !wing.linear && is_unsettled(&told) => {
-            let settled = pseudo_time::settle(wing, equilibrium, rest, coupling, progress)?;
-            match settled {
-                Ok(found) => fixed_point::stable(wing, equilibrium, rest, found, Care::Full)?,
-                Err(_) => return Err(told),
-            }
-        }
-        found => found?,
+    // the fixed point solves the whole structure in each of its steps: where the design does not ask for it, it comes last
+    let ways = match is_joint {
+        _ if wing.linear => vec![Way::FixedPoint],
+        true => vec![Way::PseudoTime, Way::FixedPoint],
+        false => vec![Way::FixedPoint, Way::PseudoTime],
     };
-    found.newton_steps += lost;
-    Ok(found)
+    let mut told = None;
+    for way in ways {
+        let found = match way {
+            Way::FixedPoint => fixed_point::iterate(wing, equilibrium, rest, coupling, structure, progress),
+            Way::PseudoTime => match pseudo_time::settle(wing, equilibrium, rest, coupling, progress)? {
+                Ok(found) => fixed_point::stable(wing, equilibrium, rest, found, Care::Full),
+                Err(steps) => {
+                    lost += steps;
+                    continue;
+                }
+            },
+        };
+        match found {
+            Ok(mut found) => {
+                found.newton_steps += lost;
+                return Ok(found);
+            }
+            Err(error) if !(is_unsettled(&error) || is_verdict(&error)) => return Err(error),
+            // a verdict on what was found says more than that nothing was
+            Err(error) if told.as_ref().is_none_or(is_unsettled) => told = Some(error),
+            Err(_) => {}
+        }
+    }
+    Err(told.expect("the fixed point says why it does not settle"))
+}
+
+/// A way to the equilibrium where Newton's method does not lead there.
+enum Way {
+    FixedPoint,
+    PseudoTime,
+}
+
+/// Whether an equilibrium was found that the wing would leave.
+fn is_verdict(error: &CouplingError) -> bool {
+    matches!(
+        error,
+        CouplingError::Diverged { .. } | CouplingError::Unstable { .. }
+    )
 }
 
 /// Whether nothing was found, as opposed to a verdict on what was.

@@ -1,8 +1,8 @@
 //! Air and structure in one Newton iteration: every step updates shape and air load together.
 //!
 //! The step solves (K − A S) d = −F with the mixed tangent K of the structure ([`crate::structure::mixed`]) and the air's
-//! own change (see [`super::feedback`]); only the residual decides what equilibrium is. The fixed point is the slow path
-//! beside it: it takes over where the steps do not settle, or settle on a shape that is not stable.
+//! own change (see [`super::feedback`]); only the residual decides what equilibrium is. Where the steps do not
+//! settle, or settle on a shape that is not stable, the wing moves in pseudo-time; the fixed point is the slow path beside both.
 
 use super::error::CouplingError;
 use super::feedback::Feedback;

@@ -1,6 +1,6 @@
 //! Air and structure in pseudo-time: a damped motion of the wing under its air, from rest to where it stands still.
 //!
-//! The last resort where neither Newton's method nor the fixed point settles: loose films swing through many shapes, and a whole step leaps from one to
+//! Where Newton's method does not settle: loose films swing through many shapes, and a whole step leaps from one to
 //! another. Here every step (K + D/τ − A S) d = −F is short enough that no node turns far, so that the wing moves as one that is held
 //! back would. Toward rest the steps grow to those of Newton's method. The residual, which alone tells equilibrium, has no damping.
 
