@@ -226,8 +226,9 @@ impl Add {
         }
         folder.add_summary(&report)?;
         console.progress().check()?;
-        file.write(&fit.text)?;
+        // the study last: whoever is stopped between the two can do the same again
         let pictures = folder.commit()?;
+        file.write(&fit.text)?;
         let page = format!("{}\n{}", page(&report), listed(&pictures, &report.files));
         console.result(&page, &report)
     }

@@ -57,6 +57,8 @@ documents! {
     Design "design" crate::export::layouts::LayoutSummary,
     /// `washout divergence --json`
     Divergence "divergence" crate::wing::divergence::DivergenceReport,
+    /// `washout check --json`
+    Check "check" crate::export::check::RunCheck,
     /// `washout diff --json`
     Diff "diff" Difference,
     /// `washout modes --json`

@@ -178,6 +178,14 @@ pub enum Failure {
         /// Their names.
         failing: Vec<String>,
     },
+    /// A run that is not what it says it is.
+    #[error("{}: {} not hold; solve that design again", run.display(), if *faults == 1 { "one thing does".to_string() } else { format!("{faults} things do") })]
+    Unsound {
+        /// The run.
+        run: PathBuf,
+        /// How many things do not hold.
+        faults: usize,
+    },
     /// A case that there is not.
     #[error(
         "there is no case '{name}'{}; `washout verify --list` shows all",
@@ -243,7 +251,11 @@ impl Failure {
             Failure::NothingToShow { .. } => 2,
             Failure::Export(source) if source.is_of_input() => 2,
             Failure::UnknownCase { .. } => 2,
-            Failure::Export(_) | Failure::Output(_) | Failure::Threads(_) | Failure::Cases { .. } => 1,
+            Failure::Export(_)
+            | Failure::Output(_)
+            | Failure::Threads(_)
+            | Failure::Cases { .. }
+            | Failure::Unsound { .. } => 1,
             Failure::Interrupted(_) | Failure::Unfinished { .. } => 130,
         }
     }

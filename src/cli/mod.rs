@@ -91,6 +91,8 @@ pub mod synthesize;
 
 pub mod blind;
 
+pub mod check;
+
 pub mod diff;
 
 pub mod export;
@@ -172,6 +174,8 @@ pub enum Verb {
     Blind(blind::TryBlind),
     /// List the physics that can be added to a design, or print the card of one
     Effects(effects::ListEffects),
+    /// Check a run: files and inputs unchanged, its shape in equilibrium
+    Check(check::Check),
     /// Compare two runs: inputs, results, twist
     Diff(diff::Diff),
     /// One HTML file of a run or a study: the wing in 3D, pictures, tables, for a browser or a printer
@@ -239,6 +243,7 @@ pub fn run_on(console: &Console, arguments: &Arguments) -> Result<(), Failure> {
         Verb::Synthesize(verb) => verb.run(console),
         Verb::Blind(verb) => verb.run(console),
         Verb::Effects(verb) => verb.run(console),
+        Verb::Check(verb) => verb.run(console),
         Verb::Diff(verb) => verb.run(console),
         Verb::Report(verb) => verb.run(console),
         Verb::Plot(verb) => verb.run(console),

@@ -36,6 +36,21 @@ pub fn solve_wing(
     };
     let mut coupled = couple(design, wing, &mut equilibrium, &rest, near, progress)?;
     coupled.newton_steps += steps;
+    let solution = solution(wing, mesh, &equilibrium, rest, coupled)?;
+    Ok((solution, equilibrium.into_tangent()))
+}
+
+/// What is read off a shape that was found.
+///
+/// # Errors
+/// If a strip stands outside of the range of the air's law, or a number is not finite.
+pub(super) fn solution(
+    wing: &Wing,
+    mesh: &Mesh,
+    equilibrium: &Equilibrium,
+    rest: State,
+    coupled: Coupled,
+) -> Result<Solution, CouplingError> {
     let air = wing.strip_air(&wing.strips.shapes(&coupled.state), false)?;
     if let Some(Air { law, .. }) = &wing.air {
         for strip in &air {
@@ -49,13 +64,13 @@ pub fn solve_wing(
         pressure_pa: wing.pressure(mesh, &air),
         beam_force: wing.beam_forces(&rest, &coupled.state),
         membrane_force_n_per_m: wing.membrane_forces(&rest, &coupled.state),
-        report: report(wing, &equilibrium, &coupled),
+        report: report(wing, equilibrium, &coupled),
         air_force_n: air_force.into_iter().map(Into::into).collect(),
         rest,
         state: coupled.state,
     };
     solution.refuse_not_finite()?;
-    Ok((solution, equilibrium.into_tangent()))
+    Ok(solution)
 }
 
 /// By Newton's method where the design asks for it, from nearby and from rest; where it does not settle on a stable shape, in

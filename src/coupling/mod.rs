@@ -6,6 +6,8 @@ pub mod air;
 
 pub mod air_resistance;
 
+pub mod balance;
+
 mod beside;
 
 pub mod blade;

@@ -106,6 +106,12 @@ pub enum ExportError {
         /// What the system said.
         source: io::Error,
     },
+    /// A folder without the record that every run has.
+    #[error("{} is not the folder of a run: it has no record .washout.json of what was written there; give the folder that a verb of washout wrote", path.display())]
+    Unrecorded {
+        /// The folder.
+        path: PathBuf,
+    },
     /// A file that stands where the plan of a sweep should.
     #[error("{} is not the plan of a sweep ({reason}); move it away, or give another folder with --output", path.display())]
     NoPlan {
@@ -121,6 +127,14 @@ pub enum ExportError {
         path: PathBuf,
         /// What does not fit.
         reason: String,
+    },
+    /// A document of another verb where that of a solved wing is wanted.
+    #[error("{} is of a run of `washout {kind}`; here belongs a run that washout solve wrote", path.display())]
+    OtherRun {
+        /// The file.
+        path: PathBuf,
+        /// What it says it is.
+        kind: String,
     },
     /// A picture cannot be drawn.
     #[cfg(feature = "cli")]
@@ -190,8 +204,10 @@ impl ExportError {
         matches!(
             self,
             ExportError::NoRun { .. }
+                | ExportError::Unrecorded { .. }
                 | ExportError::NoPlan { .. }
                 | ExportError::ForeignSummary { .. }
+                | ExportError::OtherRun { .. }
                 | ExportError::NoCounterpart { .. }
                 | ExportError::ForeignEntry { .. }
                 | ExportError::NoRecord { .. }

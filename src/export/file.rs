@@ -88,6 +88,7 @@ pub fn refuse_other(
 /// # Errors
 /// If it cannot be written; then what stood there still stands.
 pub(super) fn write_own(path: &Path, bytes: &[u8]) -> Result<(), ExportError> {
+    clear_left(&place::of_file(path)?);
     put(path, bytes, true)
 }
 

@@ -86,6 +86,9 @@ pub mod diagnosis;
 pub mod pictures;
 
 #[cfg(feature = "cli")]
+pub mod check;
+
+#[cfg(feature = "cli")]
 pub mod difference;
 
 #[cfg(feature = "cli")]

@@ -1,12 +1,14 @@
 //! A wing solved: its loaded shape, and what is read of it.
 
 use crate::aero::Flow;
+use crate::coupling::balance::{Balance, at_shape};
 use crate::coupling::engineering::engineering;
 use crate::coupling::solution::Solution;
 use crate::coupling::{CouplingError, Engineering};
 use crate::lift::{LiftError, LiftReport, Stroke, StrokeMeans, TwistAlongSpan, TwistHistory, stroke_means};
 use crate::observation::{Observer, TwistProfile, twist_at};
 use crate::progress::Progress;
+use crate::structure::state::State;
 
 use super::error::WingError;
 use super::model::WingModel;
@@ -132,7 +134,21 @@ impl WingModel {
         Ok(SolvedWing::new(self.clone(), solution))
     }
 
-    /// The same, found sooner from the shape of a wing nearby.
+    /// The wing in a shape that is made from its unloaded one, and how well that meets the equations; nothing is solved but the cure.
+    ///
+    /// # Errors
+    /// If the wing cannot be set up, or would not stay in that shape.
+    pub fn at_shape(
+        &self,
+        shape: impl FnOnce(&State) -> State,
+        progress: &Progress,
+    ) -> Result<(SolvedWing, Balance), WingError> {
+        let found = at_shape(self.design(), &self.mesh, self.air_table(), shape, progress);
+        let (solution, balance) = found.map_err(|source| self.unsolved(source))?;
+        Ok((SolvedWing::new(self.clone(), solution), balance))
+    }
+
+    /// As [`WingModel::solve`], found sooner from the shape of a wing nearby.
     ///
     /// # Errors
     /// As [`WingModel::solve`].

@@ -6,6 +6,8 @@ mod at_once;
 
 mod bench;
 
+mod check;
+
 mod compare;
 
 mod divergence;

@@ -69,6 +69,22 @@ fn a_run_is_drawn_for_print_as_wide_and_as_fine_as_asked() {
 }
 
 #[test]
+fn the_pictures_of_a_run_that_is_no_solved_wing_are_those_that_stand_in_it() {
+    let here = folder();
+    let wing = design("rigid.toml");
+    let run = |arguments: &[&str]| washout(here.path(), arguments);
+    let lift = run(&["lift", &wing, "--set", "mesh.refine=0.2", "--output", "lift"]);
+    assert_eq!(lift.code, Some(0), "{}", lift.err);
+    let listed = run(&["plot", "lift", "--list"]);
+    assert_eq!((listed.code, listed.out.as_str()), (Some(0), "span\nstroke\n"));
+    let refused = run(&["diff", "lift", "lift"]);
+    assert_eq!(refused.code, Some(2));
+    let words =
+        "lift/summary.json is of a run of `washout lift`; here belongs a run that washout solve wrote";
+    assert!(refused.err.contains(words), "{}", refused.err);
+}
+
+#[test]
 fn what_cannot_be_drawn_ends_with_2_and_says_what_to_give() {
     let here = folder();
     let refused = |arguments: &[&str], words: &str| {

@@ -148,7 +148,7 @@ fn the_example_of_ones_own_acts() {
 /// A formula over the twist rate takes it from the wing without the formula.
 #[test]
 fn a_formula_of_ones_own_may_brake_by_the_twist_rate() {
-    let plate = AIR.replace("0.01", "0.15");
+    let plate = AIR.replace("0.01", "0.15") + "[mesh]\nrefine = 0.5\n";
     let braked = rectangle(&format!("{plate}{}", own("moment", "-2e-4 * twist_rate", "")));
     let (_, mesh) = for_design(&braked, None).unwrap();
     let wing = closed_forms::wing(&braked, &mesh);

@@ -26,7 +26,7 @@ fn moving(design: &Design) -> Periodic {
 fn plate(frequency_hz: f64, more: &str) -> Design {
     rectangle(&format!(
         "[film]\nmaterial = 'steel'\nthickness_mm = 0.15\n\
-         [flapping]\nfrequency_hz = {frequency_hz:?}\nhalf_amplitude_deg = 30.0\n{more}"
+         [flapping]\nfrequency_hz = {frequency_hz:?}\nhalf_amplitude_deg = 30.0\n{more}[mesh]\nrefine = 0.5\n"
     ))
 }
 

@@ -9,6 +9,7 @@ use crate::export::file::input_file;
 use crate::export::html::run;
 use crate::export::html::still::still;
 use crate::export::run::{SUMMARY, read_summary};
+use crate::export::summary::RunSummary;
 use crate::origin::InputFile;
 use crate::plot::Figure;
 
@@ -30,15 +31,14 @@ pub struct Picture {
 /// # Errors
 /// If a file cannot be read or is not of a run, or a number is not finite.
 pub fn pictures(folder: &Path) -> Result<(Vec<Picture>, Vec<InputFile>), ExportError> {
-    if folder.join(SUMMARY).is_file() {
-        of_run(folder)
-    } else {
-        standing(folder)
+    match read_summary(folder) {
+        Ok(summary) => of_run(folder, &summary),
+        Err(ExportError::NoRun { .. } | ExportError::OtherRun { .. }) => standing(folder),
+        Err(error) => Err(error),
     }
 }
 
-fn of_run(folder: &Path) -> Result<(Vec<Picture>, Vec<InputFile>), ExportError> {
-    let summary = read_summary(folder)?;
+fn of_run(folder: &Path, summary: &RunSummary) -> Result<(Vec<Picture>, Vec<InputFile>), ExportError> {
     let files = RefCell::new(vec![input_file(&folder.join(SUMMARY))?]);
     let read = |name: &str| {
         let path = folder.join(name);
@@ -47,17 +47,17 @@ fn of_run(folder: &Path) -> Result<(Vec<Picture>, Vec<InputFile>), ExportError> 
         files.borrow_mut().push(file);
         Ok(bytes)
     };
-    let (wing, strips) = run::drawn(&summary, folder, &read)?;
+    let (wing, strips) = run::drawn(summary, folder, &read)?;
     let mut pictures = vec![Picture {
         name: "wing".to_string(),
         svg: still(&wing),
     }];
-    pictures.extend(drawn("twist", &profile::twist(&summary))?);
+    pictures.extend(drawn("twist", &profile::twist(summary))?);
     if !strips.is_empty() {
         pictures.extend(drawn("air", &profile::strips(&summary.name, &strips))?);
     }
     if summary.stroke.is_some() {
-        pictures.extend(drawn("stroke", &profile::stroke(&summary))?);
+        pictures.extend(drawn("stroke", &profile::stroke(summary))?);
     }
     Ok((pictures, files.into_inner()))
 }

@@ -8,7 +8,7 @@ mod exchange;
 
 mod record;
 
-pub use record::write_member;
+pub use record::{Since, since_written, write_member};
 
 use std::fs::{self, File};
 use std::io::Write;
@@ -28,6 +28,9 @@ use record::{NEW_RECORD, RECORD, Record, refuse_foreign};
 
 /// Name of the file that lists the files of a run.
 pub const SUMMARY: &str = "summary.json";
+
+/// What the summary of a solved wing says it is.
+const SOLVED: &str = "solve";
 
 /// A run folder in the making.
 #[derive(Debug)]
@@ -198,17 +201,28 @@ where
     Ok(text)
 }
 
-/// Reads the summary of a run from its folder.
+/// Reads the summary of a solved wing from the folder of its run.
+///
+/// # Errors
+/// If there is none, or it is of another verb or version.
 pub fn read_summary(folder: &Path) -> Result<RunSummary, ExportError> {
     let path = folder.join(SUMMARY);
     let text = fs::read_to_string(&path).map_err(|source| ExportError::NoRun {
         path: folder.to_path_buf(),
         source,
     })?;
-    json::read(text.as_bytes()).map_err(|error| ExportError::ForeignSummary {
-        path,
+    let foreign = |error: serde_json::Error| ExportError::ForeignSummary {
+        path: path.clone(),
         reason: error.to_string(),
-    })
+    };
+    let document = json::read(text.as_bytes()).map_err(foreign)?;
+    match json::kind(&document) {
+        Some(kind) if kind != SOLVED => Err(ExportError::OtherRun {
+            path,
+            kind: kind.to_string(),
+        }),
+        _ => json::of(&document).map_err(foreign),
+    }
 }
 
 #[cfg(test)]

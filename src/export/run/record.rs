@@ -8,6 +8,7 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::export::file::{left_of, write_over, write_own};
@@ -70,6 +71,37 @@ impl Record {
     pub fn text(&self) -> Result<String, ExportError> {
         Ok(json::text(self)? + "\n")
     }
+}
+
+/// What became of a file since it was noted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Since {
+    /// It holds the same.
+    Unchanged,
+    /// It holds something else.
+    Changed,
+    /// It is not there, or cannot be read.
+    Missing,
+}
+
+impl Since {
+    /// Of the file at this path, which held bytes of this SHA-256.
+    pub fn noted(path: &Path, known: &str) -> Since {
+        match fs::read(path) {
+            Ok(bytes) if sha256(&bytes) == known => Since::Unchanged,
+            Ok(_) => Since::Changed,
+            Err(_) => Since::Missing,
+        }
+    }
+}
+
+/// The verb that wrote a folder, and what became of each file that it noted there; none without a record.
+pub fn since_written(folder: &Path) -> Option<(String, Vec<(String, Since)>)> {
+    let record = Record::read(folder)?;
+    let files = record.files.iter();
+    let files = files.map(|(name, known)| (name.clone(), Since::noted(&folder.join(name), known)));
+    Some((record.verb.clone(), files.collect()))
 }
 
 /// Refuses a folder that may not be replaced by what `verb` writes: one that holds anything that this verb did not write there, or

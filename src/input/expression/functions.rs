@@ -48,11 +48,13 @@ pub(super) fn call<D: DualNum<Primitive = f64> + Copy>(name: &str, a: D, b: D) -
     }
 }
 
-/// a / b; 0 over a divisor that has overflowed.
+/// a / b; 0 over a divisor that has overflowed. The inverse of a divisor next to 0 overflows.
 pub(super) fn divide<D: DualNum<Primitive = f64> + Copy>(a: D, b: D) -> D {
     let quotient = a.re() / b.re();
     match b.re().abs() {
         size if size > HUGE && quotient.abs() < 1.0 / HUGE => D::from(quotient),
+        size if size > 0.0 && size < 1.0 / HUGE => D::from(quotient),
+        size if size > 0.0 && size < 1.0 / LARGE => (a - b * quotient) / b.re() + quotient,
         size if size > LARGE && size.is_finite() => (a - b * quotient) / b.re() + quotient,
         _ => a / b,
     }
@@ -68,8 +70,12 @@ pub(super) fn power<D: DualNum<Primitive = f64> + Copy>(a: D, b: f64) -> D {
             _ => kept(a.powi(b as i32)).unwrap_or_else(|| divide(D::from(1.0), product(-b))),
         };
     }
+    let value = a.re().powf(b);
+    if value.is_nan() {
+        // exponents next to 0, 1 and 2 are taken as these by the library of dual numbers, also where there is no power
+        return D::from(value);
+    }
     kept(a.powf(b)).unwrap_or_else(|| {
-        let value = a.re().powf(b);
         match a.re() {
             0.0 if b > 1.0 => D::from(value),
             // an infinite slope
