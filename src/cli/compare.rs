@@ -238,11 +238,8 @@ impl Compare {
 
     fn reference(&self, path: &std::path::Path, console: &Console) -> Result<WingModel, Failure> {
         let arguments = DesignArguments {
-            effect: Vec::new(),
-            design: path.to_path_buf(),
-            set: Vec::new(),
-            refine: self.design.refine,
-            mesh: None,
+            memory: self.design.memory,
+            ..DesignArguments::of_file(path, &[], self.design.refine)
         };
         arguments.wing(console)
     }

@@ -8,6 +8,7 @@ use crate::effects::{instead_of, named};
 use crate::input::{Design, Loaded};
 use crate::wing::WingModel;
 
+use super::memory::refuse_beyond;
 use super::{Console, Failure};
 
 /// A design file and what the command line changes in it.
@@ -27,14 +28,24 @@ pub struct DesignArguments {
     /// Use this Gmsh mesh instead of making one
     #[arg(long, value_name = "FILE")]
     pub mesh: Option<PathBuf>,
+    /// Solve a mesh that takes up to this, GB [default: what is free]
+    #[arg(long, value_name = "GB", value_parser = gigabytes)]
+    pub memory: Option<f64>,
 }
 
 impl DesignArguments {
     /// Reads the design and meshes the wing.
-    pub fn wing(&self, console: &Console) -> Result<WingModel, Failure> {
+    pub fn meshed(&self, console: &Console) -> Result<WingModel, Failure> {
         let loaded = self.load(&[])?;
         console.progress().say(format!("meshing {}", loaded.design.name));
         Ok(WingModel::new(loaded)?)
+    }
+
+    /// The same, to be solved: refused where that takes more memory than there is.
+    pub fn wing(&self, console: &Console) -> Result<WingModel, Failure> {
+        let wing = self.meshed(console)?;
+        refuse_beyond(&self.design, wing.mesh.nodes.len(), self.memory)?;
+        Ok(wing)
     }
 
     /// A design file on its own terms.
@@ -45,6 +56,7 @@ impl DesignArguments {
             effect: Vec::new(),
             refine,
             mesh: None,
+            memory: None,
         }
     }
 
@@ -61,6 +73,14 @@ impl DesignArguments {
             sets.push(format!("mesh.file={}", beside(&self.design, file).display()));
         }
         Ok(Design::load(&self.design, &sets)?)
+    }
+}
+
+/// A size of memory, GB.
+fn gigabytes(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(number) if number > 0.0 && number.is_finite() => Ok(number),
+        _ => Err("give a number above 0, in GB".to_string()),
     }
 }
 

@@ -186,6 +186,23 @@ pub enum Failure {
         /// How many things do not hold.
         faults: usize,
     },
+    /// A mesh whose solve takes more memory than there is.
+    #[error(
+        "{}: its mesh of {nodes} nodes takes about {needed_gb:.1} GB, and {allowed_gb:.1} GB may be taken. Take a coarser mesh \
+         (--refine 0.5), or allow more (--memory {:.0})",
+        design.display(),
+        needed_gb.ceil()
+    )]
+    Memory {
+        /// The design file.
+        design: PathBuf,
+        /// Nodes of the mesh.
+        nodes: usize,
+        /// What a solve takes, GB.
+        needed_gb: f64,
+        /// What it may take, GB.
+        allowed_gb: f64,
+    },
     /// A case that there is not.
     #[error(
         "there is no case '{name}'{}; `washout verify --list` shows all",
@@ -250,7 +267,7 @@ impl Failure {
             Failure::Name { .. } => 2,
             Failure::NothingToShow { .. } => 2,
             Failure::Export(source) if source.is_of_input() => 2,
-            Failure::UnknownCase { .. } => 2,
+            Failure::UnknownCase { .. } | Failure::Memory { .. } => 2,
             Failure::Export(_)
             | Failure::Output(_)
             | Failure::Threads(_)

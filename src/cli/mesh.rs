@@ -65,7 +65,7 @@ pub struct MeshReport {
 impl WriteMesh {
     /// Meshes the wing and writes the files.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let wing = self.design.wing(console)?;
+        let wing = self.design.meshed(console)?;
         let design = &wing.loaded.design;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(format!("{}-mesh", design.name)));

@@ -9,6 +9,8 @@ pub mod console;
 
 pub mod design_arguments;
 
+mod memory;
+
 pub mod solve;
 
 pub mod stroke;

@@ -31,7 +31,7 @@ pub struct Slurm {
     #[arg(long)]
     pub slurm: bool,
     /// Partition of the cluster
-    #[arg(long, value_name = "NAME", requires = "slurm")]
+    #[arg(long, value_name = "NAME", requires = "slurm", value_parser = partition_name)]
     pub partition: Option<String>,
     /// Longest time of a task, minutes
     #[arg(long, value_name = "MIN", requires = "slurm", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..=43_200))]
@@ -142,6 +142,13 @@ fn submit(
     round: u8,
 ) -> Result<String, Failure> {
     let logs = folder.join("slurm");
+    if logs.display().to_string().contains(char::is_control) {
+        return Err(Failure::Option {
+            option: "--output",
+            reason: "names a folder with a line feed or the like in it; jobs of Slurm take no such name"
+                .to_string(),
+        });
+    }
     std::fs::create_dir_all(&logs).map_err(ExportError::file("create", &logs))?;
     let program = std::env::current_exe().map_err(ExportError::file("find", Path::new("washout")))?;
     let cores = options.cores;
@@ -167,7 +174,7 @@ fn submit(
     let array = format!(
         "{head}#SBATCH --array={}\n#SBATCH --output={}\n{command} --task \"$SLURM_ARRAY_TASK_ID\"\n",
         ranges(missing),
-        quoted(&logs.join("task-%a-%A.log")),
+        log_pattern(&logs, "task-%a-%A.log"),
     );
     let mut more = format!(" --minutes {} --cores {cores}", options.minutes);
     if let Some(partition) = &options.partition {
@@ -178,7 +185,7 @@ fn submit(
     }
     let merge = format!(
         "{head}#SBATCH --output={}\n{command} --slurm --merge-round {round}{more}\n",
-        quoted(&logs.join("merge-%j.log")),
+        log_pattern(&logs, "merge-%j.log"),
     );
     let (array_file, merge_file) = (logs.join("array.sh"), logs.join("merge.sh"));
     for (file, script) in [(&array_file, &array), (&merge_file, &merge)] {
@@ -222,6 +229,21 @@ fn is_any_job_left(folder: &Path) -> Result<bool, Failure> {
     Ok(!output.status.success() || !String::from_utf8_lossy(&output.stdout).trim().is_empty())
 }
 
+/// The file of a log as sbatch takes it: a % of its own is a %% there.
+fn log_pattern(folder: &Path, name: &str) -> String {
+    let folder = folder.display().to_string().replace('%', "%%");
+    quoted_word(&format!("{folder}/{name}"))
+}
+
+/// A name of a partition, or some with commas between: it stands in a script as it is.
+fn partition_name(text: &str) -> Result<String, String> {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_-.+,".contains(letter);
+    match !text.is_empty() && text.chars().all(is_plain) {
+        true => Ok(text.to_string()),
+        false => Err("give letters, digits and _ - . + only, with commas between several".to_string()),
+    }
+}
+
 fn quoted(path: &Path) -> String {
     quoted_word(&path.display().to_string())
 }
@@ -255,6 +277,19 @@ mod tests {
     fn numbers_that_follow_each_other_are_a_range() {
         assert_eq!(ranges(&[0, 3, 4, 5, 9, 10, 12]), "0,3-5,9-10,12");
         assert_eq!(ranges(&[]), "");
+    }
+
+    #[test]
+    fn a_partition_is_a_plain_name_and_a_percent_of_a_folder_stays_one() {
+        assert_eq!(
+            partition_name("night,gpu-2_a.b").as_deref(),
+            Ok("night,gpu-2_a.b")
+        );
+        for wrong in ["", "night\ntouch x", "a b", "$(id)", "a;b"] {
+            assert!(partition_name(wrong).is_err(), "{wrong:?}");
+        }
+        let pattern = log_pattern(Path::new("/tmp/a%j b/slurm"), "task-%a-%A.log");
+        assert_eq!(pattern, "'/tmp/a%%j b/slurm/task-%a-%A.log'");
     }
 
     #[test]

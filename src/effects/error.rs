@@ -118,6 +118,24 @@ pub enum EffectError {
     },
 }
 
+impl EffectError {
+    /// The dotted key in the design that is at fault, if it is one.
+    pub fn key(&self) -> Option<String> {
+        let (name, key) = match self {
+            EffectError::NameTaken { .. } | EffectError::RegisteredBefore => return None,
+            EffectError::Unknown { name, .. }
+            | EffectError::NoStrength { name, .. }
+            | EffectError::NotApplicable { name, .. } => return Some(format!("effects.{name}")),
+            EffectError::UnknownKey { name, key, .. }
+            | EffectError::NoNumber { name, key, .. }
+            | EffectError::OutOfRange { name, key, .. }
+            | EffectError::Own { name, key, .. } => (name, key.as_str()),
+            EffectError::NoValue { name, .. } | EffectError::Formula { name, .. } => (name, "expression"),
+        };
+        Some(format!("effects.{name}.{key}"))
+    }
+}
+
 /// A formula as far as it fits into a sentence.
 fn shortened(text: &str) -> String {
     const MOST: usize = 100;

@@ -124,6 +124,17 @@ pub fn edges(mesh: &Mesh, displacement_mm: &[[f64; 3]]) -> Result<Vec<u8>, Expor
     table(&EDGES_HEAD, &rows)
 }
 
+/// A text of somebody's as a cell: what a spreadsheet would take for a formula has an apostrophe before it.
+#[cfg(feature = "cli")]
+pub(crate) fn plain_cell(text: &str) -> String {
+    let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']) && text.parse::<f64>().is_err();
+    if is_formula {
+        format!("'{text}")
+    } else {
+        text.to_string()
+    }
+}
+
 /// A table with a head; fields of a row stand in the order of the head.
 pub(crate) fn table(head: &[&str], rows: &[impl Serialize]) -> Result<Vec<u8>, ExportError> {
     let refuse = |reason: String| ExportError::Encoding {
@@ -146,6 +157,34 @@ pub(crate) fn table(head: &[&str], rows: &[impl Serialize]) -> Result<Vec<u8>, E
 mod tests {
     use super::*;
     use crate::input::measurement::Bound;
+
+    #[cfg(feature = "cli")]
+    #[test]
+    fn no_cell_is_a_formula_of_a_spreadsheet_and_numbers_stay() {
+        let cells = [
+            "=cmd|x",
+            "+1+1",
+            "-2+3",
+            "@sum",
+            "--set: no",
+            "-2.5",
+            "+1e3",
+            "kapton",
+            "",
+        ];
+        let plain = [
+            "'=cmd|x",
+            "'+1+1",
+            "'-2+3",
+            "'@sum",
+            "'--set: no",
+            "-2.5",
+            "+1e3",
+            "kapton",
+            "",
+        ];
+        assert_eq!(cells.map(plain_cell), plain);
+    }
 
     #[test]
     fn the_head_names_the_fields_of_a_row_in_their_order() {

@@ -6,7 +6,7 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::csv::table as csv_table;
+use super::csv::{plain_cell, table as csv_table};
 use super::tasks::write_json;
 use super::{ExportError, json};
 use crate::origin::{InputFile, MadeOf};
@@ -145,9 +145,11 @@ pub fn table(plan: &SweepPlan, rows: &[Row]) -> Result<Vec<u8>, ExportError> {
                 .map_or(String::new(), |value| format!("{value:?}"))
         };
         std::iter::once(row.case.to_string())
-            .chain(row.values.iter().cloned())
+            .chain(row.values.iter().map(|value| plain_cell(value)))
             .chain(names.iter().map(shown))
-            .chain([row.failure.clone().unwrap_or_default().replace('\n', " ")])
+            .chain([plain_cell(
+                &row.failure.clone().unwrap_or_default().replace('\n', " "),
+            )])
             .collect()
     };
     let records: Vec<Vec<String>> = rows.iter().map(record).collect();

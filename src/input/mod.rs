@@ -55,7 +55,7 @@ mod path;
 mod unit;
 
 pub use assumption::{Assumption, Choice};
-pub use check::refused_in;
+pub use check::{place_in, refused_in};
 pub use design::Design;
 pub use error::{InputError, Place, Problem, Range};
 pub use expression::{Expression, ExpressionError};

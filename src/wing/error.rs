@@ -4,7 +4,8 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use crate::coupling::CouplingError;
-use crate::input::InputError;
+use crate::effects::EffectError;
+use crate::input::{InputError, Loaded, Place, place_in};
 use crate::progress::Cancelled;
 
 /// Why a wing gives no answer.
@@ -20,6 +21,14 @@ pub enum WingError {
         design: PathBuf,
         /// What is wrong.
         reason: Box<dyn Error + Send + Sync>,
+    },
+    /// A table of an effect is refused.
+    #[error("{place}: {source}")]
+    Effect {
+        /// Where it stands.
+        place: Place,
+        /// What is wrong.
+        source: Box<EffectError>,
     },
     /// The wing has no solution that could be found.
     #[error("{}: {source}", design.display())]
@@ -80,6 +89,19 @@ impl WingError {
         WingError::Design {
             design: design.to_path_buf(),
             reason: Box::new(reason),
+        }
+    }
+
+    /// What is wrong with a table of an effect, with its line in the file of the design.
+    pub(super) fn effect(loaded: &Loaded, source: EffectError) -> WingError {
+        let key = source.key().unwrap_or_default();
+        let value = key.strip_prefix("effects.").and_then(|rest| {
+            let (name, number) = rest.split_once('.')?;
+            loaded.design.effects.get(name)?.get(number)
+        });
+        WingError::Effect {
+            place: place_in(&loaded.path, &key, value),
+            source: Box::new(source),
         }
     }
 

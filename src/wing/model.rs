@@ -6,6 +6,7 @@ use std::path::Path;
 use crate::aero::Flow;
 use crate::coupling::solution::Solution;
 use crate::coupling::{self, BladeAir, CouplingError};
+use crate::effects::bind;
 use crate::geometry::Planform;
 use crate::input::{Design, Loaded};
 use crate::lift::{LiftError, Stroke};
@@ -47,8 +48,9 @@ impl WingModel {
     /// Meshes a design that was read.
     ///
     /// # Errors
-    /// If no such wing can be meshed.
+    /// If an effect is refused, or no such wing can be meshed.
     pub fn new(loaded: Loaded) -> Result<WingModel, WingError> {
+        bind(&loaded.design).map_err(|source| WingError::effect(&loaded, source))?;
         let file = (loaded.mesh_file.as_ref()).map(|(name, bytes)| MeshFile { name, bytes });
         let (planform, mesh) =
             for_design(&loaded.design, file).map_err(|error| WingError::design(&loaded.path, error))?;

@@ -44,6 +44,43 @@ fn replace(path: &Path, from: &str, to: &str) {
 }
 
 #[test]
+fn a_wrong_table_of_an_effect_is_refused_with_its_line() {
+    let folder = planned();
+    let rod = folder.path().join("rod.toml");
+    let sound = fs::read_to_string(&rod).unwrap();
+    let line = sound.lines().count() + 2;
+    let tables = [
+        (
+            "root-flexure",
+            "strength = -7",
+            format!("rod.toml:{line}:12: effects.root-flexure.strength = -7: must lie in"),
+        ),
+        (
+            "root-flexure",
+            "strength = 'x'",
+            format!("rod.toml:{line}:12: effects.root-flexure.strength = \"x\": must be a number"),
+        ),
+        (
+            "mine",
+            "kind = 'custom'\nacts_on = 'moment'\nstrength = 1\nexpression = '2 * x +'",
+            format!("rod.toml:{}:14: effects.mine.expression", line + 3),
+        ),
+    ];
+    for (name, table, words) in tables {
+        fs::write(&rod, format!("{sound}[effects.{name}]\n{table}\n")).unwrap();
+        refused(folder.path(), &["solve", "rod.toml"], &[&words]);
+    }
+    // what an option says stands nowhere in the file
+    fs::write(&rod, format!("{sound}[effects.root-flexure]\nstrength = 0.3\n")).unwrap();
+    let set = ["solve", "rod.toml", "--set", "effects.root-flexure.strength=-7"];
+    refused(
+        folder.path(),
+        &set,
+        &["rod.toml: effects.root-flexure.strength = -7: must lie in"],
+    );
+}
+
+#[test]
 fn an_effect_that_there_is_not_is_a_fault_of_the_option() {
     let folder = planned();
     for verb in [

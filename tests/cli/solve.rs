@@ -413,3 +413,31 @@ fn a_mesh_is_refined_until_the_share_that_was_asked_for_and_a_share_of_nothing_i
         said.err
     );
 }
+
+#[test]
+fn what_takes_more_memory_than_is_allowed_is_refused_before_it_is_solved() {
+    let here = folder();
+    let wing = design("rigid.toml");
+    let said = washout(
+        here.path(),
+        &["solve", &wing, "--memory", "0.01", "--output", "run"],
+    );
+    assert_eq!((said.code, said.out.as_str()), (Some(2), ""), "{}", said.err);
+    for words in [
+        "rigid.toml: its mesh of ",
+        "may be taken",
+        "--refine 0.5",
+        "--memory 1",
+    ] {
+        assert!(said.err.contains(words), "{words}: {}", said.err);
+    }
+    assert!(!here.path().join("run").exists());
+    let none = washout(here.path(), &["solve", &wing, "--memory", "-1"]);
+    assert_eq!(none.code, Some(2), "{}", none.err);
+    // nothing is solved here
+    let meshed = washout(
+        here.path(),
+        &["mesh", &wing, "--memory", "0.01", "--output", "mesh"],
+    );
+    assert_eq!(meshed.code, Some(0), "{}", meshed.err);
+}

@@ -2,6 +2,7 @@
 
 mod film;
 mod independence;
+mod invariances;
 mod load_transfer;
 mod mesh_error;
 mod mesh_study;

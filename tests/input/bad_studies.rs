@@ -71,6 +71,18 @@ fn bad_studies_are_refused_with_place_value_and_cure() {
         ),
         (
             &format!(
+                "{CASE}measured = 'twist-v2'\n[[uncertain]]\nkey = 'material.carbon-rod.g_gap'\nsigma = 1.0\n"
+            ),
+            "s.toml:8:7: uncertain[0].key = 'material.carbon-rod.g_gap': no design of the study has a number there.\n  \
+             Did you mean material.carbon-rod.g_gpa?",
+        ),
+        (
+            &format!("{CASE}measured = 'twist-v2'\n[[uncertain]]\nkey = 'nothing'\nsigma = 1.0\n"),
+            "s.toml:8:7: uncertain[0].key = 'nothing': no design of the study has a number there.\n  \
+             Give the dotted key of a number, such as material.carbon-rod.g_gpa",
+        ),
+        (
+            &format!(
                 "{CASE}measured = 'twist-v2'\n[[ruler]]\nkind = 'offset'\nchannel = 'twist'\nsigma = 0.3\nruns = ['v9']\n"
             ),
             "s.toml:11:8: ruler[0].runs = ['v9']: no reading of twist has such a run.\n  Its readings name no runs: leave this out",

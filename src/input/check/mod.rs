@@ -14,7 +14,7 @@ mod section;
 
 use refusal::material_is_known;
 pub(crate) use refusal::refuse;
-pub use refusal::refused_in;
+pub use refusal::{place_in, refused_in};
 
 use super::design::Design;
 use super::document::Node;

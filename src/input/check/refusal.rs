@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::input::design::Design;
-use crate::input::document::Node;
-use crate::input::error::{InputError, Problem};
+use crate::input::document::{Node, Source};
+use crate::input::error::{InputError, Place, Problem};
 use crate::input::file::{read_text, shown};
 use crate::input::nearest::nearest;
 use crate::input::path::KeyPath;
@@ -60,6 +60,28 @@ pub fn refused_in(path: &Path, what: &str, key: &str, message: &str, cure: &str)
     match root.and_then(|root| refuse::<()>(&root, key, message, &[], cure)) {
         Err(refusal) => refusal,
         Ok(()) => InputError::about_file(&shown(path), message, cure),
+    }
+}
+
+/// Where the value at `key` of a TOML file on disk stands; the file alone, where it cannot be read any more or has another value there,
+/// as after `--set`.
+pub fn place_in(path: &Path, key: &str, value: Option<&toml::Value>) -> Place {
+    let root = read_text(path, "design file").and_then(|text| Node::parse_file(&shown(path), &text));
+    let found = root.ok().and_then(|root| {
+        let node = root.at(&KeyPath::parse(key).ok()?)?;
+        let shown = |value: &toml::Value| Node::from_value(&Source::other("value"), value).shown();
+        let same = value.is_none_or(|value| is_same_value(&node.shown(), &shown(value)));
+        same.then(|| node.place())
+    });
+    found.unwrap_or_else(|| Place::file(&shown(path)))
+}
+
+/// Whether two ways to write a value mean the same: 0.30 and 0.3, 'x' and "x".
+fn is_same_value(one: &str, other: &str) -> bool {
+    let plain = |text: &str| text.trim_matches(['\'', '"']).to_string();
+    match (one.parse::<f64>(), other.parse::<f64>()) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => plain(one) == plain(other),
     }
 }
 

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 use super::expand::{CaseNumber, Form, case_numbers, put_in};
+use super::known::{known_designs, known_inputs, known_runs};
 use super::unused::{UnusedRows, unused};
 use super::{Case, Purpose, Study};
 use crate::input::check::{format_is_one, refuse};
@@ -172,8 +173,14 @@ impl LoadedStudy {
         };
         let cases = families(&study.case, "case")?;
         let experiments = families(&study.experiment, "experiment")?;
-        known_designs(&study, &root, &cases)?;
-        known_runs(&study, &root, cases.iter().chain(&experiments))?;
+        let designs: Vec<&Design> = cases
+            .iter()
+            .map(|case: &LoadedCase| &case.loaded.design)
+            .collect();
+        known_designs(&study, &root, &designs)?;
+        known_inputs(&study, &root, &designs)?;
+        let rows = cases.iter().chain(&experiments).flat_map(|case| &case.rows);
+        known_runs(&study, &root, rows)?;
         Ok(LoadedStudy {
             unused: unused_rows(&study, &measured, cases.iter().chain(&experiments)),
             files: all_files(input, &measured, cases.iter().chain(&experiments)),
@@ -367,67 +374,4 @@ fn changes(
     }
     changes.extend_from_slice(from.sets);
     Ok(changes)
-}
-
-/// Refuses rulers of which no run is that of a reading of their channel; some may belong to cases that were taken out.
-fn known_runs<'a>(
-    study: &Study,
-    root: &Node,
-    cases: impl Iterator<Item = &'a LoadedCase> + Clone,
-) -> Result<(), InputError> {
-    for (k, ruler) in study.ruler.iter().enumerate() {
-        let rows = cases.clone().flat_map(|case| &case.rows);
-        let mut known: Vec<&str> = rows
-            .filter(|row| row.channel == ruler.channel)
-            .map(|row| row.run.as_str())
-            .collect();
-        known.sort_unstable();
-        known.dedup();
-        let runs = ruler.runs.as_deref().unwrap_or_default();
-        if !runs.is_empty() && !runs.iter().any(|run| known.contains(&run.as_str())) {
-            let key = format!("ruler[{k}].runs");
-            let message = format!("no reading of {} has such a run", ruler.channel.name());
-            let cure = match known.iter().all(|own| own.is_empty()) {
-                true => "Its readings name no runs: leave this out".to_string(),
-                false => format!("The runs are {}", known.join(", ")),
-            };
-            return refuse(root, &key, message, &["channel"], cure);
-        }
-    }
-    Ok(())
-}
-
-/// Refuses names of designs that no case has.
-fn known_designs(study: &Study, root: &Node, cases: &[LoadedCase]) -> Result<(), InputError> {
-    let named = study
-        .uncertain
-        .iter()
-        .enumerate()
-        .map(|(k, u)| (format!("uncertain[{k}].designs"), &u.designs));
-    let effects = study
-        .effect
-        .iter()
-        .enumerate()
-        .map(|(k, e)| (format!("effect[{k}].designs"), &e.designs));
-    let candidates = [("candidates_on".to_string(), &study.candidates_on)];
-    for (key, designs) in named.chain(effects).chain(candidates) {
-        for name in designs.iter().flatten() {
-            if !cases.iter().any(|case| case.loaded.design.name == *name) {
-                let mut known: Vec<&str> = cases
-                    .iter()
-                    .map(|case| case.loaded.design.name.as_str())
-                    .collect();
-                known.dedup();
-                let cure = format!("The cases have the designs {}", known.join(", "));
-                return refuse(
-                    root,
-                    &key,
-                    format!("no case has a design {name}"),
-                    &["case"],
-                    cure,
-                );
-            }
-        }
-    }
-    Ok(())
 }

@@ -10,6 +10,8 @@ use super::measurement::Channel;
 
 mod expand;
 
+mod known;
+
 mod load;
 
 mod unused;
