@@ -9,6 +9,7 @@ use crate::diagnose::DiagnoseError;
 use crate::explore::ExploreError;
 use crate::export::ExportError;
 use crate::input::InputError;
+use crate::page::text::significant;
 use crate::progress::Cancelled;
 use crate::study::StudyError;
 use crate::sweep::SweepError;
@@ -188,10 +189,12 @@ pub enum Failure {
     },
     /// A mesh whose solve takes more memory than there is.
     #[error(
-        "{}: its mesh of {nodes} nodes takes about {needed_gb:.1} GB, and {allowed_gb:.1} GB may be taken. Take a coarser mesh \
-         (--refine 0.5), or allow more (--memory {:.0})",
+        "{}: a solve of its mesh of {nodes} nodes takes about {} GB, and {} GB may be taken.\n  Take a coarser mesh (--refine 0.5), or allow \
+         more (--memory {})",
         design.display(),
-        needed_gb.ceil()
+        significant(*needed_gb, 2),
+        significant(*allowed_gb, 2),
+        significant(needed_gb.max(0.1) * 1.2, 1)
     )]
     Memory {
         /// The design file.

@@ -60,7 +60,9 @@ mod tests {
             .expect_err("too large")
             .to_string();
         assert!(
-            refused.starts_with("wing.toml: its mesh of 5846 nodes takes about 0.2"),
+            refused.starts_with(
+                "wing.toml: a solve of its mesh of 5846 nodes takes about 0.24 GB, and 0.10 GB may be taken"
+            ),
             "{refused}"
         );
         assert!(free().is_some());
