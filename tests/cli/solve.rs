@@ -424,10 +424,10 @@ fn what_takes_more_memory_than_is_allowed_is_refused_before_it_is_solved() {
     );
     assert_eq!((said.code, said.out.as_str()), (Some(2), ""), "{}", said.err);
     for words in [
-        "rigid.toml: its mesh of ",
+        "rigid.toml: a solve of its mesh of ",
         "may be taken",
         "--refine 0.5",
-        "--memory 1",
+        "--memory 0.1",
     ] {
         assert!(said.err.contains(words), "{words}: {}", said.err);
     }
