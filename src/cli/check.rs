@@ -8,7 +8,7 @@ use crate::export::ExportError;
 use crate::export::check::{FileSince, RunCheck, SHAPE, ShapeCheck, WrittenShape};
 use crate::export::run::Since;
 use crate::page::text::significant;
-use crate::wing::WingModel;
+use crate::wing::{WingError, WingModel};
 
 use super::{Console, Failure};
 
@@ -19,7 +19,7 @@ use super::{Console, Failure};
   # are its files and inputs unchanged, and does its shape meet the equations?
   washout check output/twist-v2
 
-Every file of the run and every file that it was made of is held against its SHA-256. The shape of a solved wing is read from wing.vtu and put into the equations again: residual, forces and moments of loads and supports, work of loads and internal forces, twist and lift. Nothing is solved but the unloaded shape of a film under tension. Of other runs the files are checked.
+Every file of the run and every file that it was made of is held against its SHA-256. The shape of a solved wing is read from wing.vtu and put into the equations again. That gives the residual, forces and moments of loads and supports, work of loads and internal forces, twist and lift. Only the unloaded shape is solved anew, and the motion over the stroke where an effect needs it. Of other runs the files are checked.
 
 Exit code 1 if anything does not hold.")]
 pub struct Check {
@@ -33,8 +33,11 @@ impl Check {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let mut check = RunCheck::of_files(&self.run)?;
         if check.has_shape() {
-            let (found, stated) = self.shape(console)?;
-            check.add_shape(found, stated);
+            match self.shape(console) {
+                Ok((found, stated)) => check.add_shape(found, stated),
+                Err(interrupted @ Failure::Wing(WingError::Interrupted(_))) => return Err(interrupted),
+                Err(reason) => check.refuse_shape(reason),
+            }
         }
         console.result(&page(&check), &check)?;
         match check.faults.len() {
@@ -99,7 +102,7 @@ fn page(check: &RunCheck) -> String {
     }
     match &check.balance {
         Some(shape) => text += &shape_lines(shape),
-        None if check.verb == "solve" => {
+        None if check.is_solved_wing() && !check.has_shape() => {
             text +=
                 &format!("  shape     not checked, for {SHAPE} or summary.json is not as it was written\n");
         }
@@ -111,13 +114,17 @@ fn page(check: &RunCheck) -> String {
 fn shape_lines(shape: &ShapeCheck) -> String {
     let vector = |own: [f64; 3]| own.map(|part| significant(part, 4)).join(", ");
     let left = |left: f64| significant(left, 2);
+    let unjudged = match shape.next_to_no_load {
+        true => "  load      next to none: what is left of it is rounding, and is not judged\n",
+        false => "",
+    };
     let lift = shape
         .lift_change
         .map(|change| format!("  lift      {} of it from what the run says\n", left(change)));
     format!(
         "\nThe shape in {SHAPE}, put into the equations again\n  residual  {} of the load\n  loads     {} mN\n  supports  {} mN; \
          {} of the load is left, {} of its moment\n  work      of the loads {} mJ, of internal forces {} mJ; {} is left\n  \
-         twist     {} deg at most from what the run says\n{}",
+         twist     {} deg at most from what the run says\n{}{unjudged}",
         left(shape.residual),
         vector(shape.load_mn),
         vector(shape.support_mn),

@@ -180,7 +180,7 @@ pub enum Failure {
         failing: Vec<String>,
     },
     /// A run that is not what it says it is.
-    #[error("{}: {} not hold; solve that design again", run.display(), if *faults == 1 { "one thing does".to_string() } else { format!("{faults} things do") })]
+    #[error("{}: {} not hold; make that run again", run.display(), if *faults == 1 { "one thing does".to_string() } else { format!("{faults} things do") })]
     Unsound {
         /// The run.
         run: PathBuf,

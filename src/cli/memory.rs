@@ -23,7 +23,10 @@ fn free() -> Option<f64> {
     let memory = RefreshKind::nothing().with_memory(MemoryRefreshKind::nothing().with_ram());
     let system = System::new_with_specifics(memory);
     let of_machine = system.available_memory();
-    let of_group = system.cgroup_limits().map(|limits| limits.free_memory);
+    // what a group keeps of files is given back where it is needed
+    let of_group = system
+        .cgroup_limits()
+        .map(|limits| limits.total_memory.saturating_sub(limits.rss));
     let free = of_group.map_or(of_machine, |group| group.min(of_machine));
     (free > 0).then_some(free as f64)
 }

@@ -8,13 +8,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::run::{SUMMARY, Since, read_summary, since_written};
+use super::run::{SOLVED, SUMMARY, Since, read_summary, since_written};
 use super::summary::RunSummary;
 use super::vtu::{Grid, Values};
 use super::vtu_read::read_vtu;
 use super::{ExportError, json};
 use crate::coupling::balance::Balance;
 use crate::origin::{MadeOf, program_sha256};
+use crate::structure::larger;
 use crate::structure::state::State;
 use crate::wing::{SolvedWing, WingError};
 
@@ -24,6 +25,8 @@ pub const SHAPE: &str = "wing.vtu";
 /// Largest residual, and largest part of load or work that is not balanced: a thousand times what a solve leaves by default, and far
 /// less than shows in a number.
 const APART: f64 = 1e-5;
+/// No residual that a run states allows more than this: what is accepted as converged leaves at most a thousandth of the load.
+const MOST: f64 = 1e-2;
 /// Largest change of a twist, deg: the last digit that is shown is a hundred times larger.
 const TWIST_DEG: f64 = 1e-4;
 
@@ -78,6 +81,8 @@ pub struct ShapeCheck {
     pub work_left: f64,
     /// Largest difference of a twist to what the run says, deg.
     pub twist_change_deg: f64,
+    /// Whether there is next to no load, so that what is left of it is rounding and is not judged.
+    pub next_to_no_load: bool,
     /// Difference of lift to what the run says, relative to it; absent without flow.
     pub lift_change: Option<f64>,
 }
@@ -125,13 +130,25 @@ impl RunCheck {
         self.faults.extend(faults);
     }
 
+    /// Whether the run is that of a solved wing.
+    pub fn is_solved_wing(&self) -> bool {
+        self.verb == SOLVED
+    }
+
+    /// Notes that the shape cannot be put into the equations again.
+    pub fn refuse_shape(&mut self, reason: impl std::fmt::Display) {
+        self.faults.push(format!(
+            "the shape cannot be put into the equations again: {reason}"
+        ));
+    }
+
     /// Whether the shape of this run can be looked at: it is a solved wing, and its files are as they were written.
     pub fn has_shape(&self) -> bool {
         let is_whole = |name: &str| {
             let whole = |own: &FileSince| own.file == name && own.since == Since::Unchanged;
             self.files.iter().any(whole)
         };
-        self.verb == "solve" && is_whole(SUMMARY) && is_whole(SHAPE)
+        self.is_solved_wing() && is_whole(SUMMARY) && is_whole(SHAPE)
     }
 
     /// Adds what was found of the shape; `stated`: the residual that the run says it has, none for a wing with next to no load, of which
@@ -154,7 +171,7 @@ impl RunCheck {
                 ),
             ];
             for (what, value) in left {
-                fault(what, value, APART.max(10.0 * stated));
+                fault(what, value, (10.0 * stated).clamp(APART, MOST));
             }
         }
         fault(
@@ -279,7 +296,8 @@ impl ShapeCheck {
             load_work_mj: load_work * 1e3,
             internal_work_mj: internal_work * 1e3,
             work_left: left(load_work - internal_work),
-            twist_change_deg: twist_change_deg.fold(0.0, f64::max),
+            twist_change_deg: twist_change_deg.fold(0.0, larger),
+            next_to_no_load: summary.solve.residual.is_none(),
             lift_change: lift.map(|(now, then)| match now == then {
                 true => 0.0,
                 false => (now - then).abs() / then.abs(),

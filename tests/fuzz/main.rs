@@ -13,7 +13,7 @@ mod runs;
 use std::alloc::System;
 use std::any::Any;
 use std::fs;
-use std::os::unix::fs::FileExt;
+use std::io::{Seek, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -57,7 +57,7 @@ pub fn fuzz(reader: &str, seeds: &[Vec<u8>], count: u64, read: impl Fn(&[u8]) ->
         }
     }
     let path = folder(reader).join("last-input");
-    let last = fs::File::create(&path).expect("a file");
+    let mut last = fs::File::create(&path).expect("a file");
     let seconds = number("WASHOUT_FUZZ_SECONDS").map(Duration::from_secs);
     let first = number("WASHOUT_FUZZ_FROM").unwrap_or(0);
     let salt: u64 = reader.bytes().map(u64::from).sum::<u64>() << 40;
@@ -67,7 +67,8 @@ pub fn fuzz(reader: &str, seeds: &[Vec<u8>], count: u64, read: impl Fn(&[u8]) ->
         let at = first + done;
         let bytes = mutate::mutated(seeds, &mut Rng::with_seed(salt + at));
         last.set_len(0)
-            .and_then(|()| last.write_all_at(&bytes, 0))
+            .and_then(|()| last.rewind())
+            .and_then(|()| last.write_all(&bytes))
             .expect("written");
         let started = Instant::now();
         let said = catch_unwind(AssertUnwindSafe(|| read(&bytes)));

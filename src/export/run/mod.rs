@@ -29,8 +29,8 @@ use record::{NEW_RECORD, RECORD, Record, refuse_foreign};
 /// Name of the file that lists the files of a run.
 pub const SUMMARY: &str = "summary.json";
 
-/// What the summary of a solved wing says it is.
-const SOLVED: &str = "solve";
+/// What the summary and the record of a solved wing say it is.
+pub const SOLVED: &str = "solve";
 
 /// A run folder in the making.
 #[derive(Debug)]
