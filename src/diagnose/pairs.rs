@@ -33,8 +33,6 @@ const PRODUCT: f64 = 0.6;
 const INTERPLAY: f64 = 0.4;
 /// Share to which what two effects make besides is known, where it was solved at one pair of strengths; assumed.
 const OWN_OF_BOTH: f64 = 0.2;
-/// Change that can be seen at all, in standard deviations.
-const VISIBLE: f64 = 1.0;
 
 /// Change of the fitted readings by two effects, each with a strength; none if the model has no solution there.
 pub type Both<'a> = dyn Fn([(usize, f64); 2]) -> Result<Option<DVector<f64>>, DiagnoseError> + Sync + 'a;
@@ -63,21 +61,18 @@ pub fn pairs(
     let visible: Vec<usize> = singles
         .iter()
         .map(|trial| trial.members[0])
-        .filter(|&k| {
-            let seen = weights.whitened(&members[k].changes);
-            seen.column_iter().any(|own| own.norm() > VISIBLE)
-        })
+        .filter(|&k| !members[k].nodes.is_empty())
         .collect();
     let glances = glances(members, &visible);
+    if glances.is_empty() {
+        return Ok(Vec::new());
+    }
     let glanced = DMatrix::from_columns(
         &glances
             .iter()
             .map(|&(k, node)| members[k].changes.column(node).into_owned())
             .collect::<Vec<_>>(),
     );
-    if glances.is_empty() {
-        return Ok(Vec::new());
-    }
     let mut chosen: Vec<Found> = best_of_all(weights, members, &glances, &glanced, &ln_prior_of)?;
     let with_first: Vec<Vec<(f64, Found)>> = best_singles(singles, &visible)
         .into_par_iter()

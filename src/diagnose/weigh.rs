@@ -25,6 +25,9 @@ const ANCHORS: usize = 5;
 const IMPROBABLE: f64 = -9.0;
 /// ln of prior times evidence, over that of the best, below which an effect is not looked at closely.
 const HOPELESS: f64 = -14.0;
+/// Strengths at which an effect moves the readings by less, in standard deviations, what the uncertain inputs take up left out, cannot be told
+/// from none: they belong to *nothing detectable*. Between 1 and 2 it makes no difference to cases of another model.
+const DETECTABLE: f64 = 1.5;
 /// An own error below this size, in standard deviations, changes nothing.
 const TOO_SMALL: f64 = 0.3;
 
@@ -59,7 +62,8 @@ pub fn weigh(
 ) -> Result<Weighing, DiagnoseError> {
     let mut weights = Weights::new(&seen.error, &seen.residual, settings)?;
     let shares = shares_of_families(seen, families);
-    let members = members(&weights, (seen, responses), families, &shares);
+    let mut members = members(&weights, (seen, responses), families, &shares);
+    let shares = shared_by_what_is_detectable(&mut members, families.len());
     let prior = settings.prior;
     let mut of_sizes = vec![f64::NEG_INFINITY; weights.levels.len()];
     let plain = weights.less(&DMatrix::zeros(seen.residual.len(), 1));
@@ -164,8 +168,28 @@ fn shares_of_families(seen: &Seen, families: &[Family]) -> Vec<f64> {
     roots.into_iter().map(|root| root / whole).collect()
 }
 
-/// Every missing effect with the strengths at which it is weighed; the prior of a family (its share in `shares`) is shared evenly among its
-/// effects, and then among their places.
+/// One effect in the prior is one that can be detected: every share of it becomes as much less as less of its strengths can be, all
+/// together as much more. Gives the shares of so many families.
+fn shared_by_what_is_detectable(members: &mut [Member], families: usize) -> Vec<f64> {
+    let mut shares = vec![0.0; families];
+    for member in members.iter() {
+        if let Some(family) = member.family {
+            let strengths: f64 = member.nodes.iter().map(|node| node.ln_prior.exp()).sum();
+            shares[family] += member.ln_prior.exp() * strengths;
+        }
+    }
+    let whole: f64 = shares.iter().sum();
+    if whole == 0.0 {
+        return shares;
+    }
+    for member in members {
+        member.ln_prior -= whole.ln();
+    }
+    shares.into_iter().map(|share| share / whole).collect()
+}
+
+/// Every missing effect with the strengths at which it is weighed, those that can be detected; the prior of a family (its share in `shares`)
+/// is shared evenly among its effects, and then among their places.
 fn members(
     weights: &Weights,
     (seen, responses): (&Seen, &Responses),
@@ -200,7 +224,6 @@ fn members(
                 }
                 None => Vec::new(),
             };
-            let family = family.filter(|_| !nodes.is_empty());
             let ln_prior = family.map_or(f64::NEG_INFINITY, |family| {
                 let own = &families[family].members;
                 let share = shares[family];
@@ -210,13 +233,15 @@ fn members(
                 effects.dedup();
                 share.ln() - ((effects.len() * places) as f64).ln()
             });
-            Member {
+            let member = Member {
                 changes: changes(&nodes),
                 nodes,
                 own_error: unknown.own_error(),
                 ln_prior,
                 family,
-            }
+            };
+            let far = weights.whitened(&member.changes);
+            member.at(|node| far.column(node).norm() >= DETECTABLE)
         })
         .collect()
 }

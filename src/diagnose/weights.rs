@@ -121,16 +121,20 @@ pub struct Member {
 }
 
 impl Member {
-    /// The same at plausible strengths alone.
-    pub fn plausible(&self) -> Member {
-        let kept: Vec<usize> = (0..self.nodes.len())
-            .filter(|&node| self.nodes[node].is_plausible)
-            .collect();
+    /// The same at some of its strengths; of no family if there are none.
+    pub fn at(&self, is_kept: impl Fn(usize) -> bool) -> Member {
+        let kept: Vec<usize> = (0..self.nodes.len()).filter(|&node| is_kept(node)).collect();
         Member {
             nodes: kept.iter().map(|&node| self.nodes[node].clone()).collect(),
             changes: self.changes.select_columns(kept.iter()),
+            family: self.family.filter(|_| !kept.is_empty()),
             ..*self
         }
+    }
+
+    /// The same at plausible strengths alone.
+    pub fn plausible(&self) -> Member {
+        self.at(|node| self.nodes[node].is_plausible)
     }
 }
 

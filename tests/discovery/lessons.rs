@@ -221,26 +221,25 @@ fn doubling_the_data_with_root_two_of_the_noise_changes_nothing() {
     same(&say(&toy), &say(&double), 0.02);
 }
 
-/// Errors of uneven size, without any order: one in twelve reads as a discovery, and names nothing.
+/// Errors of uneven size (up to 4.7 times what is stated), without any order. They lie about the model as it stands, not about its fit: inputs
+/// that a fit has pulled by 2.5 sigma are no errors of reading.
 #[test]
-fn shuffled_signs_of_the_residual_name_nothing_and_hardly_ever_alarm() {
-    let mut alarms = 0;
+fn errors_of_uneven_size_in_any_order_raise_no_alarm() {
     for seed in 0..12 {
         let mut toy = study(vec![Hidden::Known("film_tension", 1.0)], 7);
         let settings = Settings::default();
         let baseline = washout::diagnose::baseline::Baseline::new(&toy, &settings, None, &Progress::quiet())
             .expect("a fit");
-        let predicted = baseline.fit.predicted.clone();
+        let (raw, predicted) = (baseline.raw.clone(), baseline.fit.predicted.clone());
         let draws = Draws::new(100 + seed);
         for (row, observable) in toy.observables.iter_mut().enumerate() {
             let sign = draws.normal(0, row as u64).signum();
-            observable.value = predicted[row] + sign * (observable.value - predicted[row]);
+            observable.value = raw[row] + sign * (observable.value - predicted[row]);
         }
         let said = said(&toy);
-        assert!(said.verdict != Verdict::Effect, "{}", said.sentence);
-        alarms += usize::from(!matches!(said.verdict, Verdict::Nothing | Verdict::Undecidable));
+        let raises_alarm = !matches!(said.verdict, Verdict::Nothing | Verdict::Undecidable);
+        assert!(!raises_alarm, "seed {seed}: {}", said.sentence);
     }
-    assert!(alarms <= 1, "{alarms}");
 }
 
 /// A toy without one of its effects.
