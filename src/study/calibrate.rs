@@ -23,6 +23,8 @@ const TOLERANCE: f64 = 1e-2;
 /// Fall of Q that the linear model promises, at most, for a last step that the model itself is not asked about any more: it is
 /// less than a tenth of a standard deviation long, over which the model is linear.
 const LITTLE: f64 = 1e-2;
+/// A fall of Q that is promised and does not come is no reason to go on where it is less than this: it is within what solves leave.
+const FEEBLE: f64 = 0.03;
 /// Trials without a solution after which the search is given up: it walks along a cliff.
 const CLIFF: usize = 8;
 /// Damping above which a step is held back, so that a small one tells nothing.
@@ -137,6 +139,8 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
                     fall = here.q() - q;
                     (at, linear, warm_start) = (moved.at, trial, left);
                     damping = (damping * 0.1).max(1e-9);
+                } else if unsolved.is_none() && (0.0..FEEBLE).contains(&promised) {
+                    return Ok(here.fit(forward, task, (at, linear, warm_start), step + 1));
                 } else {
                     damping *= 10.0;
                 }
