@@ -26,7 +26,8 @@ const IMPROBABLE: f64 = -9.0;
 /// ln of prior times evidence, over that of the best, below which an effect is not looked at closely.
 const HOPELESS: f64 = -14.0;
 /// Strengths at which an effect moves the readings by less, in standard deviations, what the uncertain inputs take up left out, cannot be told
-/// from none: they belong to *nothing detectable*. Between 1 and 2 it makes no difference to cases of another model.
+/// from none: they belong to *nothing detectable*. Assumed; looked at on 24 cases of another model with 0, 1, 1.5 and 2. The larger, the more
+/// probable is nothing where nothing is missing, and the less the right effect where one is.
 const DETECTABLE: f64 = 1.5;
 /// An own error below this size, in standard deviations, changes nothing.
 const TOO_SMALL: f64 = 0.3;

@@ -23,7 +23,8 @@ const TOLERANCE: f64 = 1e-2;
 /// Fall of Q that the linear model promises, at most, for a last step that the model itself is not asked about any more: it is
 /// less than a tenth of a standard deviation long, over which the model is linear.
 const LITTLE: f64 = 1e-2;
-/// A fall of Q that is promised and does not come is no reason to go on where it is less than this: it is within what solves leave.
+/// A fall of Q that is promised and does not come is no reason to go on where it is less than this. Assumed: it is a sixth of a standard
+/// deviation. Why it does not come is not known; promises of 0.3 have failed too, and there the search goes on.
 const FEEBLE: f64 = 0.03;
 /// Trials without a solution after which the search is given up: it walks along a cliff.
 const CLIFF: usize = 8;
