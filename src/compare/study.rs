@@ -43,6 +43,7 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
         free: &free,
         start: &start,
         warm_start: warm_start.as_ref(),
+        of_use_below: None,
     };
     let fit = (!free.is_empty() && !rows.is_empty())
         .then(|| best_fit(campaign, &task))

@@ -4,6 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
+use crate::structure::smaller;
 use crate::study::left_out::Local;
 use crate::study::unnamed::{Kind, UNNAMED};
 use crate::study::{Fit, UnknownKind};
@@ -17,6 +18,9 @@ use super::whitened::Whitened;
 
 /// Where fits start, the second if the first settles nowhere: place along the span, and size in standard deviations.
 const STARTS: [[f64; 2]; 2] = [[0.6, 0.1], [0.35, -0.1]];
+
+/// Q above that of the best cause at which another is of no use: its evidence is e⁻²⁰ of it.
+const HOPELESS: f64 = 40.0;
 
 /// One cause without a name, fitted with everything that the model has.
 #[derive(Debug, Clone)]
@@ -81,7 +85,16 @@ pub fn bumps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Resul
             let mut start = baseline.fit.at.clone();
             start[place] = at_place;
             start[size] = at_size * unknowns[size].sigma;
-            match (refits.scatter).fit(baseline.forward, refits.data, &free, &start, refits.warm_start) {
+            let least = found.fitted.iter().map(|bump| bump.fit.q).reduce(smaller);
+            let from = (free.as_slice(), start.as_slice());
+            let fit = refits.scatter.fit_below(
+                least.map(|q| q + HOPELESS),
+                baseline.forward,
+                refits.data,
+                from,
+                refits.warm_start,
+            );
+            match fit {
                 Ok(fit) => {
                     settled = Bump::new(baseline, cause.kind, fit, size);
                     break;

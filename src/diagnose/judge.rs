@@ -14,6 +14,8 @@ use super::refit::{Explanation, Refits};
 const FITTED: usize = 4;
 /// Probability from which on a hypothesis is fitted anew.
 const IN_THE_RUNNING: f64 = 0.03;
+/// Probability of nothing from which on only the most probable explanation is fitted anew: nothing has to be told apart.
+const NOTHING: f64 = 0.5;
 /// Probability of a cause without a name from which on one is fitted.
 const MAY_BE_UNKNOWN: f64 = 0.2;
 
@@ -143,7 +145,11 @@ fn refit(
         .iter()
         .filter(|belief| !belief.case.families().is_empty());
     let mut chosen: Vec<Vec<usize>> = Vec::new();
-    for (rank, belief) in known.enumerate().take(FITTED) {
+    let fitted = match judgement.probability(&Case::Nothing) >= NOTHING {
+        true => 1,
+        false => FITTED,
+    };
+    for (rank, belief) in known.enumerate().take(fitted) {
         if rank > 0 && belief.probability < IN_THE_RUNNING {
             break;
         }

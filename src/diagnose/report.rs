@@ -41,6 +41,8 @@ const PULLED: f64 = 3.0;
 const LISTED: f64 = 1e-3;
 /// Probability of a named effect, with a second or none, from which on nothing is proposed to measure next.
 const SURE: f64 = 0.95;
+/// The same of nothing. Assumed, as that is.
+const SURELY_NOTHING: f64 = 0.85;
 /// Rivals that the next experiment is to tell apart.
 const RIVALS: usize = 5;
 
@@ -332,7 +334,11 @@ fn next(
         let mut families = families.iter().flatten();
         families.all(|own| belief.case.families().contains(own))
     });
-    let is_sure = verdict == Verdict::Effect && with_first.map(|own| own.probability).sum::<f64>() > SURE;
+    let is_sure = match verdict {
+        Verdict::Effect => with_first.map(|own| own.probability).sum::<f64>() > SURE,
+        Verdict::Nothing => judgement.probability(&Case::Nothing) > SURELY_NOTHING,
+        _ => false,
+    };
     let is_decided = matches!(verdict, Verdict::Nothing | Verdict::Effect);
     let experiments = match experiments {
         Experiments::Proposed(_) if is_sure => Experiments::Unknown,

@@ -61,12 +61,28 @@ impl Scatter {
         start: &[f64],
         warm_start: Option<&WarmStart>,
     ) -> Result<Fit, DiagnoseError> {
+        self.fit_below(None, forward, data, (free, start), warm_start)
+    }
+
+    /// The same, given up where it stays far above the Q below which it is of use, if there is one.
+    ///
+    /// # Errors
+    /// As [`Scatter::fit`], and if it is given up.
+    pub fn fit_below(
+        &self,
+        of_use_below: Option<f64>,
+        forward: &dyn Forward,
+        data: &Data,
+        (free, start): (&[usize], &[f64]),
+        warm_start: Option<&WarmStart>,
+    ) -> Result<Fit, DiagnoseError> {
         let task = Task {
             rows: &data.rows,
             noise: &self.noise,
             free,
             start,
             warm_start,
+            of_use_below,
         };
         let fit = calibrate(forward, &task)?;
         if fit.q.is_finite() && fit.slopes.iter().all(|slope| slope.is_finite()) {

@@ -109,6 +109,7 @@ mod tests {
                 free: &[0],
                 start: &[0.0],
                 warm_start: None,
+                of_use_below: None,
             };
             by(self, &task).unwrap().at[0]
         }

@@ -26,6 +26,10 @@ const LITTLE: f64 = 1e-2;
 /// A fall of Q that is promised and does not come is no reason to go on where it is less than this. Assumed: it is a sixth of a standard
 /// deviation. Why it does not come is not known; promises of 0.3 have failed too, and there the search goes on.
 const FEEBLE: f64 = 0.03;
+/// Steps after which a search that need only come below some Q may be given up, and how many times the fall that is then promised it must be
+/// short of that: a step falls by about what it promises, and the next ones by less. Assumed.
+const EARLIEST: usize = 4;
+const FAR: f64 = 10.0;
 /// Trials without a solution after which the search is given up: it walks along a cliff.
 const CLIFF: usize = 8;
 /// Damping above which a step is held back, so that a small one tells nothing.
@@ -73,6 +77,8 @@ pub struct Task<'a> {
     pub start: &'a [f64],
     /// What the model left where it was asked before, near the start. If it is for trials, all solves of the search are.
     pub warm_start: Option<&'a WarmStart>,
+    /// Q below which the fit is of use, if it is of none above: a search that is far from it is given up.
+    pub of_use_below: Option<f64>,
 }
 
 /// Measured minus modelled for one observable: nothing where it is a bound that the model keeps.
@@ -91,7 +97,7 @@ pub fn misfit(observable: &Observable, modelled: f64) -> f64 {
 ///
 /// # Errors
 /// If the model has no solution at the start or where the search leads, the search does not settle, or the user asked
-/// to stop.
+/// to stop; or if the search is far from where the fit would be of use.
 pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> {
     let unknowns = forward.unknowns();
     let free: Vec<usize> = task.free.to_vec();
@@ -122,6 +128,10 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
         let promised = here.q() - there.q();
         if unsolved.is_none() && damping <= HELD_BACK && (0.0..LITTLE).contains(&promised) {
             return Ok(there.fit(forward, task, (moved.at, last, warm_start), step + 1));
+        }
+        let is_far = |bound: f64| here.q() - FAR * promised > bound;
+        if step >= EARLIEST && task.of_use_below.is_some_and(is_far) {
+            return Err(unsolved.unwrap_or(StudyError::NotCalibrated { steps: step }));
         }
         match ask(warm_start.as_ref(), &moved.at) {
             Err(error) if failures + 1 == CLIFF => return Err(error),
@@ -304,6 +314,10 @@ mod tests {
     }
 
     fn search(forward: &dyn Forward) -> Result<Fit, StudyError> {
+        search_below(forward, None)
+    }
+
+    fn search_below(forward: &dyn Forward, of_use_below: Option<f64>) -> Result<Fit, StudyError> {
         let rows: Vec<usize> = (0..forward.observables().len()).collect();
         let none = Discrepancy::of_predictions(0.0, &DVector::zeros(rows.len()));
         let task = Task {
@@ -312,6 +326,7 @@ mod tests {
             free: &[0, 1],
             start: &[1.0, 0.1],
             warm_start: None,
+            of_use_below,
         };
         calibrate(forward, &task)
     }
@@ -356,6 +371,14 @@ mod tests {
             fit.at
         );
         assert!(fit.misfit < 1e-3 && fit.at_end.is_empty());
+    }
+
+    #[test]
+    fn a_search_far_from_where_it_is_of_use_is_given_up_and_one_that_may_reach_it_is_not() {
+        let decay = Decay::new(&exact(20.0, 0.7), 1e-3, [0.0, 5.0]);
+        let given_up = search_below(&decay, Some(-1e12)).unwrap_err();
+        assert_eq!(given_up, StudyError::NotCalibrated { steps: EARLIEST });
+        assert_eq!(search_below(&decay, Some(1.0)).unwrap().at, decay.fit().at);
     }
 
     #[test]
