@@ -52,7 +52,7 @@ pub struct Diagnose {
     #[arg(long, value_name = "TABLE", conflicts_with_all = ["plan", "on"])]
     pub with: Option<PathBuf>,
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "with")]
+    #[arg(long, value_name = "SIGMA", requires = "with", value_parser = super::sheet::number)]
     pub sigma: Option<f64>,
     /// Change a key in every design of the study; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]
@@ -167,6 +167,10 @@ impl Diagnose {
         let written = folder.commit()?;
         let screening = report.diagnosis.screening;
         let mut answer = page(study, &report.diagnosis);
+        let doubts = table.map_or(String::new(), FromSheet::doubts);
+        if !doubts.is_empty() {
+            answer.lead.insert(0, Part::Sentence(doubts));
+        }
         let work = format!(
             "Screening of every effect: {} derivatives with {} factorizations; in all {}",
             screening.derivatives, screening.factorizations, report.work

@@ -58,6 +58,14 @@ fn did_you_mean(error: &clap::Error, suggested: ContextKind) -> String {
     context(error, suggested).map_or(String::new(), |near| format!("; did you mean {near}?"))
 }
 
+/// Whether a word names a table of readings.
+fn is_table(word: &str) -> bool {
+    let end = word.rsplit_once('.').map_or("", |(_, end)| end);
+    ["csv", "tsv", "xlsx", "xls", "ods", "txt"]
+        .iter()
+        .any(|own| end.eq_ignore_ascii_case(own))
+}
+
 fn sentence(error: &clap::Error) -> Option<String> {
     let argument = context(error, ContextKind::InvalidArg).unwrap_or_default();
     Some(match error.kind() {
@@ -72,6 +80,9 @@ fn sentence(error: &clap::Error) -> Option<String> {
                 "{argument}: there is no such option here{}",
                 did_you_mean(error, ContextKind::SuggestedArg)
             )
+        }
+        ErrorKind::UnknownArgument if is_table(&argument) => {
+            format!("{argument}: one word too many. A table of readings is given with --with {argument}")
         }
         ErrorKind::UnknownArgument => {
             format!("{argument}: one word too many. Quote a path or a value that has spaces")
@@ -142,6 +153,7 @@ mod tests {
                 "--refine <FACTOR> = two: is not what it takes: invalid float",
             ),
             ("washout solve d.toml e.toml", "e.toml: one word too many"),
+            ("washout diagnose d.toml t.csv", "is given with --with t.csv"),
             (
                 "washout diagnose s.toml --plan --report",
                 "does not go together with",

@@ -20,6 +20,19 @@ pub struct FromSheet {
     pub design: PathBuf,
     /// The table.
     pub table: PathBuf,
+    /// Standard deviation that was given for its readings.
+    sigma: Option<f64>,
+}
+
+/// A number of an option, with a decimal point or comma as tables have it.
+///
+/// # Errors
+/// In words, if it is none.
+pub fn number(text: &str) -> Result<f64, String> {
+    let plain = text.trim().replace(',', ".");
+    plain
+        .parse()
+        .map_err(|_| "is no number; write e.g. 0.4 or 0,4".to_string())
 }
 
 /// The files of a study that was made of a table.
@@ -56,6 +69,7 @@ impl FromSheet {
             sheet: Sheet::load(table, design, sigma)?,
             design: design.to_path_buf(),
             table: table.to_path_buf(),
+            sigma,
         })
     }
 
@@ -112,6 +126,14 @@ impl FromSheet {
         text
     }
 
+    /// What looks wrong in the table, to be said before any answer; empty if nothing does.
+    pub fn doubts(&self) -> String {
+        match self.sheet.doubts.join(" ") {
+            doubts if doubts.is_empty() => doubts,
+            doubts => format!("First check the table, for what follows is of it as it stands: {doubts}"),
+        }
+    }
+
     /// The same of what is assumed and what looks wrong, for the document: who reads that has not seen it.
     pub fn notes(&self) -> Vec<String> {
         let Sheet { assumed, doubts, .. } = &self.sheet;
@@ -164,8 +186,11 @@ impl FromSheet {
 
     /// The command that writes the study.
     pub fn to_keep(&self) -> String {
+        let sigma = self
+            .sigma
+            .map_or(String::new(), |sigma| format!(" --sigma {sigma}"));
         format!(
-            "  washout init {} --study --design {} --readings {}\n",
+            "  washout init {} --study --design {} --readings {}{sigma}\n",
             self.name(),
             self.design.display(),
             self.table.display()

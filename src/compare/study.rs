@@ -3,11 +3,11 @@
 use nalgebra::DVector;
 
 use crate::input::measurement::{Bound, Channel, Row};
-use crate::study::calibrate::misfit;
 use crate::study::case::PreparedCase;
 use crate::study::left_out::{Local, Others, by_condition};
 use crate::study::{
-    Campaign, Condition, Discrepancy, Fit, Forward, Linear, Noise, StudyError, Task, UnknownKind, best_fit,
+    Campaign, Condition, Discrepancy, Fit, Forward, Linear, Noise, StudyError, Task, UnknownKind, WarmStart,
+    best_fit,
 };
 
 use super::study_comparison::{
@@ -37,20 +37,30 @@ pub fn compare_study(campaign: &Campaign, title: &str) -> Result<StudyComparison
         &Discrepancy::of_predictions(campaign.discrepancy, &before.value),
     )?;
     let free: Vec<usize> = (0..campaign.unknowns().len()).collect();
+    let trials = warm_start.as_ref().map(WarmStart::for_trials);
     let task = Task {
         rows: &rows,
         noise: &noise,
         free: &free,
         start: &start,
-        warm_start: warm_start.as_ref(),
+        warm_start: trials.as_ref(),
         of_use_below: None,
     };
-    let fit = (!free.is_empty() && !rows.is_empty())
-        .then(|| best_fit(campaign, &task))
-        .transpose()?;
+    // what Newton's method does not solve is not waited for, unless nothing is found so
+    let fit = || match best_fit(campaign, &task) {
+        Err(error) if !matches!(error, StudyError::Cancelled(_)) => {
+            let patient = Task {
+                warm_start: warm_start.as_ref(),
+                ..task.clone()
+            };
+            best_fit(campaign, &patient)
+        }
+        found => found,
+    };
+    let fit = (!free.is_empty() && !rows.is_empty()).then(fit).transpose()?;
     let after = fit.as_ref().map_or(&before.value, |fit| &fit.predicted);
     let whitened = |value: &DVector<f64>| {
-        let errors = rows.iter().map(|&row| misfit(&observables[row], value[row]));
+        let errors = rows.iter().map(|&row| observables[row].misfit(value[row]));
         noise
             .whiten(&DVector::from_iterator(rows.len(), errors))
             .norm_squared()
@@ -112,7 +122,7 @@ fn predictions_from_others(
         for (&position, error) in group.positions.iter().zip(&group.errors) {
             let (row, observable) = (rows[position], &observables[rows[position]]);
             // a bound that the fit keeps has no part in it, and no prediction by it
-            let is_kept = observable.bound != Bound::None && misfit(observable, after[row]) == 0.0;
+            let is_kept = observable.bound != Bound::None && observable.misfit(after[row]) == 0.0;
             predicted[row] = (!is_kept).then_some(observable.value - error);
         }
     }

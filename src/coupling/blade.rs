@@ -63,7 +63,8 @@ impl BladeAir {
             .map_or(0.0, |bound| bound.values.strength());
         let effects: Vec<Bound> = bound
             .into_iter()
-            .filter(|bound| bound.effect.card().seam == Seam::Air && !bound.effect.is_of_picture())
+            .filter(|bound| bound.effect.card().seam == Seam::Air)
+            .filter(|bound| !bound.effect.is_of_picture() && !bound.effect.is_of_moment())
             .collect();
         let moves = |bound: &Bound| bound.effect.card().needs.contains(&Need::Motion);
         let flow = Flow::from_design(design);

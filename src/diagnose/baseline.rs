@@ -3,7 +3,6 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
-use crate::study::calibrate::misfit;
 use crate::study::left_out::Local;
 use crate::study::{Fit, Forward, WarmStart, Work};
 
@@ -313,7 +312,7 @@ fn outliers(
     let inverse = DVector::from_iterator(rows.len(), inverse);
     let errors = rows
         .iter()
-        .map(|&row| misfit(&observables[row], first.predicted[row]));
+        .map(|&row| observables[row].misfit(first.predicted[row]));
     let residual = DVector::from_iterator(rows.len(), errors).component_mul(&inverse);
     let mut parts = vec![local.slopes.clone(), slopes.select_rows(rows.iter())];
     let is_smooth = |field: &&Field| matches!(field.law, Law::Free | Law::Sensor | Law::Compliance);

@@ -4,7 +4,6 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
-use crate::structure::smaller;
 use crate::study::left_out::Local;
 use crate::study::unnamed::{Kind, UNNAMED};
 use crate::study::{Fit, UnknownKind};
@@ -85,7 +84,7 @@ pub fn bumps(baseline: &Baseline, refits: &Refits, progress: &Progress) -> Resul
             let mut start = baseline.fit.at.clone();
             start[place] = at_place;
             start[size] = at_size * unknowns[size].sigma;
-            let least = found.fitted.iter().map(|bump| bump.fit.q).reduce(smaller);
+            let least = found.fitted.iter().map(|bump| bump.fit.q).min_by(f64::total_cmp);
             let from = (free.as_slice(), start.as_slice());
             let fit = refits.scatter.fit_below(
                 least.map(|q| q + HOPELESS),

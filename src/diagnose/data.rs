@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 use nalgebra::DVector;
 
 use crate::input::measurement::Bound;
-use crate::study::calibrate::misfit;
 use crate::study::left_out::conditions_of;
 use crate::study::{Forward, Unknown, UnknownKind};
 
@@ -85,9 +84,8 @@ impl Data {
     /// Fitted observables that are bounds which the model keeps with predictions `value`: they carry no information.
     pub fn kept_bounds(&self, forward: &dyn Forward, value: &DVector<f64>) -> Vec<usize> {
         let observables = forward.observables();
-        let is_kept = |row: usize| {
-            observables[row].bound != Bound::None && misfit(&observables[row], value[row]) == 0.0
-        };
+        let is_kept =
+            |row: usize| observables[row].bound != Bound::None && observables[row].misfit(value[row]) == 0.0;
         self.rows.iter().copied().filter(|&row| is_kept(row)).collect()
     }
 

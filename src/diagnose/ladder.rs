@@ -5,7 +5,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::Channel;
-use crate::study::calibrate::misfit;
 use crate::study::left_out::{Local, Others, by_condition};
 use crate::study::{Fit, Observable};
 
@@ -71,7 +70,7 @@ impl Ladder<'_> {
     fn rms(&self, rows: &[usize], predicted: &DVector<f64>) -> Option<f64> {
         let errors = rows.iter().filter_map(|&row| {
             let observable = self.observable(row);
-            (observable.channel == self.channel).then(|| misfit(observable, predicted[row]))
+            (observable.channel == self.channel).then(|| observable.misfit(predicted[row]))
         });
         root_mean_square(errors.collect())
     }
@@ -94,7 +93,7 @@ impl Ladder<'_> {
         let rows = &self.baseline.data.rows;
         let errors = rows
             .iter()
-            .map(|&row| misfit(self.observable(row), predicted[row]));
+            .map(|&row| self.observable(row).misfit(predicted[row]));
         let errors = DVector::from_iterator(rows.len(), errors);
         self.baseline.scatter.noise.whiten(&errors).norm_squared() / rows.len().max(1) as f64
     }
@@ -137,7 +136,7 @@ impl Ladder<'_> {
 pub fn held_out_sigma(baseline: &Baseline, predicted: &DVector<f64>) -> Option<f64> {
     let errors = baseline.data.held_out.iter().map(|&row| {
         let observable = &baseline.forward.observables()[row];
-        misfit(observable, predicted[row]) / observable.sigma
+        observable.misfit(predicted[row]) / observable.sigma
     });
     root_mean_square(errors.collect())
 }

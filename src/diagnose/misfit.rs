@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::Channel;
 use crate::study::Observable;
-use crate::study::calibrate::misfit;
 
 use super::baseline::Baseline;
 
@@ -107,7 +106,7 @@ impl<'a> Errors<'a> {
         let each: Vec<f64> = data
             .rows
             .iter()
-            .map(|&row| misfit(&observables[row], fit.predicted[row]))
+            .map(|&row| observables[row].misfit(fit.predicted[row]))
             .collect();
         let mut errors = Errors {
             baseline,

@@ -8,6 +8,7 @@ use super::ladder::held_out_sigma;
 use super::posterior::{Case, SEPARATE};
 use super::rows::name;
 use super::screening::effect_of;
+use super::words::short;
 
 /// The notes of a diagnosis.
 pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
@@ -40,8 +41,33 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
             "What was held out is met worse with the first of these, by {with:.1} sigma instead of {without:.1}."
         ));
     }
+    notes.extend(at_end(baseline, judgement));
     notes.extend(without_solution(baseline, judgement));
     notes
+}
+
+/// Inputs that the fit of what is most probable has moved to an end of their range.
+fn at_end(baseline: &Baseline, judgement: &Judgement) -> Option<String> {
+    let first = judgement.beliefs.first().map(|first| first.case.families());
+    let found = first.and_then(|families| judgement.best_of(&families)?.1);
+    let fit = found.map_or(&baseline.fit, |found| &found.fit);
+    let unknowns = baseline.forward.unknowns();
+    let of_model = fit.at_end.iter().filter(|i| baseline.data.model.contains(i));
+    let parts: Vec<String> = of_model
+        .map(|&i| {
+            let own = &unknowns[i];
+            let unit = if own.unit == "1" { "" } else { own.unit.as_str() };
+            format!("{} = {} {unit}", own.name, short(fit.at[i]))
+                .trim_end()
+                .to_string()
+        })
+        .collect();
+    (!parts.is_empty()).then(|| {
+        format!(
+            "The fit ends at the end of the range of {}: measure it, or state in the study how well it is known.",
+            parts.join(", ")
+        )
+    })
 }
 
 /// What no fit or no equilibrium was found for, and how it was weighed.

@@ -3,7 +3,6 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use crate::study::boxed::least_in_box;
-use crate::study::calibrate::misfit;
 use crate::study::left_out::Local;
 use crate::study::{Fit, Forward, WarmStart};
 
@@ -108,7 +107,7 @@ impl<'a> Refits<'a> {
         free.extend(&fitted);
         free.extend(self.places(&effects));
         let observables = self.forward.observables();
-        let left = |&row: &usize| misfit(&observables[row], self.baseline.predicted[row]);
+        let left = |&row: &usize| observables[row].misfit(self.baseline.predicted[row]);
         let left = DMatrix::from_iterator(self.data.rows.len(), 1, self.data.rows.iter().map(left));
         let without = scatter.noise.whiten_columns(&left).norm_squared();
         let without = without + self.baseline.q - self.baseline.misfit;

@@ -2,8 +2,8 @@
 
 use super::verdict::{Diagnosis, Hypothesis, PlaceFound, Strength, Verdict};
 
-/// Names listed before "and others".
-const LISTED: usize = 6;
+/// Other explanations listed before "and others".
+const LISTED: usize = 3;
 /// Distance between explanations, in standard deviations, from which on a reading that does not decide is told.
 const WORTH_SAYING: f64 = 1.0;
 
@@ -30,7 +30,7 @@ pub fn sentence(diagnosis: &Diagnosis) -> String {
             effect(&diagnosis.hypotheses, with_any_second(diagnosis, hypothesis))
         }
         (Verdict::Novel, _) => novel(diagnosis),
-        _ => format!("Something is missing: {}.", one_of(&names_in_set(diagnosis))),
+        _ => format!("Something is missing: {}.", set(diagnosis)),
     };
     match pulled(diagnosis) {
         pulled if pulled.is_empty() => answer,
@@ -197,31 +197,48 @@ fn name(hypothesis: &Hypothesis) -> String {
     hypothesis.effects.join(" with ")
 }
 
-fn names_in_set(diagnosis: &Diagnosis) -> Vec<String> {
-    diagnosis
-        .hypotheses
-        .iter()
-        .filter(|h| h.in_set)
-        .map(|h| match h.effects[..] {
-            [] => "nothing after all".into(),
-            _ => name(h),
-        })
-        .collect()
+/// The most probable explanation of several, and the others that these data leave; those with the same effect and a second count with it.
+fn set(diagnosis: &Diagnosis) -> String {
+    let mut in_set = diagnosis.hypotheses.iter().filter(|own| own.in_set);
+    let Some(first) = in_set.next() else {
+        return "none of the known effects stands out".into();
+    };
+    let is_with_first =
+        |own: &&Hypothesis| own.families.len() > 1 && own.families.contains(&first.families[0]);
+    let is_one = first.families.len() == 1;
+    let (with_first, others): (Vec<&Hypothesis>, Vec<&Hypothesis>) =
+        in_set.partition(|own| is_one && is_with_first(own));
+    let alone = format!("{} (probability {:.2}", name_or_nothing(first), first.probability);
+    let most = match with_first.len() {
+        0 => format!("{alone})"),
+        _ => {
+            let whole = with_any_second(diagnosis, first);
+            format!("{alone} alone, {whole:.2} with a second effect or none)")
+        }
+    };
+    let shown = others.iter().take(LISTED);
+    let mut names: Vec<String> = shown
+        .map(|own| format!("{} ({:.2})", name_or_nothing(own), own.probability))
+        .collect();
+    match others.len().saturating_sub(LISTED) {
+        0 => {}
+        1 => names.push("one other".into()),
+        more => names.push(format!("{more} others")),
+    }
+    let or_else = match names.as_slice() {
+        [] if with_first.is_empty() => return format!("probably {most}"),
+        [] => return format!("most likely {most}; which second effect, these data cannot tell"),
+        [one] => one.clone(),
+        [most @ .., last] => format!("{} or {last}", most.join(", ")),
+    };
+    format!("most likely {most}, or else {or_else}, which these data cannot tell apart")
 }
 
-fn one_of(names: &[String]) -> String {
-    match names {
-        [] => "none of the known effects stands out".into(),
-        [one] => format!("probably {one}"),
-        _ if names.len() > LISTED => format!(
-            "one of {} and {} others, which these data cannot tell apart",
-            names[..LISTED].join(", "),
-            names.len() - LISTED
-        ),
-        [most @ .., last] => format!(
-            "one of {} or {last}, which these data cannot tell apart",
-            most.join(", ")
-        ),
+/// What a hypothesis of a set says.
+fn name_or_nothing(hypothesis: &Hypothesis) -> String {
+    match hypothesis.effects[..] {
+        [] => "nothing after all".into(),
+        _ => name(hypothesis),
     }
 }
 

@@ -36,6 +36,10 @@ impl Effect for CentreOfPressureShift {
         CARD
     }
 
+    fn is_of_moment(&self) -> bool {
+        true
+    }
+
     fn coefficients(
         &self,
         values: &Values,

@@ -316,6 +316,10 @@ impl Effect for Custom {
         }
     }
 
+    fn is_of_moment(&self) -> bool {
+        matches!(self.target, Target::Moment | Target::CentreOfPressure)
+    }
+
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
         let parts = match self.target {
             Target::Torsion => 3..4,

@@ -186,6 +186,12 @@ pub trait Effect: Sync + Send + std::fmt::Debug {
         false
     }
 
+    /// Whether it acts by a moment, or by where the force of the air attacks, alone: lift and drag of a section that does not move know nothing
+    /// of it.
+    fn is_of_moment(&self) -> bool {
+        false
+    }
+
     /// Changes sections, sheets, joints or supports.
     ///
     /// # Errors

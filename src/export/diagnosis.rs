@@ -6,13 +6,14 @@ use serde::{Deserialize, Serialize};
 use crate::diagnose::ladder::LadderStep;
 use crate::diagnose::misfit::Misfit;
 use crate::diagnose::screening::Sight;
-use crate::diagnose::verdict::{Draft, EffectRow, Hypothesis, LookAlike, NoiseFound, Prediction, Strength};
+use crate::diagnose::verdict::{Draft, EffectRow, LookAlike, NoiseFound, Prediction};
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::origin::MadeOf;
 use crate::page::text::{number, significant};
-use crate::page::{Digits, Fact, Page, Part, Rows, Table};
+use crate::page::{Digits, Page, Part, Rows, Table};
 use crate::study::Work;
 
+use super::hypotheses::{brief, falls, hypotheses};
 use super::pictures::ladder::{self, Fall};
 use super::pictures::{diagnosis as pictures, in_sigma};
 
@@ -42,7 +43,14 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
     let mut page = Page {
         title: study.to_string(),
         kind: "diagnosis",
-        lead: vec![Part::Sentence(found.sentence.clone()), Part::Text(tried(found))],
+        lead: vec![
+            Part::Sentence(found.sentence.clone()),
+            Part::Text(
+                format!("{} {}", falls(&found.ladder), tried(found))
+                    .trim()
+                    .to_string(),
+            ),
+        ],
         brief: brief(found),
         sections: Vec::new(),
     };
@@ -70,24 +78,6 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
     page
 }
 
-/// The hypotheses that count, and what to measure next.
-fn brief(found: &Diagnosis) -> Vec<Part> {
-    let in_set = found.hypotheses.iter().filter(|row| row.in_set).count();
-    let mut parts = hypotheses(found);
-    if let Some(Part::Table(table)) = parts.last_mut() {
-        *table = table.clone().without(&["gain_left_out_conditions"]);
-        table.most_in_text = in_set.clamp(3, 7);
-    }
-    parts.push(Part::Notes(found.notes.clone()));
-    parts.extend(
-        found
-            .next_experiment
-            .iter()
-            .map(|next| Part::Text(next.sentence.clone())),
-    );
-    parts
-}
-
 /// How many effects of all were tried.
 fn tried(found: &Diagnosis) -> String {
     format!(
@@ -95,74 +85,6 @@ fn tried(found: &Diagnosis) -> String {
         found.tried,
         crate::effects::all().count()
     )
-}
-
-fn hypotheses(found: &Diagnosis) -> Vec<Part> {
-    let fact = |place: &str, label, value| Fact {
-        place: place.to_string(),
-        label,
-        value: Some(value),
-        unit: "",
-        digits: Significant(2),
-    };
-    vec![
-        Part::Headline(vec![
-            fact(
-                "/p_nothing",
-                "Probability that nothing is missing",
-                found.p_nothing,
-            ),
-            fact(
-                "/novel/probability",
-                "Probability of an unknown cause",
-                found.novel.probability,
-            ),
-        ]),
-        Part::Table(hypothesis_table(found)),
-    ]
-}
-
-fn hypothesis_table(found: &Diagnosis) -> Table {
-    let strengths =
-        |of: fn(&Strength) -> Option<f64>| move |row: &Hypothesis| row.strengths.iter().map(of).collect();
-    let table = Rows::of("/hypotheses", &found.hypotheses)
-        .words("what is missing", |row| match row.effects.as_slice() {
-            [] => "nothing".to_string(),
-            [only] if only == "novel" => "an unknown cause".to_string(),
-            effects => effects.join(" + "),
-        })
-        .number(["probability", "probability", ""], After(3), |row| {
-            row.probability
-        })
-        .numbers(
-            ["strengths/*/value", "strength", ""],
-            Significant(3),
-            strengths(|own| Some(own.value)),
-        )
-        .numbers(
-            ["strengths/*/standard_error", "error", ""],
-            Significant(2),
-            strengths(|own| Some(own.standard_error).filter(|error| *error > 0.0)),
-        )
-        .words("at its end", |row| {
-            match row.strengths.iter().any(|strength| strength.at_end) {
-                true => "yes",
-                false => "",
-            }
-        })
-        .yes_or_no("plausible", |row| row.plausible)
-        .yes_or_no("in the 95 % set", |row| row.in_set)
-        .number(
-            ["gain_left_out_conditions", "gain left out", "ln"],
-            After(1),
-            |row| row.gain_left_out_conditions,
-        );
-    let mut caption = "Error: none of what is all or none, or was tried in steps alone.".to_string();
-    let mut strengths = found.hypotheses.iter().flat_map(|row| &row.strengths);
-    if strengths.any(|strength| strength.at_end) {
-        caption += " At its end: the most that is accepted; the data ask for no less.";
-    }
-    table.caption(&caption).table()
 }
 
 fn effects(study: &str, found: &Diagnosis) -> Vec<Part> {

@@ -82,6 +82,8 @@ pub mod comparison;
 #[cfg(feature = "cli")]
 pub mod diagnosis;
 
+mod hypotheses;
+
 #[cfg(feature = "cli")]
 pub mod pictures;
 

@@ -1,8 +1,9 @@
 //! A fit that looks beyond the valley in which it starts.
 
-use super::calibrate::{Fit, Task, calibrate};
+use super::calibrate::{Fit, calibrate};
 use super::error::StudyError;
 use super::forward::{Forward, UnknownKind};
+use super::task::Task;
 use crate::structure::largest;
 
 /// Q by which a fit must be better than another to stand in its place; and the part of the plausible size by which its strength must lie

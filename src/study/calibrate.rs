@@ -7,13 +7,12 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::coupling::Care;
-use crate::input::measurement::Bound;
-use crate::structure::{larger, smaller};
+use crate::structure::larger;
 
-use super::boxed::least_in_box;
 use super::error::StudyError;
-use super::forward::{Forward, Linear, Observable, WarmStart};
-use super::noise::Noise;
+use super::forward::{Forward, Linear, WarmStart};
+use super::normal_equations::NormalEquations;
+use super::task::Task;
 
 /// Steps allowed.
 const PATIENCE: usize = 30;
@@ -24,14 +23,21 @@ const TOLERANCE: f64 = 1e-2;
 /// less than a tenth of a standard deviation long, over which the model is linear.
 const LITTLE: f64 = 1e-2;
 /// A fall of Q that is promised and does not come is no reason to go on where it is less than this. Assumed: it is a sixth of a standard
-/// deviation. Why it does not come is not known; promises of 0.3 have failed too, and there the search goes on.
+/// deviation. Where a reading lies far off, its residual times the curvature of the model, which Gauss-Newton steps leave out, takes the fall.
 const FEEBLE: f64 = 0.03;
-/// Steps after which a search that need only come below some Q may be given up, and how many times the fall that is then promised it must be
-/// short of that: a step falls by about what it promises, and the next ones by less. Assumed.
+/// Steps after which a search that need only come below some Q may be given up, and how many times the fall that a whole step then promises it
+/// must be short of that: a step falls by about what it promises, and the next ones by less. Assumed.
 const EARLIEST: usize = 4;
 const FAR: f64 = 10.0;
 /// Trials without a solution after which the search is given up: it walks along a cliff.
 const CLIFF: usize = 8;
+/// Damping of the step after one that did not lower Q, at least: with less it would be the same step.
+const SHORTER: f64 = 0.1;
+/// Share of a step that did not lower Q from which on it is tried, the way being right and the step too long; a way along which less is best
+/// is wrong.
+const SHORTEST: f64 = 0.2;
+/// Share of the promised fall of Q from which on the next step is damped a hundred times less, not ten.
+const KEPT: f64 = 0.75;
 /// Damping above which a step is held back, so that a small one tells nothing.
 const HELD_BACK: f64 = 1e-3;
 
@@ -64,33 +70,6 @@ pub struct Fit {
     pub warm_start: Option<WarmStart>,
 }
 
-/// What a fit is to do.
-#[derive(Debug, Clone)]
-pub struct Task<'a> {
-    /// Observables to fit.
-    pub rows: &'a [usize],
-    /// Their scatter.
-    pub noise: &'a Noise,
-    /// Unknowns to move.
-    pub free: &'a [usize],
-    /// Where to start.
-    pub start: &'a [f64],
-    /// What the model left where it was asked before, near the start. If it is for trials, all solves of the search are.
-    pub warm_start: Option<&'a WarmStart>,
-    /// Q below which the fit is of use, if it is of none above: a search that is far from it is given up.
-    pub of_use_below: Option<f64>,
-}
-
-/// Measured minus modelled for one observable: nothing where it is a bound that the model keeps.
-pub fn misfit(observable: &Observable, modelled: f64) -> f64 {
-    let error = observable.value - modelled;
-    match observable.bound {
-        Bound::None => error,
-        Bound::Upper => smaller(error, 0.0),
-        Bound::Lower => larger(error, 0.0),
-    }
-}
-
 /// Fits the free unknowns.
 ///
 /// The last step is taken by the linear model where that promises next to no fall of Q. The search also ends where no step downhill, however short, lowers Q: the bottom of a kink.
@@ -110,50 +89,72 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
     };
     let (mut linear, mut warm_start) = ask(task.warm_start, &at)?;
     let mut damping = HELD_BACK;
+    // share of the next step that is taken: less than all only after one that did not lower Q
+    let mut length = 1.0;
     let mut fall = f64::INFINITY;
     // why a trial had no solution, until whole steps succeed again: a search held back by such trials has found nothing
     let mut unsolved: Option<StudyError> = None;
     let mut failures = 0;
     for step in 0..PATIENCE {
-        let here = Local::new(forward, task, &at, &linear);
-        let moved = here.step(forward, &free, &at, damping);
+        let here = NormalEquations::new(forward, task, &at, &linear);
+        let moved = here.step(forward, &free, &at, damping).shortened(&at, length);
         if moved.size < TOLERANCE || fall < TOLERANCE * TOLERANCE * (1.0 + here.q()) {
             return match unsolved {
                 Some(error) => Err(error),
-                None => Ok(here.fit(forward, task, (at, linear, warm_start), step)),
+                None => Ok(fit_at(here, forward, task, (at, linear, warm_start), step)),
             };
         }
-        let last = linear.moved(&moved.at, &at);
-        let there = Local::new(forward, task, &moved.at, &last);
-        let promised = here.q() - there.q();
-        if unsolved.is_none() && damping <= HELD_BACK && (0.0..LITTLE).contains(&promised) {
-            return Ok(there.fit(forward, task, (moved.at, last, warm_start), step + 1));
+        let promise = |to: &[f64]| {
+            let last = linear.moved(to, &at);
+            let there = NormalEquations::new(forward, task, to, &last);
+            (here.q() - there.q(), last, there)
+        };
+        let (promised, last, there) = promise(&moved.at);
+        if unsolved.is_none() && damping <= HELD_BACK && length == 1.0 && (0.0..LITTLE).contains(&promised) {
+            return Ok(fit_at(
+                there,
+                forward,
+                task,
+                (moved.at, last, warm_start),
+                step + 1,
+            ));
         }
-        let is_far = |bound: f64| here.q() - FAR * promised > bound;
+        let is_far = |bound: f64| {
+            let whole = here.step(forward, &free, &at, HELD_BACK);
+            here.q() - FAR * promise(&whole.at).0 > bound
+        };
         if step >= EARLIEST && task.of_use_below.is_some_and(is_far) {
             return Err(unsolved.unwrap_or(StudyError::NotCalibrated { steps: step }));
         }
         match ask(warm_start.as_ref(), &moved.at) {
-            Err(error) if failures + 1 == CLIFF => return Err(error),
+            Err(error) if failures + 1 == CLIFF => {
+                return Err(error.while_fitting(&words(forward, &free, &moved.at)));
+            }
             Err(cancelled @ StudyError::Cancelled(_)) => return Err(cancelled),
             Err(error) => {
                 failures += 1;
                 unsolved = Some(error);
-                damping *= 10.0;
+                (damping, length) = (larger(10.0 * damping, SHORTER), 1.0);
             }
             Ok((trial, left)) => {
                 if damping <= 1.0 {
                     unsolved = None;
                 }
-                let q = Local::new(forward, task, &moved.at, &trial).q();
+                let q = NormalEquations::new(forward, task, &moved.at, &trial).q();
                 if q <= here.q() {
                     fall = here.q() - q;
                     (at, linear, warm_start) = (moved.at, trial, left);
-                    damping = (damping * 0.1).max(1e-9);
+                    let easier = if fall > KEPT * promised { 0.01 } else { 0.1 };
+                    (damping, length) = (larger(damping * easier, 1e-9), 1.0);
                 } else if unsolved.is_none() && (0.0..FEEBLE).contains(&promised) {
-                    return Ok(here.fit(forward, task, (at, linear, warm_start), step + 1));
+                    return Ok(fit_at(here, forward, task, (at, linear, warm_start), step + 1));
                 } else {
-                    damping *= 10.0;
+                    // least along the step by the parabola with the slope at its start and Q at its end
+                    let least = promised / (2.0 * promised + q - here.q());
+                    (damping, length) = match length == 1.0 && least > SHORTEST {
+                        true => (damping, least),
+                        false => (larger(10.0 * damping, SHORTER), 1.0),
+                    };
                 }
             }
         }
@@ -161,113 +162,58 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
     Err(unsolved.unwrap_or(StudyError::NotCalibrated { steps: PATIENCE }))
 }
 
-/// The fit about one point, all in prior standard deviations and whitened.
-struct Local {
-    residual: DVector<f64>,
-    slopes: DMatrix<f64>,
-    prior: DVector<f64>,
-}
-
-struct Moved {
-    at: Vec<f64>,
-    size: f64,
-}
-
-impl Local {
-    fn new(forward: &dyn Forward, task: &Task, at: &[f64], linear: &Linear) -> Local {
-        let (observables, unknowns) = (forward.observables(), forward.unknowns());
-        let errors = task
-            .rows
-            .iter()
-            .map(|&row| misfit(&observables[row], linear.value[row]));
-        let errors = DVector::from_iterator(task.rows.len(), errors);
-        let slopes = DMatrix::from_fn(task.rows.len(), task.free.len(), |i, j| {
-            let kept = observables[task.rows[i]].bound != Bound::None && errors[i] == 0.0;
-            let slope = linear.jacobian[(task.rows[i], task.free[j])];
-            if kept {
-                0.0
+/// Unknowns that a search has moved by more than a standard deviation, with where it has moved them.
+fn words(forward: &dyn Forward, free: &[usize], at: &[f64]) -> String {
+    let moved = free.iter().map(|&i| (&forward.unknowns()[i], at[i]));
+    let moved = moved.filter(|(unknown, value)| (value - unknown.mean).abs() > unknown.sigma);
+    let parts: Vec<String> = moved
+        .map(|(unknown, value)| {
+            let unit = if unknown.unit == "1" {
+                ""
             } else {
-                slope * unknowns[task.free[j]].sigma
-            }
-        });
-        let prior = task
-            .free
-            .iter()
-            .map(|&i| (at[i] - unknowns[i].mean) / unknowns[i].sigma);
-        Local {
-            residual: task.noise.whiten(&errors),
-            slopes: task.noise.whiten_columns(&slopes),
-            prior: DVector::from_iterator(task.free.len(), prior),
-        }
-    }
+                unknown.unit.as_str()
+            };
+            format!("{} = {value:.4} {unit}", unknown.name)
+                .trim_end()
+                .to_string()
+        })
+        .collect();
+    parts.join(", ")
+}
 
-    fn q(&self) -> f64 {
-        self.residual.norm_squared() + self.prior.norm_squared()
-    }
-
-    /// Half of the curvature of Q.
-    fn curvature(&self) -> DMatrix<f64> {
-        let size = self.prior.len();
-        self.slopes.transpose() * &self.slopes + DMatrix::identity(size, size)
-    }
-
-    fn step(&self, forward: &dyn Forward, free: &[usize], at: &[f64], damping: f64) -> Moved {
-        let unknowns = forward.unknowns();
-        let push = self.slopes.transpose() * &self.residual - &self.prior;
-        let mut curvature = self.curvature();
-        let diagonal = curvature.diagonal();
-        curvature.set_diagonal(&(&diagonal * (1.0 + damping)));
-        let room = |end: usize| {
-            let room = free
-                .iter()
-                .map(|&i| (unknowns[i].range[end] - at[i]) / unknowns[i].sigma);
-            DVector::from_iterator(free.len(), room)
-        };
-        let step = least_in_box(&curvature, &push, &room(0), &room(1));
-        let mut moved = at.to_vec();
-        let mut size: f64 = 0.0;
-        for (k, &i) in free.iter().enumerate() {
-            let [low, high] = unknowns[i].range;
-            moved[i] = (at[i] + step[k] * unknowns[i].sigma).clamp(low, high);
-            let width = unknowns[i].sigma / diagonal[k].sqrt();
-            size = larger(size, (moved[i] - at[i]).abs() / width);
-        }
-        Moved { at: moved, size }
-    }
-
-    fn fit(
-        self,
-        forward: &dyn Forward,
-        task: &Task,
-        (at, linear, warm_start): (Vec<f64>, Linear, Option<WarmStart>),
-        steps: usize,
-    ) -> Fit {
-        let unknowns = forward.unknowns();
-        let sigma = DVector::from_iterator(task.free.len(), task.free.iter().map(|&i| unknowns[i].sigma));
-        let size = sigma.len();
-        let inverse = self
-            .curvature()
-            .cholesky()
-            .map_or_else(|| DMatrix::identity(size, size), |c| c.inverse());
-        let covariance = DMatrix::from_fn(size, size, |i, j| inverse[(i, j)] * sigma[i] * sigma[j]);
-        let ends = task.free.iter().copied().filter(|&i| {
-            let [low, high] = unknowns[i].range;
-            at[i] <= low || at[i] >= high
-        });
-        Fit {
-            at_end: ends.collect(),
-            free: task.free.to_vec(),
-            rows: task.rows.to_vec(),
-            q: self.q(),
-            misfit: self.residual.norm_squared(),
-            residual: self.residual,
-            slopes: self.slopes,
-            covariance,
-            predicted: linear.value,
-            at,
-            steps,
-            warm_start,
-        }
+/// The fit that ends at a point.
+fn fit_at(
+    here: NormalEquations,
+    forward: &dyn Forward,
+    task: &Task,
+    (at, linear, warm_start): (Vec<f64>, Linear, Option<WarmStart>),
+    steps: usize,
+) -> Fit {
+    let unknowns = forward.unknowns();
+    let sigma = DVector::from_iterator(task.free.len(), task.free.iter().map(|&i| unknowns[i].sigma));
+    let size = sigma.len();
+    let inverse = here
+        .curvature()
+        .cholesky()
+        .map_or_else(|| DMatrix::identity(size, size), |c| c.inverse());
+    let covariance = DMatrix::from_fn(size, size, |i, j| inverse[(i, j)] * sigma[i] * sigma[j]);
+    let ends = task.free.iter().copied().filter(|&i| {
+        let [low, high] = unknowns[i].range;
+        at[i] <= low || at[i] >= high
+    });
+    Fit {
+        at_end: ends.collect(),
+        free: task.free.to_vec(),
+        rows: task.rows.to_vec(),
+        q: here.q(),
+        misfit: here.residual.norm_squared(),
+        residual: here.residual,
+        slopes: here.slopes,
+        covariance,
+        predicted: linear.value,
+        at,
+        steps,
+        warm_start,
     }
 }
 
@@ -276,9 +222,12 @@ mod tests {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     use super::*;
+    use crate::input::measurement::Bound;
     use crate::study::Discrepancy;
+    use crate::study::forward::Observable;
     use crate::study::forward::toy::{condition, reading};
     use crate::study::forward::{Condition, Unknown, UnknownKind};
+    use crate::study::noise::Noise;
 
     /// y = a exp(−b x) at x = 0, 1, … with unknowns a and b.
     struct Decay {

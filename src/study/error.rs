@@ -102,6 +102,21 @@ pub enum StudyError {
 }
 
 impl StudyError {
+    /// The same of a fit, which had moved `unknowns` to where there is no solution.
+    #[must_use]
+    pub fn while_fitting(self, unknowns: &str) -> StudyError {
+        match self {
+            StudyError::Unsolved { case, reason } if !unknowns.is_empty() => StudyError::Unsolved {
+                case,
+                reason: format!(
+                    "{reason}. The design has a solution; the fit has none where it leads, with {unknowns}: give what is \
+                     uncertain a narrower range"
+                ),
+            },
+            other => other,
+        }
+    }
+
     /// The exit code of a process that ends with it: 2 input, 3 not converged, 130 interrupted.
     pub fn exit_code(&self) -> u8 {
         match self {

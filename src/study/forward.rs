@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::coupling::Care;
 use crate::input::measurement::{Bound, Channel};
+use crate::structure::{larger, smaller};
 
 use super::error::StudyError;
 use super::work::Work;
@@ -123,6 +124,18 @@ pub struct Observable {
     pub sigma: f64,
     /// Whether it is only a bound.
     pub bound: Bound,
+}
+
+impl Observable {
+    /// Measured minus modelled: nothing where it is a bound that the model keeps.
+    pub fn misfit(&self, modelled: f64) -> f64 {
+        let error = self.value - modelled;
+        match self.bound {
+            Bound::None => error,
+            Bound::Upper => smaller(error, 0.0),
+            Bound::Lower => larger(error, 0.0),
+        }
+    }
 }
 
 /// One design at one operating point or under one bench load.

@@ -30,6 +30,8 @@ pub mod forward;
 
 pub mod left_out;
 
+mod normal_equations;
+
 pub mod noise;
 
 pub mod output;
@@ -48,6 +50,8 @@ pub mod skipped;
 
 pub mod surrogate;
 
+mod task;
+
 mod two_meshes;
 
 pub mod uncertainty;
@@ -60,7 +64,7 @@ pub mod work;
 
 pub use band::{OutputBand, SurrogateQuality};
 pub use best_fit::best_fit;
-pub use calibrate::{Fit, Task, calibrate};
+pub use calibrate::{Fit, calibrate};
 pub use campaign::Campaign;
 pub use error::StudyError;
 pub use forward::{Condition, Forward, Linear, MeshError, Observable, Unknown, UnknownKind, WarmStart};
@@ -69,6 +73,7 @@ pub use output::{Output, ProfileOutputs};
 pub use proposed::{Cost, Proposal, Proposals};
 pub use shares::Share;
 pub use skipped::SkippedRow;
+pub use task::Task;
 pub use two_meshes::TwoMeshes;
 pub use uncertainty::{Uncertainty, UncertaintySettings, propagate};
 pub use work::Work;

@@ -3,6 +3,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
 use washout::aero::CoefficientLaw;
+use washout::coupling::BladeAir;
 use washout::coupling::wing::Wing;
 use washout::effects::{ALL, Need, Seam, is_applicable};
 use washout::input::design::Design;
@@ -460,4 +461,27 @@ fn solved_whole_a_stiff_wing_turns_by_the_moment_of_each_card() {
         tried.push(card.name);
     }
     assert!(tried.len() >= 10, "{tried:?}");
+}
+
+/// So a lift model on blade elements leaves them out.
+#[test]
+fn lift_and_drag_of_a_section_know_nothing_of_effects_that_act_by_a_moment() {
+    let named = ALL.iter().filter(|effect| effect.is_of_moment());
+    let found: Vec<&str> = named.map(|effect| effect.card().name).collect();
+    assert_eq!(found, ["centre-of-pressure-shift"]);
+    let own = |acts_on: &str| {
+        let formula = "strength = 1.0\nexpression = '0.01 * x'";
+        let own = format!("[effects.own]\nkind = 'custom'\nacts_on = '{acts_on}'\n{formula}\n");
+        rectangle(&format!("{FILM}{FLAPPING}{own}"))
+    };
+    let shifted = with(wing(), "centre-of-pressure-shift", 0.05);
+    for design in [shifted, own("moment"), own("centre-of-pressure")] {
+        let (planform, _) = for_design(&design, None).unwrap();
+        assert!(BladeAir::new(&design, &planform, None).unwrap().plain().is_some());
+        for (with, without) in strips(&design, 0.1).iter().zip(strips(&wing(), 0.1)) {
+            let near = |a: f64, b: f64| (a - b).abs() < 1e-12 * b.abs();
+            assert!(near(with.lift, without.lift) && near(with.drag, without.drag));
+            assert!(!near(with.moment, without.moment));
+        }
+    }
 }

@@ -150,7 +150,16 @@ fn natural_mistakes_are_refused_with_place_and_cure() {
             "column \"22\"",
             "Give the number its unit, e.g. 22 Hz",
         ),
-        ("r,5 m/s\n20,4\n", "condition that the design has not", "flaps"),
+        (
+            "r,5 m/s\n20,4\n",
+            "names 5 m/s, which the design has not",
+            "flaps",
+        ),
+        (
+            "Station (mmm),22 Hz\n20,4\n",
+            "column \"Station (mmm)\"",
+            "mmm is no unit that is known",
+        ),
         (
             "statoin,22 Hz\n20,4\n",
             "column \"statoin\"",

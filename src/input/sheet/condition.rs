@@ -27,6 +27,19 @@ pub enum Kind {
     Length,
 }
 
+impl Kind {
+    /// A number of this kind in words.
+    pub fn words(self, value: f64) -> String {
+        let unit = match self {
+            Kind::Frequency => "Hz",
+            Kind::Angle => "deg",
+            Kind::Speed => "m/s",
+            Kind::Length => "mm",
+        };
+        format!("{value} {unit}")
+    }
+}
+
 /// Units as people write them, in lower case, longer ones first; with the factor to the unit of [`Kind`].
 pub const UNITS: [(&str, Kind, f64); 14] = [
     ("millimetres", Kind::Length, 1.0),

@@ -170,8 +170,12 @@ fn condition(
         match kind {
             Kind::Length => station = Some(value),
             kind => {
-                let key = key(kind, design)
-                    .map_err(|cure| ("names a condition that the design has not".to_string(), cure))?;
+                let key = key(kind, design).map_err(|cure| {
+                    (
+                        format!("names {}, which the design has not", kind.words(value)),
+                        cure,
+                    )
+                })?;
                 points.push(Point {
                     key: key.to_string(),
                     value,
@@ -268,6 +272,17 @@ fn cure_of(head: &str) -> String {
                 &digits[..end]
             ),
         };
+    }
+    if let Some((name, rest)) = head.split_once(['(', '['])
+        && NAMES
+            .iter()
+            .any(|(_, names)| names.contains(&name.trim().to_lowercase().as_str()))
+        && unit_at(&rest.to_lowercase()).is_none()
+    {
+        let unit = rest.trim_end_matches([')', ']']);
+        return format!(
+            "{unit} is no unit that is known: lengths are in mm, cm or m, angles in deg or rad. {usual}"
+        );
     }
     let words = NAMES.iter().flat_map(|(_, names)| names.iter().copied());
     let words = words

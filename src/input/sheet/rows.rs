@@ -365,7 +365,12 @@ impl<'a> Reader<'a> {
                     key: key.to_string(),
                     value,
                 }),
-                Err(cure) => return refuse("names a condition that the design has not", cure),
+                Err(cure) => {
+                    return refuse(
+                        &format!("names {}, which the design has not", kind.words(value)),
+                        cure,
+                    );
+                }
             }
         }
         Ok(())

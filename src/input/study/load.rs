@@ -145,8 +145,8 @@ impl LoadedStudy {
             return Err(InputError::about_file(
                 &file::shown(path),
                 "is a design, not a study",
-                "`washout solve` and `compare` take designs; a study names designs and what was measured on them: \
-                 `washout init NAME --study` writes one to start from",
+                "A table of readings joins it: `washout diagnose DESIGN --with TABLE`. `washout solve` and `compare` take designs; a study \
+                 names designs and what was measured on them: `washout init NAME --study` writes one to start from",
             ));
         }
         format_is_one(&root)?;
