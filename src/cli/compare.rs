@@ -16,7 +16,7 @@ use crate::export::pictures::wing::figure as wing_figure;
 use crate::export::pictures::write::add_wing;
 use crate::export::run::RunFolder;
 use crate::input::Loaded;
-use crate::input::measurement::Channel;
+use crate::input::measurement::{Channel, Measurement};
 use crate::input::study::LoadedStudy;
 use crate::lift::{Ratios, StrokeMeans};
 use crate::origin::{InputFile, MadeOf};
@@ -24,6 +24,7 @@ use crate::page::text::number;
 use crate::page::{Digits, Page as Answer, Part, Rows, Table};
 
 use super::design_arguments::{DesignArguments, beside, is_there};
+use super::sheet::FromSheet;
 use super::study::{COMPARISON, listed, target};
 use super::{Console, Failure};
 use crate::wing::{DiscretizationError, SolvedWing, WingError, WingModel};
@@ -35,6 +36,8 @@ use crate::wing::{DiscretizationError, SolvedWing, WingError, WingModel};
   washout compare designs/twist-v1.toml
   washout compare designs/twist-v2.toml \\
     --with measurements/colmenares-as-restated.csv
+  # a table of readings: what was understood is printed first
+  washout compare my-wing.toml --with sheet.csv
   # ratios of lift and efficiency too
   washout compare designs/twist-v2.toml --reference designs/rigid.toml
   # all cases of a study, before and after calibration
@@ -47,8 +50,8 @@ pub struct Compare {
     /// The design
     #[command(flatten)]
     pub design: DesignArguments,
-    /// Measurement file, of a design only [default: the one that the design names]
-    #[arg(long, value_name = "CSV")]
+    /// Measurement file or table of readings (.csv, .tsv, .xlsx, .ods), of a design only [default: the file that the design names]
+    #[arg(long, value_name = "FILE")]
     pub with: Option<PathBuf>,
     /// Case in that file, of a design only [default: the one that the design names, or the name of the wing]
     #[arg(long, value_name = "NAME")]
@@ -136,13 +139,16 @@ impl Compare {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
         if LoadedStudy::is_study(&self.design.design)? {
-            return super::study::compare(
-                &self.design.design,
-                &self.study_sets()?,
-                self.output.as_ref(),
-                self.report,
-                console,
-            );
+            let path = &self.design.design;
+            let study = LoadedStudy::load(path, &self.study_sets()?)?;
+            return super::study::compare((path, &study), None, self.output.as_ref(), self.report, console);
+        }
+        if let Some(table) = self.sheet()? {
+            console.note(table.understood());
+            let study = table.study(&self.sets())?;
+            let doubts = Some(table.doubts()).filter(|doubts| !doubts.is_empty());
+            let from = (table.table.as_path(), &study);
+            return super::study::compare(from, doubts, self.output.as_ref(), self.report, console);
         }
         let loaded = self.load()?;
         if loaded.measurement.is_none() {
@@ -200,6 +206,35 @@ impl Compare {
         })
     }
 
+    /// The table of `--with`, if it is one of readings and no measurement file.
+    fn sheet(&self) -> Result<Option<FromSheet>, Failure> {
+        let is_sheet = |table: &&PathBuf| table.is_file() && !Measurement::is_file(table);
+        let Some(table) = self.with.as_ref().filter(is_sheet) else {
+            return Ok(None);
+        };
+        let others = [
+            ("--case", self.case.is_some()),
+            ("--reference", self.reference.is_some()),
+            ("--mesh", self.design.mesh.is_some()),
+        ];
+        match others.into_iter().find(|(_, is_given)| *is_given) {
+            Some((option, _)) => Err(Failure::Option {
+                option,
+                reason: format!(
+                    "does not go with {}, which is a table of readings and no measurement file; leave it out",
+                    table.display()
+                ),
+            }),
+            None => FromSheet::load(table, &self.design.design, None).map(Some),
+        }
+    }
+
+    /// What the command line changes in a design.
+    fn sets(&self) -> Vec<String> {
+        let refine = self.design.refine.map(|factor| format!("mesh.refine={factor}"));
+        self.design.set.iter().cloned().chain(refine).collect()
+    }
+
     /// What the command line changes in every design of a study.
     fn study_sets(&self) -> Result<Vec<String>, Failure> {
         let others = [
@@ -212,9 +247,7 @@ impl Compare {
             let reason = "belongs to a design; a study names its measurements and meshes itself".to_string();
             return Err(Failure::Option { option, reason });
         }
-        let mut sets = self.design.set.clone();
-        sets.extend(self.design.refine.map(|factor| format!("mesh.refine={factor}")));
-        Ok(sets)
+        Ok(self.sets())
     }
 
     fn load(&self) -> Result<Loaded, Failure> {

@@ -6,7 +6,7 @@ use crate::export::measurement::measurement_csv;
 use crate::input::sheet::Sheet;
 use crate::input::sheet::study::Names;
 use crate::input::study::LoadedStudy;
-use crate::page::text::{Table, wrapped};
+use crate::page::text::{Table, significant, wrapped};
 
 use super::Failure;
 use super::design_arguments::beside;
@@ -90,7 +90,10 @@ impl FromSheet {
                 let rows: Vec<_> = rows.collect();
                 let ends = |values: Vec<f64>| match values.iter().copied().reduce(f64::min) {
                     None => String::new(),
-                    Some(least) => format!("{least} … {}", values.iter().copied().fold(least, f64::max)),
+                    Some(least) => {
+                        let most = values.iter().copied().fold(least, f64::max);
+                        format!("{} … {}", significant(least, 4), significant(most, 4))
+                    }
                 };
                 let units: Vec<&str> = rows.iter().map(|row| row.channel.unit()).collect();
                 let is_one = units.iter().all(|unit| *unit == units[0]);

@@ -17,6 +17,7 @@ use crate::export::run::RunFolder;
 use crate::export::study::{StudyReport, page};
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
+use crate::page::Part;
 use crate::page::text::hanging;
 use crate::study::{Campaign, Forward, StudyError, Unknown, UnknownKind};
 
@@ -25,19 +26,18 @@ use super::{Console, Failure};
 /// The document that lists the files of a comparison.
 pub const COMPARISON: &str = "comparison.json";
 
-/// `washout compare STUDY`: solves, compares, writes into `output` or `output/NAME-compare`.
+/// `washout compare STUDY`: solves, compares, writes into `output` or `output/NAME-compare`. `first`: what is said before the answer.
 pub fn compare(
-    path: &Path,
-    sets: &[String],
+    (path, study): (&Path, &LoadedStudy),
+    first: Option<String>,
     output: Option<&PathBuf>,
     with_report: bool,
     console: &Console,
 ) -> Result<(), Failure> {
-    let study = LoadedStudy::load(path, sets)?;
     let target = target(output, &study.study.name, "compare");
     let mut folder = RunFolder::listed_by(&target, "compare", COMPARISON)?;
-    let compared = Compared::new(path, &study, console)?;
-    let parts = with_report.then(|| compared.parts(&study, console)).transpose()?;
+    let compared = Compared::new(path, study, console)?;
+    let parts = with_report.then(|| compared.parts(study, console)).transpose()?;
     add_study(&mut folder, &compared.comparison)?;
     let report = StudyReport {
         comparison: compared.comparison,
@@ -52,7 +52,11 @@ pub fn compare(
     let written = folder.commit()?;
     let sketch = console.sketch(&compared_figure(&panels::Compared::of_study(&report.comparison)));
     let after = listed(&written, &report.files) + &sketch;
-    console.answer(&page(&report.comparison), &after, &report)
+    let mut answer = page(&report.comparison);
+    if let Some(first) = first {
+        answer.lead.insert(0, Part::Sentence(first));
+    }
+    console.answer(&answer, &after, &report)
 }
 
 /// The folder that a verb writes into.

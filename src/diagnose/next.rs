@@ -325,14 +325,14 @@ mod tests {
     fn the_advice_says_what_to_measure_or_that_nothing_decides() {
         let far = |separation_sigma: f64| {
             vec![Candidate {
-                name: "the still wing w under a torque of 0.2 mN·m at its tip (67 mm)".into(),
+                name: "the still wing w under a torque of 0.2 mN·m near its tip (67 mm)".into(),
                 separation_sigma,
             }]
         };
         let said = sentence(&far(4.25), false, false);
         assert_eq!(
             said,
-            "Measure the still wing w under a torque of 0.2 mN·m at its tip (67 mm) next: the rivals are expected 4.2 standard \
+            "Measure the still wing w under a torque of 0.2 mN·m near its tip (67 mm) next: the rivals are expected 4.2 standard \
              deviations apart there."
         );
         assert!(sentence(&far(1.0), true, false).starts_with("No listed experiment can tell these apart"));

@@ -83,7 +83,7 @@ fn without_solution(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
     let unsolved = unsolved(baseline);
     if !unsolved.is_empty() {
         notes.push(format!(
-            "{}: no equilibrium was found at a size that was looked at; weighed without it.",
+            "{}: with some of the sizes that were looked at the wing has no equilibrium; these effects are weighed by their other sizes alone.",
             unsolved.join(", ")
         ));
     }

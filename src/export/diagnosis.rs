@@ -128,6 +128,15 @@ fn effects(study: &str, found: &Diagnosis) -> Vec<Part> {
         ));
         parts.push(Part::Text(found.unseen.join(", ")));
     }
+    let is_tried = |name: &str| found.effects.iter().any(|row| row.effect == name);
+    let names = crate::effects::all().map(|effect| effect.card().name);
+    let others: Vec<&str> = names.filter(|name| !is_tried(name)).collect();
+    if !others.is_empty() {
+        let why = "Not tried, for they cannot act here, are part of the model, or were not asked for (what each needs: washout effects \
+                   NAME):";
+        parts.push(Part::Subtitle(why.to_string()));
+        parts.push(Part::Text(others.join(", ")));
+    }
     parts
 }
 

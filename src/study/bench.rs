@@ -23,7 +23,7 @@ pub(super) fn torque(case: &LoadedCase, twist_deg: f64) -> Option<LoadedCase> {
         ..unloaded(at_mm)
     };
     let words = format!(
-        "the still wing {} under a torque of {} at its tip ({} mm)",
+        "the still wing {} under a torque of {} near its tip ({} mm)",
         design.name,
         with_unit(torque_n_m, "N·m"),
         short(at_mm)

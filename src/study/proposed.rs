@@ -336,7 +336,7 @@ mod tests {
             all[3]
                 .words(&[])
                 .starts_with("the still wing twist-v1 under a torque of ")
-                && all[3].words(&[]).ends_with("N·m at its tip (67.2 mm)"),
+                && all[3].words(&[]).ends_with("N·m near its tip (67.2 mm)"),
             "{}",
             all[3].words(&[])
         );

@@ -143,3 +143,34 @@ fn pictures_and_their_numbers_are_written_whole_and_replaced_but_nothing_of_the_
     assert_eq!((said.code, said.out.as_str()), (Some(0), ""), "{}", said.err);
     assert_eq!(entries(&here.path().join("elsewhere")), files);
 }
+
+/// Against the design as it is: the readings stand 1 deg above it, so the error is that.
+#[test]
+fn a_table_of_readings_is_compared_and_its_sign_is_doubted_first() {
+    let here = folder();
+    let wing = design("twist-v1.toml");
+    let coarse = ["--set", "mesh.refine=0.5", "--json"];
+    let compare = |table: &str, text: &str, more: &[&str]| {
+        fs::write(here.path().join(table), text).unwrap();
+        let arguments = [&["compare", &wing, "--with", table], &coarse[..], more].concat();
+        washout(here.path(), &arguments)
+    };
+    let said = compare("sheet.csv", "r (mm);twist (deg)\n30;9,0\n50;9,0\n", &[]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    assert!(said.err.contains("text, separated by semicolons"), "{}", said.err);
+    let document = said.document();
+    let rows = document["rows"].as_array().expect("rows");
+    let measured: Vec<f64> = rows.iter().filter_map(|row| row["measured"].as_f64()).collect();
+    assert_eq!(measured, [9.0, 9.0], "{document}");
+    let turned = "r (mm);twist (deg)\n30;-9,0\n50;-9,0\n";
+    fs::write(here.path().join("turned.csv"), turned).unwrap();
+    let said = washout(here.path(), &["compare", &wing, "--with", "turned.csv"]);
+    assert!(said.out.contains("First check the table"), "{}", said.out);
+    let said = compare("sheet.csv", turned, &["--case", "twist-v1"]);
+    assert_eq!(said.code, Some(2));
+    assert!(
+        said.err.contains("--case") && said.err.contains("table of readings"),
+        "{}",
+        said.err
+    );
+}

@@ -11,6 +11,16 @@ use crate::input::file;
 use crate::input::table::Table;
 
 impl Measurement {
+    /// Whether a file has the header of a measurement file; a table of readings of another form is a sheet.
+    pub fn is_file(path: &Path) -> bool {
+        let Ok(text) = std::fs::read_to_string(path) else {
+            return false;
+        };
+        let is_said = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+        let head = text.lines().find(is_said).unwrap_or_default();
+        head.split(',').any(|column| column.trim() == "channel")
+    }
+
     /// Reads a measurement file with all its cases.
     ///
     /// # Example

@@ -395,7 +395,7 @@ impl Column {
     pub fn words(&self) -> String {
         let factor = match self.factor {
             1.0 => String::new(),
-            factor => format!(", times {factor}"),
+            factor => format!(", times {}", (1e6 * factor).round() / 1e6),
         };
         match &self.role {
             Role::Station => format!("station from the wing base, mm{factor}"),
