@@ -10,6 +10,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::error::DiagnoseError;
+use super::evidence::ln_sum;
 use super::fields::{AMPLITUDES, Field, share};
 use super::weights::{Level, Weights};
 
@@ -21,11 +22,16 @@ const LOCAL: f64 = 0.3;
 /// prior shares above.
 const OWN_ERROR: f64 = 0.15;
 
-/// ln of the density of the readings under each cause without a name (column) for every size (row), the priors of both in it.
+/// ln of the probability of a size by nothing and by errors of the readings, over that of the most probable, below which no field is weighed
+/// with it: half as much again as what no effect is weighed with.
+const IMPROBABLE: f64 = -15.0;
+
+/// ln of the density of the readings under each cause without a name (column) for every size (row), the priors of both in it; −∞ for fields at
+/// sizes that are improbable. `of_sizes`: ln of how probable nothing makes each size, over the prior of a cause without a name.
 ///
 /// # Errors
 /// If a covariance is not positive definite.
-pub fn unknown(weights: &Weights, fields: &[Field]) -> Result<DMatrix<f64>, DiagnoseError> {
+pub fn unknown(weights: &Weights, fields: &[Field], of_sizes: &[f64]) -> Result<DMatrix<f64>, DiagnoseError> {
     let plain = weights.less(&DMatrix::zeros(weights.residual.len(), 1));
     let errors = weights.error.unknown();
     let ln_error = (ERRORS / errors.len() as f64).ln();
@@ -33,17 +39,26 @@ pub fn unknown(weights: &Weights, fields: &[Field]) -> Result<DMatrix<f64>, Diag
         .into_par_iter()
         .map(|own| Ok(weights.of(Some(&own), &plain)?.add_scalar(ln_error)))
         .collect::<Result<_, DiagnoseError>>()?;
+    let likely: Vec<f64> = of_sizes
+        .iter()
+        .enumerate()
+        .map(|(level, ln)| ln_sum(of_errors.iter().map(|own| own[(level, 0)]).chain([*ln])))
+        .collect();
+    let most = likely.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let of_fields: Vec<Vec<f64>> = (0..weights.levels.len())
         .into_par_iter()
-        .map(|level| of_fields(weights, &weights.levels[level], &plain, fields))
+        .map(|level| match likely[level] > most + IMPROBABLE {
+            true => of_fields(weights, &weights.levels[level], &plain, fields),
+            false => Ok(Vec::new()),
+        })
         .collect::<Result<_, _>>()?;
-    let count = of_fields.first().map_or(0, Vec::len);
+    let count = of_fields.iter().map(Vec::len).max().unwrap_or(0);
     let mut found = DMatrix::from_fn(
         of_fields.len(),
         of_errors.len() + count,
         |row, column| match column.checked_sub(of_errors.len()) {
             None => of_errors[column][(row, 0)],
-            Some(field) => of_fields[row][field],
+            Some(field) => of_fields[row].get(field).copied().unwrap_or(f64::NEG_INFINITY),
         },
     );
     // a prior that no field takes up is that of errors of the readings

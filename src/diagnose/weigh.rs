@@ -69,7 +69,9 @@ pub fn weigh(
     let mut of_sizes = vec![f64::NEG_INFINITY; weights.levels.len()];
     let plain = weights.less(&DMatrix::zeros(seen.residual.len(), 1));
     let ln_nothing = take(&mut of_sizes, prior.nothing.ln(), &weights.of(None, &plain)?);
-    let ln_unknown = take(&mut of_sizes, prior.novel.ln(), &unknown(&weights, seen.fields)?);
+    let by_nothing: Vec<f64> = of_sizes.iter().map(|ln| ln - prior.novel.ln()).collect();
+    let of_unknown = unknown(&weights, seen.fields, &by_nothing)?;
+    let ln_unknown = take(&mut of_sizes, prior.novel.ln(), &of_unknown);
     // what neither of these makes probable, no effect does: a cause without a name takes up whatever is smooth
     let most = of_sizes.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let mut is_looked_at = of_sizes.iter().map(|ln| *ln > most + IMPROBABLE);
