@@ -146,9 +146,8 @@ impl Compare {
         if let Some(table) = self.sheet()? {
             console.note(table.understood());
             let study = table.study(&self.sets())?;
-            let doubts = Some(table.doubts()).filter(|doubts| !doubts.is_empty());
             let from = (table.table.as_path(), &study);
-            return super::study::compare(from, doubts, self.output.as_ref(), self.report, console);
+            return super::study::compare(from, Some(&table), self.output.as_ref(), self.report, console);
         }
         let loaded = self.load()?;
         if loaded.measurement.is_none() {

@@ -151,10 +151,13 @@ impl Diagnose {
             }
             commands => format!("To take it into the model\n{keep}{commands}\n"),
         };
-        report
-            .diagnosis
-            .notes
-            .extend(table.map_or(Vec::new(), FromSheet::notes));
+        let doubts = table.and_then(FromSheet::doubts);
+        report.diagnosis.sentence = doubts
+            .into_iter()
+            .chain([report.diagnosis.sentence])
+            .collect::<Vec<_>>()
+            .join(" ");
+        report.diagnosis.notes.extend(table.and_then(FromSheet::assumed));
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
         report.files = folder.listed_with(self.report);
         if self.report {
@@ -167,10 +170,6 @@ impl Diagnose {
         let written = folder.commit()?;
         let screening = report.diagnosis.screening;
         let mut answer = page(study, &report.diagnosis);
-        let doubts = table.map_or(String::new(), FromSheet::doubts);
-        if !doubts.is_empty() {
-            answer.lead.insert(0, Part::Sentence(doubts));
-        }
         let work = format!(
             "Screening of every effect: {} derivatives with {} factorizations; in all {}",
             screening.derivatives, screening.factorizations, report.work

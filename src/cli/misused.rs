@@ -61,7 +61,7 @@ fn did_you_mean(error: &clap::Error, suggested: ContextKind) -> String {
 /// Whether a word names a table of readings.
 fn is_table(word: &str) -> bool {
     let end = word.rsplit_once('.').map_or("", |(_, end)| end);
-    ["csv", "tsv", "xlsx", "xls", "ods", "txt"]
+    ["csv", "tsv", "xlsx", "ods"]
         .iter()
         .any(|own| end.eq_ignore_ascii_case(own))
 }
@@ -82,7 +82,9 @@ fn sentence(error: &clap::Error) -> Option<String> {
             )
         }
         ErrorKind::UnknownArgument if is_table(&argument) => {
-            format!("{argument}: one word too many. A table of readings is given with --with {argument}")
+            format!(
+                "{argument}: one word too many. A table of readings is given with --with {argument}, to diagnose and compare"
+            )
         }
         ErrorKind::UnknownArgument => {
             format!("{argument}: one word too many. Quote a path or a value that has spaces")

@@ -129,25 +129,22 @@ impl FromSheet {
         text
     }
 
-    /// What looks wrong in the table, to be said before any answer; empty if nothing does.
-    pub fn doubts(&self) -> String {
-        match self.sheet.doubts.join(" ") {
-            doubts if doubts.is_empty() => doubts,
-            doubts => format!("First check the table, for what follows is of it as it stands: {doubts}"),
-        }
+    /// What looks wrong in the table, to be said before any answer; none if nothing does.
+    pub fn doubts(&self) -> Option<String> {
+        let doubts = self.sheet.doubts.join(" ");
+        (!doubts.is_empty())
+            .then(|| format!("Check the table first, all else is of it as it stands: {doubts}"))
     }
 
-    /// The same of what is assumed and what looks wrong, for the document: who reads that has not seen it.
-    pub fn notes(&self) -> Vec<String> {
-        let Sheet { assumed, doubts, .. } = &self.sheet;
-        let assumed: Vec<String> = assumed.iter().map(|[what, is]| format!("{what}: {is}")).collect();
-        let taken = format!("Not in the table, so taken to be: {}.", assumed.join("; "));
-        let doubts = doubts.iter().map(|doubt| format!("Check the table: {doubt}"));
-        (!assumed.is_empty())
-            .then_some(taken)
-            .into_iter()
-            .chain(doubts)
-            .collect()
+    /// What is assumed, for the document: who reads that has not seen it; none if nothing is.
+    pub fn assumed(&self) -> Option<String> {
+        let assumed = self
+            .sheet
+            .assumed
+            .iter()
+            .map(|[what, is]| format!("{what}: {is}"));
+        let assumed: Vec<String> = assumed.collect();
+        (!assumed.is_empty()).then(|| format!("Not in the table, so taken to be: {}.", assumed.join("; ")))
     }
 
     /// The study of the table, as `washout init --study --readings` writes it, without a file; `sets` change the design.

@@ -17,26 +17,30 @@ use crate::export::run::RunFolder;
 use crate::export::study::{StudyReport, page};
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
-use crate::page::Part;
 use crate::page::text::hanging;
 use crate::study::{Campaign, Forward, StudyError, Unknown, UnknownKind};
 
+use super::sheet::FromSheet;
 use super::{Console, Failure};
 
 /// The document that lists the files of a comparison.
 pub const COMPARISON: &str = "comparison.json";
 
-/// `washout compare STUDY`: solves, compares, writes into `output` or `output/NAME-compare`. `first`: what is said before the answer.
+/// `washout compare STUDY`: solves, compares, writes into `output` or `output/NAME-compare`. `table`: what the study was made of, if it
+/// was a table.
 pub fn compare(
     (path, study): (&Path, &LoadedStudy),
-    first: Option<String>,
+    table: Option<&FromSheet>,
     output: Option<&PathBuf>,
     with_report: bool,
     console: &Console,
 ) -> Result<(), Failure> {
     let target = target(output, &study.study.name, "compare");
     let mut folder = RunFolder::listed_by(&target, "compare", COMPARISON)?;
-    let compared = Compared::new(path, study, console)?;
+    let mut compared = Compared::new(path, study, console)?;
+    let words = &mut compared.comparison.words;
+    words.splice(0..0, table.and_then(FromSheet::doubts));
+    words.extend(table.and_then(FromSheet::assumed));
     let parts = with_report.then(|| compared.parts(study, console)).transpose()?;
     add_study(&mut folder, &compared.comparison)?;
     let report = StudyReport {
@@ -52,11 +56,7 @@ pub fn compare(
     let written = folder.commit()?;
     let sketch = console.sketch(&compared_figure(&panels::Compared::of_study(&report.comparison)));
     let after = listed(&written, &report.files) + &sketch;
-    let mut answer = page(&report.comparison);
-    if let Some(first) = first {
-        answer.lead.insert(0, Part::Sentence(first));
-    }
-    console.answer(&answer, &after, &report)
+    console.answer(&page(&report.comparison), &after, &report)
 }
 
 /// The folder that a verb writes into.

@@ -7,6 +7,9 @@ use crate::page::Digits::{After, Significant};
 use crate::page::text::significant;
 use crate::page::{Fact, Part, Rows, Table};
 
+/// What the column of the set holds.
+const IN_SET: &str = " In set: the most probable, which hold 95 % together.";
+
 /// What the column of errors holds.
 const ERROR: &str = "Error: one standard error; none where a strength is all or none, or stands in steps.";
 
@@ -16,7 +19,7 @@ pub fn brief(found: &Diagnosis) -> Vec<Part> {
     let mut parts = hypotheses(found);
     if let Some(Part::Table(table)) = parts.last_mut() {
         *table = table.clone().without(&["gain_left_out_conditions", "in set"]);
-        table.caption = ERROR.to_string();
+        table.caption = table.caption.replace(IN_SET, "");
         table.most_in_text = in_set.clamp(3, 7);
     }
     parts.push(Part::Notes(found.notes.clone()));
@@ -115,7 +118,7 @@ fn hypothesis_table(found: &Diagnosis) -> Table {
             After(1),
             |row| row.gain_left_out_conditions,
         );
-    let mut caption = format!("{ERROR} In set: the most probable, which hold 95 % together.");
+    let mut caption = format!("{ERROR}{IN_SET}");
     let mut strengths = found.hypotheses.iter().flat_map(|row| &row.strengths);
     if strengths.any(|strength| strength.at_end) {
         caption += " At its end: the most that is accepted; the data ask for no less.";

@@ -82,6 +82,7 @@ pub mod comparison;
 #[cfg(feature = "cli")]
 pub mod diagnosis;
 
+#[cfg(feature = "cli")]
 mod hypotheses;
 
 #[cfg(feature = "cli")]

@@ -173,9 +173,12 @@ fn words(forward: &dyn Forward, free: &[usize], at: &[f64]) -> String {
             } else {
                 unknown.unit.as_str()
             };
-            format!("{} = {value:.4} {unit}", unknown.name)
-                .trim_end()
-                .to_string()
+            match value.abs() < 1e-2 {
+                true => format!("{} = {value:.2e} {unit}", unknown.name),
+                false => format!("{} = {value:.4} {unit}", unknown.name),
+            }
+            .trim_end()
+            .to_string()
         })
         .collect();
     parts.join(", ")

@@ -109,8 +109,8 @@ impl StudyError {
             StudyError::Unsolved { case, reason } if !unknowns.is_empty() => StudyError::Unsolved {
                 case,
                 reason: format!(
-                    "{reason}. The design has a solution; the fit has none where it leads, with {unknowns}: give what is \
-                     uncertain a narrower range"
+                    "{reason}. A fit led there, with {unknowns}; the design as it stands has a solution. Give what is uncertain a \
+                     narrower range"
                 ),
             },
             other => other,

@@ -173,7 +173,7 @@ fn a_table_of_readings_is_compared_and_its_sign_is_doubted_first() {
         "mesh.refine=0.5",
     ];
     let said = washout(here.path(), &of_turned);
-    assert!(said.out.contains("First check the table"), "{}", said.out);
+    assert!(said.out.contains("Check the table first"), "{}", said.out);
     let said = compare("sheet.csv", turned, &["--case", "twist-v1"]);
     assert_eq!(said.code, Some(2));
     assert!(

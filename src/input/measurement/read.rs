@@ -13,7 +13,7 @@ use crate::input::table::Table;
 impl Measurement {
     /// Whether a file has the header of a measurement file; a table of readings of another form is a sheet.
     pub fn is_file(path: &Path) -> bool {
-        let Ok(text) = std::fs::read_to_string(path) else {
+        let Ok(text) = file::read_text(path, "measurement file") else {
             return false;
         };
         let is_said = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
