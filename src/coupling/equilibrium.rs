@@ -1,6 +1,6 @@
 //! The equilibrium of structure and air.
 
-use crate::input::design::{Accelerator, Design, Factorization};
+use crate::input::design::{Accelerator, Coupling, Design, Factorization};
 use crate::mesh::Mesh;
 use crate::progress::Progress;
 use crate::structure::state::State;
@@ -10,6 +10,7 @@ use super::air::Air;
 use super::error::CouplingError;
 use super::fixed_point::Coupled;
 use super::near::{Care, Near};
+use super::overload::overload;
 use super::solution::{Solution, SolveReport};
 use super::wing::Wing;
 use super::{cure, cure_near, fixed_point, newton, pseudo_time};
@@ -86,38 +87,13 @@ fn couple(
     let Design {
         coupling, structure, ..
     } = design;
-    let care = near.map_or(Care::Full, |near| near.care);
-    let asked = care.tolerances(coupling);
-    let mut lost = 0;
     let is_joint =
         coupling.accelerator == Accelerator::Newton && !wing.linear && structure.load_increments == 1;
+    let (mut lost, mut told) = (0, None);
     if is_joint {
-        let nearby = near.and_then(|near| {
-            let shape = newton::carried(wing, &near.solution.mesh, &near.solution.state)?;
-            Some((shape, near.step.as_deref()))
-        });
-        let nearby = nearby.iter().map(|(shape, step)| (shape, true, *step));
-        for (shape, is_loaded, step) in nearby.chain([(rest, false, None)]) {
-            let start = newton::Start {
-                rest,
-                shape,
-                is_loaded,
-                step,
-            };
-            match newton::iterate(wing, equilibrium, start, &asked, progress)? {
-                Ok(mut found) => {
-                    lost += found.newton_steps;
-                    found.newton_steps = lost;
-                    match fixed_point::stable(wing, equilibrium, rest, found, care) {
-                        Ok(found) if found.negative_pivots == 0 => return Ok(found),
-                        _ => {}
-                    }
-                }
-                Err(steps) => lost += steps,
-            }
-        }
-        if near.is_some_and(|near| near.care.is_trial()) {
-            return Err(CouplingError::GivenUp { steps: lost });
+        match jointly(coupling, wing, equilibrium, rest, near, progress)? {
+            Ok(found) => return Ok(found),
+            Err(missed) => (lost, told) = (missed.steps, missed.verdict),
         }
     }
     // the fixed point solves the whole structure in each of its steps: where the design does not ask for it, it comes last
@@ -126,14 +102,18 @@ fn couple(
         true => vec![Way::PseudoTime, Way::FixedPoint],
         false => vec![Way::FixedPoint, Way::PseudoTime],
     };
-    let mut told = None;
     for way in ways {
         let found = match way {
+            // the slow path is not for a wing of which it is known why it does not come to rest
+            Way::FixedPoint if told.is_some() => break,
             Way::FixedPoint => fixed_point::iterate(wing, equilibrium, rest, coupling, structure, progress),
             Way::PseudoTime => match pseudo_time::settle(wing, equilibrium, rest, coupling, progress)? {
                 Ok(found) => fixed_point::stable(wing, equilibrium, rest, found, Care::Full),
                 Err(steps) => {
                     lost += steps;
+                    if told.as_ref().is_none_or(is_unsettled) {
+                        told = overload(wing, equilibrium, rest).map(Into::into).or(told);
+                    }
                     continue;
                 }
             },
@@ -149,7 +129,63 @@ fn couple(
             Err(_) => {}
         }
     }
-    Err(told.expect("the fixed point says why it does not settle"))
+    Err(told.expect("each way that finds nothing leaves a word, the fixed point at the least"))
+}
+
+/// What Newton's method has left where it did not settle on a stable shape.
+struct Missed {
+    steps: usize,
+    /// Of a shape that it settled on and the wing would leave.
+    verdict: Option<CouplingError>,
+}
+
+/// By Newton's method on air and structure together, from nearby and from rest.
+///
+/// # Errors
+/// If the user asks to stop, or a trial does not settle.
+fn jointly(
+    coupling: &Coupling,
+    wing: &Wing,
+    equilibrium: &mut Equilibrium,
+    rest: &State,
+    near: Option<&Near>,
+    progress: &Progress,
+) -> Result<Result<Coupled, Missed>, CouplingError> {
+    let care = near.map_or(Care::Full, |near| near.care);
+    let asked = care.tolerances(coupling);
+    let mut missed = Missed {
+        steps: 0,
+        verdict: None,
+    };
+    let nearby = near.and_then(|near| {
+        let shape = newton::carried(wing, &near.solution.mesh, &near.solution.state)?;
+        Some((shape, near.step.as_deref()))
+    });
+    let nearby = nearby.iter().map(|(shape, step)| (shape, true, *step));
+    for (shape, is_loaded, step) in nearby.chain([(rest, false, None)]) {
+        let start = newton::Start {
+            rest,
+            shape,
+            is_loaded,
+            step,
+        };
+        match newton::iterate(wing, equilibrium, start, &asked, progress)? {
+            Ok(mut found) => {
+                missed.steps += found.newton_steps;
+                found.newton_steps = missed.steps;
+                match fixed_point::stable(wing, equilibrium, rest, found, care) {
+                    Ok(found) if found.negative_pivots == 0 => return Ok(Ok(found)),
+                    Err(error) if is_verdict(&error) => missed.verdict = Some(error),
+                    _ => {}
+                }
+            }
+            Err(steps) => missed.steps += steps,
+        }
+    }
+    if care.is_trial() {
+        return Err(CouplingError::GivenUp { steps: missed.steps });
+    }
+    Ok(Err(missed))
 }
 
 /// A way to the equilibrium where Newton's method does not lead there.

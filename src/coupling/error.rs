@@ -1,5 +1,6 @@
 //! Why a coupled solve gives no solution.
 
+use super::overload::Overload;
 use crate::aero::AeroError;
 use crate::effects::EffectError;
 use crate::input::InputError;
@@ -76,6 +77,9 @@ pub enum CouplingError {
         /// What to try, of what is not in use.
         cure: String,
     },
+    /// Nothing was found, and the load is far beyond what rods or film stand.
+    #[error("no equilibrium was found: {0}")]
+    Overloaded(Overload),
     /// A load, a stiffness or a result that is not finite: such a wing has no equilibrium, whatever its residual says.
     #[error("{found}; {cure}")]
     NotFinite {
@@ -167,6 +171,7 @@ impl CouplingError {
             CouplingError::Diverged { .. }
             | CouplingError::Unstable { .. }
             | CouplingError::OutOfPatience { .. }
+            | CouplingError::Overloaded(_)
             | CouplingError::NotFinite { .. }
             | CouplingError::GivenUp { .. }
             | CouplingError::NoPeriodic { .. } => true,

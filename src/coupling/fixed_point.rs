@@ -8,10 +8,16 @@ use super::wing::Wing;
 use crate::input::design::{self, Coupling, Structure};
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{Equilibrium, Loads, NewtonSettings, larger, largest};
+use crate::structure::{Equilibrium, Loads, NewtonSettings, larger, largest, smaller};
 
 /// Angle of attack below which the air hardly loads a strip, rad.
 const FEATHERED_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;
+
+/// Newton steps in all after which it is given up, for each iteration that the design allows.
+const PATIENCE: usize = 12;
+
+/// Iterations after which it is given up where the twist still changes by more than this in each, deg: the wing is thrown to and fro.
+const THROWN: (usize, f64) = (8, 20.0);
 
 /// A coupled equilibrium.
 #[derive(Debug, Clone)]
@@ -98,9 +104,12 @@ pub fn iterate(
         increments: structure.load_increments,
         ..NewtonSettings::default()
     };
-    while coupled.iterations < coupling.max_iterations {
+    let patience = PATIENCE * coupling.max_iterations;
+    let mut calmest_deg = f64::INFINITY;
+    while coupled.iterations < coupling.max_iterations && coupled.newton_steps < patience {
         progress.check()?;
         coupled.iterations += 1;
+        settings.patience = patience - coupled.newton_steps;
         let loads = wing.loads(&shapes)?;
         settings.tolerance = (0.05 * coupled.residual).clamp(1e-9, 0.1);
         if wing.linear {
@@ -140,6 +149,10 @@ pub fn iterate(
             return stable(wing, equilibrium, rest, coupled, Care::Full);
         }
         if !(coupled.twist_change_deg.is_finite() && coupled.residual.is_finite()) {
+            break;
+        }
+        calmest_deg = smaller(calmest_deg, coupled.twist_change_deg);
+        if coupled.iterations >= THROWN.0 && calmest_deg > THROWN.1 {
             break;
         }
         shapes = accelerator.next(&shapes, &mapped);

@@ -46,6 +46,10 @@ pub mod near;
 
 pub mod periodic;
 
+pub mod overload;
+
+mod pace;
+
 mod pseudo_time;
 
 pub mod recycled;

@@ -2,17 +2,18 @@
 //!
 //! Where Newton's method does not settle: loose films swing through many shapes, and a whole step leaps from one to
 //! another. Here every step (K + D/τ − A S) d = −F is short enough that no node turns far, so that the wing moves as one that is held
-//! back would. Toward rest the steps grow to those of Newton's method. The residual, which alone tells equilibrium, has no damping.
+//! back would ([`super::pace`]). Toward rest the steps grow to those of Newton's method. The residual, which alone tells equilibrium, has no damping.
 
 use super::error::CouplingError;
 use super::feedback::Feedback;
 use super::fixed_point::{Coupled, twists};
+use super::pace::Pace;
 use super::recycled::Recycled;
 use super::wing::Wing;
 use crate::input::design::Coupling;
 use crate::progress::Progress;
 use crate::structure::state::State;
-use crate::structure::{Damper, Equilibrium, Loads, Mixed, larger};
+use crate::structure::{Equilibrium, Loads, Mixed, larger};
 
 /// Steps after which it is given up, for each step that the design allows the fixed point: one of those solves the whole structure.
 const PATIENCE: usize = 7;
@@ -22,18 +23,6 @@ const NEARLY: f64 = 1e-3;
 const LAST: usize = 60;
 /// Residual of the linear solve over that of the step.
 const TOLERANCE: f64 = 1e-4;
-/// Turn of a node in a step beyond which steps are made shorter, rad.
-const LONG: f64 = 0.3;
-/// The first rate over that at which the load would move the wing by its own length.
-const FIRST: f64 = 30.0;
-/// Factors of the rate: where steps are too long, where they are calm, and where they do not come to rest.
-const HARDER: f64 = 3.0;
-const SOFTER: f64 = 0.5;
-const AGAIN: f64 = 300.0;
-/// Where the rate has fallen by this and the turn neither fell nor grew with it, the wing does not come to rest: triangles switch to and fro.
-const IDLE: f64 = 50.0;
-/// The softening after that, steps being longer only slowly.
-const SLOWLY: f64 = 0.85;
 
 /// Moves on from the shape `rest`; the inner error is the number of steps that did not come to rest.
 ///
@@ -50,13 +39,8 @@ pub fn settle(
     let mut coupled = Coupled::at(rest.clone(), Loads::none(wing.model.nodes.len()));
     let mut way = Mixed::new();
     let mut known = Recycled::new();
-    let damper = Damper::new(equilibrium);
     let mut shapes = wing.strips.shapes(rest);
-    let mut rate = 0.0;
-    let mut turn = f64::INFINITY;
-    // turn and rate since which the turn is alike
-    let mut mark = (turn, rate);
-    let mut softer = SOFTER;
+    let mut pace: Option<Pace> = None;
     let patience = PATIENCE * coupling.max_iterations;
     let mut last_near = 0;
     while coupled.newton_steps < patience
@@ -69,6 +53,9 @@ pub fn settle(
         if coupled.residual < NEARLY {
             last_near = coupled.newton_steps;
         }
+        let scale = equilibrium.scale(&coupled.state, &loads);
+        let pace = pace.get_or_insert_with(|| Pace::new(equilibrium, scale.0));
+        let (turn, rate) = pace.turn_and_rate();
         progress.say(format_args!(
             "pseudo-time {}: turn {turn:.1e}, rate {rate:.1e} N/m, twist changes by {:.1e} deg, residual {:.1e}",
             coupled.newton_steps, coupled.twist_change_deg, coupled.residual
@@ -81,16 +68,8 @@ pub fn settle(
         if !coupled.residual.is_finite() {
             break;
         }
-        if coupled.newton_steps == 0 {
-            rate = FIRST * equilibrium.scale(&coupled.state, &loads).0 / wing.model.extent_m();
-        }
-        let mut tries = 0;
-        while !equilibrium.factorize_damped(&damper, rate) {
-            tries += 1;
-            if tries > 40 {
-                return Ok(Err(coupled.newton_steps));
-            }
-            rate *= HARDER;
+        if !pace.factorize(equilibrium, &distance, scale) {
+            break;
         }
         known.change();
         let found = match Feedback::new(wing, equilibrium, &shapes) {
@@ -98,21 +77,14 @@ pub fn settle(
             Err(_) => None,
         };
         let Some(mut step) = found else { break };
-        turn = equilibrium.largest_turn(&step);
-        let state = equilibrium.move_mixed(&coupled.state, &mut step, &mut way);
+        let state = pace.step(
+            equilibrium,
+            &coupled.state,
+            &distance,
+            scale,
+            (&mut step, &mut way),
+        );
         shapes = coupled.step_to(wing, state, &shapes, &rest_twist);
-        if turn < 0.5 * mark.0 || turn > 5.0 * mark.0 {
-            mark = (turn, rate);
-        }
-        if turn > LONG {
-            rate *= HARDER;
-        } else if IDLE * rate < mark.1 {
-            rate *= AGAIN;
-            softer = if softer < SLOWLY { SLOWLY } else { softer.sqrt() };
-            mark = (turn, rate);
-        } else if turn < 0.5 * LONG {
-            rate *= softer;
-        }
     }
     Ok(Err(coupled.newton_steps))
 }

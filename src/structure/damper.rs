@@ -33,6 +33,14 @@ impl Damper {
         }
         Damper { by_freedom }
     }
+
+    /// Force and moment by freedom of a step under `rate_n_per_m` in all.
+    pub fn force(&self, step: &[f64], rate_n_per_m: f64) -> Vec<f64> {
+        let damped = self.by_freedom.iter().zip(step);
+        damped
+            .map(|(damping, step)| rate_n_per_m * damping * step)
+            .collect()
+    }
 }
 
 impl Equilibrium<'_> {

@@ -36,6 +36,8 @@ pub struct NewtonSettings {
     pub increments: usize,
     /// Newton steps per increment before it is cut.
     pub max_steps: usize,
+    /// Newton steps in all after which no further increment is tried.
+    pub patience: usize,
 }
 
 impl Default for NewtonSettings {
@@ -44,6 +46,7 @@ impl Default for NewtonSettings {
             tolerance: 1e-9,
             increments: 1,
             max_steps: 150,
+            patience: usize::MAX,
         }
     }
 }
@@ -134,7 +137,7 @@ impl Equilibrium<'_> {
                 }
                 Err(residual) => {
                     step = 0.4 * (next - share);
-                    if step < 1e-3 {
+                    if step < 1e-3 || report.steps >= settings.patience {
                         return Err(StructureError::NoEquilibrium {
                             load_share: next,
                             residual,

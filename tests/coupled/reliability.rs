@@ -80,6 +80,34 @@ fn loose_wings_on_which_newtons_method_does_not_settle_come_to_rest_in_pseudo_ti
     }
 }
 
+/// Let go of step by step, its tight film meets no equilibrium on the way.
+#[test]
+fn a_tight_film_that_cannot_be_let_go_of_step_by_step_is_let_go_of_at_once() {
+    assert_eq!(failures(23..24, 0.3), 0);
+}
+
+/// What is said of a wing that has no answer is what the load would do to it.
+#[test]
+fn a_wing_without_an_answer_says_what_is_too_weak_for_the_load() {
+    let told = |seed| solved(seed, 0.3).unwrap_err();
+    let rods = told(29);
+    assert!(
+        matches!(rods, CouplingError::Overloaded(overload) if overload.is_rod),
+        "{rods}"
+    );
+    let film = told(59);
+    assert!(
+        matches!(film, CouplingError::Overloaded(overload) if !overload.is_rod),
+        "{film}"
+    );
+    assert!(
+        film.is_not_converged() && film.to_string().contains("flies as a flag"),
+        "{film}"
+    );
+    // Newton's method finds the flat film, which does not stay: that is known without a search for others
+    assert!(matches!(told(5), CouplingError::Diverged { .. }));
+}
+
 #[test]
 #[ignore = "minutes"]
 fn share_of_random_wings_that_have_an_answer() {
@@ -88,6 +116,6 @@ fn share_of_random_wings_that_have_an_answer() {
     let seeds = seeds.unwrap_or(0..100);
     let refine = var("WASHOUT_REFINE").map_or(0.3, |refine| refine.parse().expect("a number"));
     let failures = failures(seeds.clone(), refine);
-    // 94 of the first 100 have one
+    // 95 of the first 100 have one
     assert!(failures as u64 * 8 <= seeds.end - seeds.start);
 }
