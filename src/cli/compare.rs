@@ -1,16 +1,18 @@
 //! `washout compare`: where the model misses the measurement, in degrees, in sigma and in words.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::compare::{Comparison, Reading};
 use crate::export::collect::{Solved, summarize};
 use crate::export::comparison;
 use crate::export::html::{self, Document, Page, REPORT, Wing};
+use crate::export::json;
 use crate::export::pictures::profile::StripRow;
 use crate::export::pictures::wing::figure as wing_figure;
 use crate::export::pictures::write::add_wing;
@@ -134,45 +136,107 @@ struct AgainstReference {
     files: Vec<InputFile>,
 }
 
+/// What is compared.
+enum Subject {
+    /// A design with a measurement.
+    Design(Box<Loaded>),
+    /// A study, and the table that it was made of, if it was.
+    Study(Box<LoadedStudy>, Option<Box<FromSheet>>),
+}
+
+/// A design solved and read, with its document, which names no files.
+struct ComparedWing {
+    wing: SolvedWing,
+    reading: Reading,
+    report: CompareReport,
+}
+
 impl Compare {
-    /// Solves and compares.
+    /// Solves, compares and writes.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        let progress = console.progress();
-        if LoadedStudy::is_study(&self.design.design)? {
-            let path = &self.design.design;
+        match self.subject(console)? {
+            Subject::Design(loaded) => self.run_design(*loaded, console),
+            Subject::Study(study, table) => {
+                let from = (self.source(table.as_deref()), &*study);
+                super::study::compare(from, table.as_deref(), self.output.as_ref(), self.report, console)
+            }
+        }
+    }
+
+    /// The document that `--json` prints; no files are written and none are named.
+    ///
+    /// # Errors
+    /// As [`Compare::run`], but for those of writing.
+    pub fn document(&self, console: &Console) -> Result<Value, Failure> {
+        match self.subject(console)? {
+            Subject::Design(loaded) => Ok(json::document(&self.compared(*loaded, console)?.report)?),
+            Subject::Study(study, table) => {
+                let from = (self.source(table.as_deref()), &*study);
+                super::study::document(from, table.as_deref(), console)
+            }
+        }
+    }
+
+    fn subject(&self, console: &Console) -> Result<Subject, Failure> {
+        let path = &self.design.design;
+        if LoadedStudy::is_study(path)? {
             let study = LoadedStudy::load(path, &self.study_sets()?)?;
-            return super::study::compare((path, &study), None, self.output.as_ref(), self.report, console);
+            return Ok(Subject::Study(Box::new(study), None));
         }
         if let Some(table) = self.sheet()? {
             console.note(table.understood());
             let study = table.study(&self.sets())?;
-            let from = (table.table.as_path(), &study);
-            return super::study::compare(from, Some(&table), self.output.as_ref(), self.report, console);
+            return Ok(Subject::Study(Box::new(study), Some(Box::new(table))));
         }
         let loaded = self.load()?;
-        if loaded.measurement.is_none() {
-            return Err(WingError::NoMeasurement { design: loaded.path }.into());
+        match loaded.measurement {
+            Some(_) => Ok(Subject::Design(Box::new(loaded))),
+            None => Err(WingError::NoMeasurement { design: loaded.path }.into()),
         }
-        let target = target(self.output.as_ref(), &loaded.design.name, "compare");
-        let mut folder = RunFolder::listed_by(&target, "compare", COMPARISON)?;
+    }
+
+    /// The file that the readings of a study come from.
+    fn source<'a>(&'a self, table: Option<&'a FromSheet>) -> &'a Path {
+        table.map_or(&self.design.design, |table| &table.table)
+    }
+
+    fn compared(&self, loaded: Loaded, console: &Console) -> Result<ComparedWing, Failure> {
+        let progress = console.progress();
         progress.say(format_args!("solving {}", loaded.design.name));
         let wing = WingModel::new(loaded)?.solve(progress)?;
         let reference = self.against_reference(&wing, console)?;
         let reading = Reading::of(&wing, &reference.whole_wing)?;
-        let run = self
-            .report
-            .then(|| run_page(&wing, &reading, console))
-            .transpose()?;
-        let Some(comparison) = reading.measured else {
+        let Some(comparison) = reading.measured.clone() else {
             return Err(wing.model.no_measurement().into());
         };
-        add_wing(&mut folder, &comparison, &reading.profile)?;
         let report = CompareReport {
             comparison,
             ratios: reference.ratios,
             made_of: MadeOf::files(wing.model.loaded.files.iter().chain(&reference.files)),
-            files: folder.listed_with(self.report),
+            files: Vec::new(),
         };
+        Ok(ComparedWing {
+            wing,
+            reading,
+            report,
+        })
+    }
+
+    fn run_design(&self, loaded: Loaded, console: &Console) -> Result<(), Failure> {
+        let progress = console.progress();
+        let target = target(self.output.as_ref(), &loaded.design.name, "compare");
+        let mut folder = RunFolder::listed_by(&target, "compare", COMPARISON)?;
+        let ComparedWing {
+            wing,
+            reading,
+            mut report,
+        } = self.compared(loaded, console)?;
+        let run = self
+            .report
+            .then(|| run_page(&wing, &reading, console))
+            .transpose()?;
+        add_wing(&mut folder, &report.comparison, &reading.profile)?;
+        report.files = folder.listed_with(self.report);
         let ratios = report.page_of_ratios();
         if let Some(mut run) = run {
             run.add(&ratios, Document::new(ratios.kind, &report)?)?;
@@ -268,7 +332,7 @@ impl Compare {
         self.design.load(&sets)
     }
 
-    fn reference(&self, path: &std::path::Path, console: &Console) -> Result<WingModel, Failure> {
+    fn reference(&self, path: &Path, console: &Console) -> Result<WingModel, Failure> {
         let arguments = DesignArguments {
             memory: self.design.memory,
             ..DesignArguments::of_file(path, &[], self.design.refine)

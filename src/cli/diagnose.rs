@@ -3,11 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde_json::Value;
 
 use crate::diagnose::verdict::{Diagnosis, Hypothesis, Strength, Verdict};
-use crate::diagnose::{DiagnoseError, Experiments, Settings, diagnose_among, plan};
+use crate::diagnose::{DiagnoseError, Experiments, Plan, Settings, diagnose_among, plan};
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::html::{self, REPORT};
+use crate::export::json;
 use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
@@ -85,9 +87,43 @@ pub struct Diagnose {
 }
 
 impl Diagnose {
-    /// Diagnoses.
+    /// Diagnoses and writes; of a plan, judges the campaign.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
+        let (study, table) = self.subject(console)?;
+        if self.plan {
+            let (name, plan) = self.planned(&study, console)?;
+            // A plan is words only.
+            return console.answer(&page_of_plan(&name, &plan), "", &plan);
+        }
+        let target = target(self.output.as_ref(), &study.study.name, "diagnosis");
+        let folder = RunFolder::listed_by(&target, "diagnose", DIAGNOSIS)?;
+        let (campaign, report) = self.found(&study, table.as_ref(), console)?;
+        self.written(&campaign, report, folder, table.as_ref(), console)
+    }
+
+    /// The document that `--json` prints; no files are written and none are named.
+    ///
+    /// # Errors
+    /// As [`Diagnose::run`], but for those of writing.
+    pub fn document(&self, console: &Console) -> Result<Value, Failure> {
+        let (study, table) = self.subject(console)?;
+        let document = match self.plan {
+            true => json::document(&self.planned(&study, console)?.1),
+            false => json::document(&self.found(&study, table.as_ref(), console)?.1),
+        };
+        Ok(document?)
+    }
+
+    /// What is diagnosed: the study, and the table that it was made of, if it was.
+    fn subject(&self, console: &Console) -> Result<(LoadedStudy, Option<FromSheet>), Failure> {
         known(&self.effect)?;
+        if self.sigma.is_some() && self.with.is_none() {
+            return Err(Failure::Option {
+                option: "--sigma",
+                reason: "is of the readings of a table; a study states that of its own. Leave it out"
+                    .to_string(),
+            });
+        }
         let table = self
             .with
             .as_ref()
@@ -108,24 +144,49 @@ impl Diagnose {
         if !self.own_data && !self.plan {
             refuse_own_word(&self.study, &study, self.seed)?;
         }
-        let target = target(self.output.as_ref(), &study.study.name, "diagnosis");
-        // A plan is words only.
-        let folder = (!self.plan)
-            .then(|| RunFolder::listed_by(&target, "diagnose", DIAGNOSIS))
-            .transpose()?;
-        let effects = candidates(&study, &self.effect, console)?;
-        let settings = Settings {
+        Ok((study, table))
+    }
+
+    fn settings(&self) -> Settings {
+        Settings {
             significance: self.significance,
             seed: self.seed,
             ..Settings::default()
-        };
-        match folder {
-            Some(folder) => {
-                let (campaign, report) = answered(&self.study, &study, &effects, settings, console)?;
-                self.written(&campaign, report, folder, table.as_ref(), console)
-            }
-            None => planned(&self.study, &study, &effects.names, settings, console),
         }
+    }
+
+    /// The diagnosis, without files; what looks wrong in a table is said first, what is assumed of it last.
+    fn found(
+        &self,
+        study: &LoadedStudy,
+        table: Option<&FromSheet>,
+        console: &Console,
+    ) -> Result<(Campaign, DiagnosisReport), Failure> {
+        let effects = candidates(study, &self.effect, console)?;
+        let (campaign, mut report) = answered(&self.study, study, &effects, self.settings(), console)?;
+        let doubts = table.and_then(FromSheet::doubts);
+        report.diagnosis.sentence = doubts
+            .into_iter()
+            .chain([report.diagnosis.sentence])
+            .collect::<Vec<_>>()
+            .join(" ");
+        report.diagnosis.notes.extend(table.and_then(FromSheet::assumed));
+        Ok((campaign, report))
+    }
+
+    /// What the campaign of a study could see and tell apart, and its name.
+    fn planned(&self, study: &LoadedStudy, console: &Console) -> Result<(String, Plan), Failure> {
+        let effects = candidates(study, &self.effect, console)?;
+        let names: Vec<&str> = effects.names.iter().map(String::as_str).collect();
+        let prepared = kept::prepared(study, &names, self.settings(), console.progress());
+        let Prepared {
+            campaign,
+            settings,
+            table,
+            ..
+        } = prepared.map_err(|error| fault(&self.study, error))?;
+        let plan = plan(&campaign, Some(&table), &settings, console.progress());
+        Ok((campaign.name, plan.map_err(|error| fault(&self.study, error))?))
     }
 
     fn written(
@@ -151,13 +212,6 @@ impl Diagnose {
             }
             commands => format!("To take it into the model\n{keep}{commands}\n"),
         };
-        let doubts = table.and_then(FromSheet::doubts);
-        report.diagnosis.sentence = doubts
-            .into_iter()
-            .chain([report.diagnosis.sentence])
-            .collect::<Vec<_>>()
-            .join(" ");
-        report.diagnosis.notes.extend(table.and_then(FromSheet::assumed));
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
         report.files = folder.listed_with(self.report);
         if self.report {
@@ -313,27 +367,6 @@ fn answered(
         files: Vec::new(),
     };
     Ok((campaign, report))
-}
-
-/// What the campaign of a study could see and tell apart.
-fn planned(
-    path: &Path,
-    study: &LoadedStudy,
-    names: &[String],
-    settings: Settings,
-    console: &Console,
-) -> Result<(), Failure> {
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let prepared = kept::prepared(study, &names, settings, console.progress());
-    let Prepared {
-        campaign,
-        settings,
-        table,
-        ..
-    } = prepared.map_err(|error| fault(path, error))?;
-    let plan = plan(&campaign, Some(&table), &settings, console.progress());
-    let plan = plan.map_err(|error| fault(path, error))?;
-    console.answer(&page_of_plan(&campaign.name, &plan), "", &plan)
 }
 
 fn fault(study: &Path, source: DiagnoseError) -> Failure {

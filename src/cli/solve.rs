@@ -1,6 +1,7 @@
 //! `washout solve`: a design in; twist, forces, stresses and files out.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -25,6 +26,11 @@ use super::design_arguments::DesignArguments;
 use super::stroke::{self, StrokeRun};
 use super::study::listed;
 use super::{Console, Failure};
+
+/// Phases of the periodic motion that can be asked for.
+const STROKE_PHASES: RangeInclusive<u16> = 2..=720;
+/// Phases that stand still that can be asked for.
+const STANDING_PHASES: RangeInclusive<u16> = 2..=99;
 
 /// Arguments of `washout solve`.
 #[derive(Debug, Args)]
@@ -71,10 +77,10 @@ pub struct Asked {
     pub accuracy: Option<f64>,
     /// The whole stroke besides, at N phases: its periodic motion, with the inertia of wing and air, with damping, and with
     /// pitch that flips between the stops
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=720))]
+    #[arg(long, value_name = "N")]
     pub stroke: Option<u16>,
     /// N phases from mid-stroke to the reversal instead, each solved as if it stood still: no inertia, no flip
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=99), conflicts_with = "stroke")]
+    #[arg(long, value_name = "N", conflicts_with = "stroke")]
     pub stroke_quasi_static: Option<u16>,
 }
 
@@ -82,7 +88,7 @@ impl Solve {
     /// Solves and writes; nothing is written unless everything converged.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
-        self.asked.check_samples()?;
+        self.asked.check()?;
         let wing = self.design.wing(console)?;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(&wing.design().name));
@@ -103,7 +109,15 @@ impl Solve {
 
 impl Asked {
     /// Refuses before any solving what would be refused after it.
-    fn check_samples(&self) -> Result<(), Failure> {
+    fn check(&self) -> Result<(), Failure> {
+        refuse_outside("--stroke", self.stroke, STROKE_PHASES)?;
+        refuse_outside("--stroke-quasi-static", self.stroke_quasi_static, STANDING_PHASES)?;
+        if self.stroke.is_some() && self.stroke_quasi_static.is_some() {
+            return Err(Failure::Option {
+                option: "--stroke-quasi-static",
+                reason: "does not go together with --stroke; leave one out".to_string(),
+            });
+        }
         match self.uncertainty {
             Some(asked) if asked < FEWEST_SAMPLES => Err(Failure::Study(StudyError::TooFewSamples {
                 asked,
@@ -111,6 +125,24 @@ impl Asked {
             })),
             _ => Ok(()),
         }
+    }
+}
+
+fn refuse_outside(
+    option: &'static str,
+    phases: Option<u16>,
+    range: RangeInclusive<u16>,
+) -> Result<(), Failure> {
+    match phases {
+        Some(phases) if !range.contains(&phases) => Err(Failure::Option {
+            option,
+            reason: format!(
+                "the number of phases must lie in {} … {}",
+                range.start(),
+                range.end()
+            ),
+        }),
+        _ => Ok(()),
     }
 }
 
@@ -130,7 +162,7 @@ pub struct Run {
 impl Run {
     /// Solves.
     pub fn new(wing: &WingModel, asked: &Asked, progress: &Progress) -> Result<Run, Failure> {
-        asked.check_samples()?;
+        asked.check()?;
         progress.say(format_args!("solving {}", wing.design().name));
         let meshes = match asked.accuracy {
             None => Meshes::solve(wing, progress)?,

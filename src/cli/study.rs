@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use serde_json::Value;
+
 use crate::compare::StudyComparison;
 use crate::compare::study::compare_study;
 use crate::diagnose::{Diagnosis, Verdict};
@@ -10,6 +12,7 @@ use crate::export::html::REPORT;
 use crate::export::html::study::{StudyParts, page as study_page};
 use crate::export::html::wing::Wing;
 use crate::export::html::wings::Wings;
+use crate::export::json;
 use crate::export::pictures::compared::figure as compared_figure;
 use crate::export::pictures::panels;
 use crate::export::pictures::write::add_study;
@@ -37,10 +40,7 @@ pub fn compare(
 ) -> Result<(), Failure> {
     let target = target(output, &study.study.name, "compare");
     let mut folder = RunFolder::listed_by(&target, "compare", COMPARISON)?;
-    let mut compared = Compared::new(path, study, console)?;
-    let words = &mut compared.comparison.words;
-    words.splice(0..0, table.and_then(FromSheet::doubts));
-    words.extend(table.and_then(FromSheet::assumed));
+    let compared = Compared::with_table(path, study, table, console)?;
     let parts = with_report.then(|| compared.parts(study, console)).transpose()?;
     add_study(&mut folder, &compared.comparison)?;
     let report = StudyReport {
@@ -57,6 +57,19 @@ pub fn compare(
     let sketch = console.sketch(&compared_figure(&panels::Compared::of_study(&report.comparison)));
     let after = listed(&written, &report.files) + &sketch;
     console.answer(&page(&report.comparison), &after, &report)
+}
+
+/// The document of [`compare`] alone, which names no files.
+pub fn document(
+    (path, study): (&Path, &LoadedStudy),
+    table: Option<&FromSheet>,
+    console: &Console,
+) -> Result<Value, Failure> {
+    Ok(json::document(&StudyReport {
+        comparison: Compared::with_table(path, study, table, console)?.comparison,
+        made_of: MadeOf::files(&study.files),
+        files: Vec::new(),
+    })?)
 }
 
 /// The folder that a verb writes into.
@@ -102,6 +115,20 @@ impl Compared {
         let campaign = Campaign::new(study, &[], console.progress()).map_err(fault)?;
         let comparison = compare_study(&campaign, &study.study.title).map_err(fault)?;
         Ok(Compared { campaign, comparison })
+    }
+
+    /// The same of a study that was made of a table, if it was: what looks wrong there is said first, what is assumed last.
+    fn with_table(
+        path: &Path,
+        study: &LoadedStudy,
+        table: Option<&FromSheet>,
+        console: &Console,
+    ) -> Result<Compared, Failure> {
+        let mut compared = Compared::new(path, study, console)?;
+        let words = &mut compared.comparison.words;
+        words.splice(0..0, table.and_then(FromSheet::doubts));
+        words.extend(table.and_then(FromSheet::assumed));
+        Ok(compared)
     }
 
     /// What a report shows besides: the wings as stated and as calibrated, what the designs assume.

@@ -7,8 +7,8 @@ use crate::coupling::solution::Solution;
 use crate::geometry::Planform;
 use crate::input::Loaded;
 use crate::mesh::Mesh;
+use crate::observation::TwistProfile;
 use crate::observation::field::twist_at_nodes;
-use crate::observation::{Place, TwistProfile, TwistReading};
 use crate::origin::MadeOf;
 use crate::study::Uncertainty;
 
@@ -18,7 +18,7 @@ use super::html::{self, REPORT};
 use super::run::RunFolder;
 use super::summary::{
     AssumedChoice, AssumedInput, CellLegend, FlowSummary, MeshSummary, Outcome, ProfileRow, RunSummary,
-    SolveSummary, TipSummary, WingSummary,
+    SolveSummary, TipSummary, WingSummary, place_name,
 };
 use super::warnings::warnings;
 use super::wing::{Legend, PARTS, Shape, displacement_mm, solution_grid};
@@ -56,8 +56,8 @@ pub fn summarize(solved: &Solved) -> RunSummary {
         flow: Flow::from_design(design).map(|flow| air(&flow, design.air.density_kg_m3.value(), planform)),
         mesh: mesh(&solution.mesh, loaded),
         solve: solve(solution),
-        profile: profile.readings.iter().map(row).collect(),
-        along_span: reading.along_span.iter().map(row).collect(),
+        profile: profile.readings.iter().map(ProfileRow::of).collect(),
+        along_span: reading.along_span.iter().map(ProfileRow::of).collect(),
         skipped: skipped(profile),
         stages: reading.stages.clone(),
         measured: reading.measured.clone(),
@@ -201,36 +201,13 @@ fn solve(solution: &Solution) -> SolveSummary {
     }
 }
 
-fn row(reading: &TwistReading) -> ProfileRow {
-    ProfileRow {
-        place: place(reading.place),
-        r_mm: reading.r_m * 1e3,
-        chord_mm: reading.chord_m * 1e3,
-        twist_deg: reading.twist_rad.to_degrees(),
-        sigma_deg: reading.sigma_rad.map(f64::to_degrees),
-        bound: reading.bound,
-        alpha_deg: reading.alpha_rad.map(f64::to_degrees),
-        le_deflection_mm: reading.le_deflection_m * 1e3,
-        le_sweep_mm: reading.le_sweep_m * 1e3,
-    }
-}
-
-fn place(place: Place) -> String {
-    match place {
-        Place::Base => "base".to_string(),
-        Place::SparEnd(index) => format!("spar[{index}]"),
-        Place::OnRequest => "station".to_string(),
-        Place::Tip => "tip".to_string(),
-    }
-}
-
 fn skipped(profile: &TwistProfile) -> Vec<String> {
     let skipped = profile.skipped.iter();
     let sentence = skipped.map(|skipped| {
         let (station, reason) = (skipped.station, skipped.reason);
         format!(
             "{} at {:.2} mm: {reason}",
-            place(station.place),
+            place_name(station.place),
             station.r_m * 1e3
         )
     });

@@ -12,6 +12,7 @@ use crate::coupling::Engineering;
 use crate::input::design::{Design, Section};
 use crate::input::measurement::Bound;
 use crate::lift::LiftReport;
+use crate::observation::{Place, TwistReading};
 use crate::origin::MadeOf;
 use crate::study::Uncertainty;
 
@@ -213,6 +214,33 @@ pub struct ProfileRow {
     pub le_deflection_mm: f64,
     /// Sweep of the leading edge in the wing plane, toward the trailing edge (+y).
     pub le_sweep_mm: f64,
+}
+
+impl ProfileRow {
+    /// A reading in millimetres and degrees.
+    pub fn of(reading: &TwistReading) -> ProfileRow {
+        ProfileRow {
+            place: place_name(reading.place),
+            r_mm: reading.r_m * 1e3,
+            chord_mm: reading.chord_m * 1e3,
+            twist_deg: reading.twist_rad.to_degrees(),
+            sigma_deg: reading.sigma_rad.map(f64::to_degrees),
+            bound: reading.bound,
+            alpha_deg: reading.alpha_rad.map(f64::to_degrees),
+            le_deflection_mm: reading.le_deflection_m * 1e3,
+            le_sweep_mm: reading.le_sweep_m * 1e3,
+        }
+    }
+}
+
+/// What stands at a station, in one word.
+pub(super) fn place_name(place: Place) -> String {
+    match place {
+        Place::Base => "base".to_string(),
+        Place::SparEnd(index) => format!("spar[{index}]"),
+        Place::OnRequest => "station".to_string(),
+        Place::Tip => "tip".to_string(),
+    }
 }
 
 /// The tip.
