@@ -5,7 +5,8 @@ use std::path::Path;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError};
 use pyo3::prelude::*;
 use washout::cli::Failure;
-use washout::input::InputError;
+use washout::effects::EffectError;
+use washout::input::{InputError, Place};
 use washout::wing::WingError;
 
 /// Exit code of work that was cancelled.
@@ -22,6 +23,7 @@ pub fn raised(py: Python<'_>, failure: &Failure) -> PyErr {
     };
     let made = match failure {
         Failure::Input(error) | Failure::Wing(WingError::Input(error)) => of_input(py, &message, error),
+        Failure::Wing(WingError::Effect { place, source }) => of_effect(py, &message, place, source),
         _ => {
             let file = file_of(failure).map(|path| path.display().to_string());
             made(py, class, (message, file))
@@ -30,9 +32,8 @@ pub fn raised(py: Python<'_>, failure: &Failure) -> PyErr {
     made.unwrap_or_else(|error| error)
 }
 
-/// The exception for arguments that the command line refuses.
-pub fn refused(py: Python<'_>, error: &clap::Error) -> PyErr {
-    let message = washout::cli::misused::words(error).unwrap_or_else(|| error.render().to_string());
+/// The exception for an argument that is refused.
+pub fn refused(py: Python<'_>, message: &str) -> PyErr {
     made(py, "InputError", (message, None::<String>)).unwrap_or_else(|error| error)
 }
 
@@ -57,6 +58,21 @@ fn of_input(py: Python<'_>, message: &str, error: &InputError) -> PyResult<PyErr
         &error.value,
         error.problem.to_string(),
         &error.cure,
+    );
+    made(py, "InputError", details)
+}
+
+fn of_effect(py: Python<'_>, message: &str, place: &Place, error: &EffectError) -> PyResult<PyErr> {
+    let key = error.key().unwrap_or_default();
+    let details = (
+        message,
+        &place.file,
+        place.line,
+        place.column,
+        key,
+        "",
+        error.to_string(),
+        "",
     );
     made(py, "InputError", details)
 }

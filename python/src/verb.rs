@@ -2,6 +2,7 @@
 
 use clap::Parser;
 use pyo3::prelude::*;
+use washout::cli::misused::words;
 use washout::cli::{Arguments, Console, Failure, run_on};
 
 use crate::failure::refused;
@@ -11,16 +12,14 @@ use crate::worker::work;
 #[pyfunction]
 #[pyo3(signature = (arguments, listener=None))]
 pub fn run(py: Python<'_>, arguments: Vec<String>, listener: Option<Py<PyAny>>) -> PyResult<String> {
-    let arguments = parsed(arguments).map_err(|error| refused(py, &error))?;
+    let program = "washout".to_string();
+    let arguments = Arguments::try_parse_from([program].into_iter().chain(arguments)).map_err(|error| {
+        let message = words(&error).unwrap_or_else(|| error.render().to_string());
+        refused(py, &message)
+    })?;
     work(py, listener, move |progress| -> Result<String, Failure> {
         let console = Console::keeping(progress.clone());
         run_on(&console, &arguments)?;
         Ok(console.into_kept())
     })
-}
-
-/// Arguments as the command line has them after the name of the program.
-pub fn parsed(arguments: Vec<String>) -> Result<Arguments, clap::Error> {
-    let program = "washout".to_string();
-    Arguments::try_parse_from([program].into_iter().chain(arguments))
 }

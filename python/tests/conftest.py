@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
+import threading
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -18,6 +21,9 @@ PROGRAM = Path(os.environ.get("WASHOUT", REPOSITORY / "target/release/washout"))
 
 CommandLine = Callable[..., subprocess.CompletedProcess[str]]
 Printed = Callable[..., Document]
+
+SOON_S = 10.0
+"""What stops soon after Ctrl-C stops within this."""
 
 
 @pytest.fixture(autouse=True, scope="session")
@@ -56,3 +62,27 @@ def printed(command_line: CommandLine) -> Printed:
 def run() -> washout.Run:
     """Twist v2, solved once."""
     return washout.solve("designs/twist-v2.toml")
+
+
+@pytest.fixture
+def listening() -> Iterator[None]:
+    """Ctrl-C as at a terminal, also where the tests run in the background of a shell, which ignores it there."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+def interrupted_after(seconds: float, work: Callable[[], object]) -> float:
+    """Seconds that `work` took to stop after Ctrl-C."""
+    pressed: list[float] = []
+
+    def press() -> None:
+        pressed.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(seconds, press)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt, match="interrupted; nothing was written"):
+        work()
+    timer.cancel()
+    return time.monotonic() - pressed[0]

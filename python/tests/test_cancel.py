@@ -2,44 +2,17 @@
 
 from __future__ import annotations
 
-import os
 import signal
-import threading
-import time
-from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from conftest import SOON_S, interrupted_after
 
 import washout
 
 LONG = "studies/minguet.toml"
 
-SOON_S = 10.0
-
-
-@pytest.fixture(autouse=True)
-def listening() -> Iterator[None]:
-    """Ctrl-C as at a terminal, also where the tests run in the background of a shell, which ignores it there."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)
-
-
-def interrupted_after(seconds: float, work: Callable[[], object]) -> float:
-    """Seconds that `work` took to stop after Ctrl-C."""
-    pressed: list[float] = []
-
-    def press() -> None:
-        pressed.append(time.monotonic())
-        os.kill(os.getpid(), signal.SIGINT)
-
-    timer = threading.Timer(seconds, press)
-    timer.start()
-    with pytest.raises(KeyboardInterrupt, match="interrupted; nothing was written"):
-        work()
-    timer.cancel()
-    return time.monotonic() - pressed[0]
+pytestmark = pytest.mark.usefixtures("listening")
 
 
 def test_ctrl_c_stops_a_diagnosis_and_leaves_nothing(run: washout.Run, tmp_path: Path) -> None:

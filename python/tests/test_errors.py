@@ -54,6 +54,31 @@ def test_options_are_refused_as_on_the_command_line(command_line: CommandLine) -
         washout.run("fly")
 
 
+@pytest.mark.parametrize("phases", [-3, 0, 1, 721, 10**6])
+def test_a_number_of_phases_is_refused_with_its_range(phases: int) -> None:
+    with pytest.raises(washout.InputError, match=r"--stroke: .* 2 … 720"):
+        washout.solve(DESIGN, stroke=phases)
+    with pytest.raises(washout.InputError, match="--uncertainty"):
+        washout.solve(DESIGN, uncertainty=min(phases, 15))
+
+
+def test_options_of_a_diagnosis_are_refused() -> None:
+    study = "studies/tang-dowell-gravity.toml"
+    with pytest.raises(washout.InputError, match="--sigma: .*Leave it out"):
+        washout.diagnose(study, sigma=0.3)
+    with pytest.raises(washout.InputError, match="seed = -1: must lie in"):
+        washout.diagnose(study, seed=-1)
+    with pytest.raises(washout.InputError, match="there is no effect root-flexur"):
+        washout.diagnose(study, effects=["root-flexur"])
+
+
+def test_options_of_a_comparison_are_refused() -> None:
+    with pytest.raises(washout.InputError, match="--with: .*nowhere.csv: no such file"):
+        washout.compare(DESIGN, measurement="measurements/nowhere.csv")
+    with pytest.raises(washout.InputError, match="--reference: belongs to a design"):
+        washout.compare("studies/tang-dowell-gravity.toml", reference="designs/rigid.toml")
+
+
 def test_what_does_not_converge_is_told_apart(command_line: CommandLine) -> None:
     sets = {"coupling.max_iterations": 1}
     with pytest.raises(washout.NotConverged) as caught:

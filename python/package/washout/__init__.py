@@ -14,8 +14,10 @@ from washout.columns import Columns
 from washout.compare import Comparison, Span, StudyComparison, compare
 from washout.diagnose import Diagnosis, diagnose
 from washout.errors import InputError, NotConverged, WashoutError
-from washout.solve import Forces, Run, Shape, Stroke, solve
+from washout.solve import Run, Stroke, solve
+from washout.solved import Forces, LiftReport, Shape, SolvedWing
 from washout.verb import run, schema
+from washout.wing import Mesh, Wing
 
 __version__ = _version("washout")
 
@@ -25,13 +27,17 @@ __all__ = [
     "Diagnosis",
     "Forces",
     "InputError",
+    "LiftReport",
+    "Mesh",
     "NotConverged",
     "Run",
     "Shape",
+    "SolvedWing",
     "Span",
     "Stroke",
     "StudyComparison",
     "WashoutError",
+    "Wing",
     "compare",
     "diagnose",
     "run",

@@ -12,6 +12,9 @@ from washout import notebook
 
 Row = Mapping[str, Any]
 
+Numbers = NDArray[np.float64]
+Nodes = NDArray[np.int64]
+
 
 class Columns(Mapping[str, NDArray[Any]]):
     """A table by its columns: `table["error"]` is an array with one value for each row.

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 
-from washout import notebook
-from washout.columns import Columns
-from washout.folder import in_folder
-from washout.solve import Numbers
-from washout.verb import Document, FilePath, Progress, Setting, set_options
+from washout import _washout, notebook
+from washout.columns import Columns, Numbers
+from washout.verb import Document, FilePath, Progress, Setting, settings
 
 
 def compare(
@@ -26,11 +25,8 @@ def compare(
     Of a design: `measurement` is another measurement file, `case` the case in it, `reference` the design that measured ratios
     refer to. `output` keeps the pictures and tables in that folder. Gives what `washout compare --json` prints.
     """
-    options = set_options(sets)
-    for option, value in {"with": measurement, "case": case, "reference": reference}.items():
-        if value is not None:
-            options += [f"--{option}", str(value)]
-    document = in_folder("compare", options, design_or_study, output, progress)
+    text = _washout.compare(design_or_study, settings(sets), measurement, case, reference, output, progress)
+    document: Document = json.loads(text)
     return Comparison(document) if "comparison" in document else StudyComparison(document)
 
 
@@ -51,7 +47,6 @@ class Comparison:
         """Every number that could be compared: `channel`, `r_mm`, `measured`, `sigma`, `modelled`, `error`, `unit`, …"""
         self.spans = [Span(span) for span in comparison["span"]]
         """Twist in degrees along the span, for each run that gives it."""
-
 
     def __repr__(self) -> str:
         return f"<washout.Comparison {self.wing}: {self.verdict}>"

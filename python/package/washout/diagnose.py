@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 
 import numpy as np
 
-from washout import notebook
-from washout.columns import Columns
-from washout.folder import in_folder
+from washout import _washout, notebook
+from washout.columns import Columns, Numbers
 from washout.readings import Readings, file_of
-from washout.solve import Numbers
-from washout.verb import Document, FilePath, Progress, Setting, set_options
+from washout.verb import Document, FilePath, Progress, Setting, settings
 
 
 def diagnose(
@@ -36,16 +36,20 @@ def diagnose(
     `own_data`: even data that `washout synthesize` made with the same formulas; `output` keeps pictures and tables in that
     folder. Gives what `washout diagnose --json` prints.
     """
-    options = set_options(sets)
-    options += [option for effect in effects for option in ("--effect", effect)]
-    options += ["--significance", repr(significance), "--seed", str(seed)]
-    options += ["--own-data"] if own_data else []
-    options += [] if sigma is None else ["--sigma", repr(sigma)]
-    if readings is None:
-        return Diagnosis(in_folder("diagnose", options, design_or_study, output, progress))
-    with file_of(readings) as table:
-        options += ["--with", str(table)]
-        return Diagnosis(in_folder("diagnose", options, design_or_study, output, progress))
+    with nullcontext() if readings is None else file_of(readings) as table:
+        text = _washout.diagnose(
+            design_or_study,
+            settings(sets),
+            list(effects),
+            significance,
+            seed,
+            own_data,
+            table,
+            sigma,
+            output,
+            progress,
+        )
+    return Diagnosis(json.loads(text))
 
 
 class Diagnosis:

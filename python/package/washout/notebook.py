@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
+from typing import Any
+
+from numpy.typing import NDArray
 
 
 def table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
@@ -16,6 +19,17 @@ def table(heads: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
 def answer(sentence: str, *parts: str) -> str:
     """A sentence and what stands under it."""
     return f"<div><p><b>{escape(sentence)}</b></p>{''.join(parts)}</div>"
+
+
+def of_profile(title: str, profile: Mapping[str, NDArray[Any]]) -> str:
+    """Twist along the span under the `repr` of a result."""
+    rows = zip(profile["r_mm"].tolist(), profile["twist_deg"].tolist(), strict=True)
+    return answer(title.strip("<>"), table(("r, mm", "twist, deg"), rows))
+
+
+def tip(twist_deg: float | None) -> str:
+    """The twist of the tip in words."""
+    return "no tip" if twist_deg is None else f"tip twist {twist_deg:.2f} deg"
 
 
 def shown(value: object) -> str:

@@ -3,25 +3,18 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from washout import _washout, notebook
-from washout.columns import Columns
-from washout.verb import Document, FilePath, Progress, Setting, set_options
-
-Numbers = NDArray[np.float64]
-Nodes = NDArray[np.int64]
-
-TEXT = "<text>"
-"""Stands for the file of a design that is given as text, in messages and in summaries."""
+from washout.columns import Columns, Numbers
+from washout.solved import Forces, Shape, SolvedWing
+from washout.verb import Document, FilePath, Progress, Setting
+from washout.wing import Wing
 
 
 def solve(
@@ -33,68 +26,16 @@ def solve(
     uncertainty: int | None = None,
     progress: Progress | None = None,
 ) -> Run:
-    """Solves a design: a path, or its TOML text (any str of more than one line; files that it names are then looked for
-    from the working folder).
+    """Solves a design as `washout solve` does: the short way from `Wing.open`, which says what `design` and `sets` may be.
 
-    `sets` changes keys of the design, as `--set` does: `{"flapping.frequency_hz": 25, "mesh.refine": 2}`. `stroke`: the whole
-    stroke in motion besides, at so many phases; `stroke_quasi_static`: phases that each stand still instead; `uncertainty`:
-    a band from the assumed ranges by so many solves, in `summary["uncertainty"]`.
+    The error of the mesh, stresses and masses are found besides. `stroke`: the whole stroke in motion too, at so many phases;
+    `stroke_quasi_static`: phases that each stand still instead; `uncertainty`: a band from the assumed ranges by so many solves,
+    in `summary["uncertainty"]`.
 
     Raises InputError where the design is refused, NotConverged where there is no solution; Ctrl-C stops.
     """
-    name = os.fspath(design)
-    text = name if "\n" in name else None
-    options = set_options(sets)
-    asked = {"stroke": stroke, "stroke-quasi-static": stroke_quasi_static, "uncertainty": uncertainty}
-    for option, number in asked.items():
-        if number is not None:
-            options += [f"--{option}={number}"]
-    return Run(_washout.solve([*options, "--", TEXT if text else name], text, progress))
-
-
-@dataclass(frozen=True)
-class Forces:
-    """What the air does to one wing."""
-
-    name: str
-    """When: `mid-stroke`, `mean over the stroke (20/60/20 ramp)`, …"""
-    lift_mn: float
-    """Lift, mN."""
-    drag_mn: float
-    """Drag, mN."""
-    power_mw: float
-    """Power against the air, mW."""
-    lift_to_drag: float | None
-    """Lift over drag; None without drag."""
-    lift_per_power_n_per_w: float | None
-    """Lift over power, N/W; None without power."""
-
-
-@dataclass(frozen=True)
-class Shape:
-    """The mesh of a solved wing, as `wing-rest.vtu` and `wing.vtu` have it; nodes are counted from 0.
-
-    Frame: x along the span from the wing base, y along the chord from the leading edge, z = x × y.
-    """
-
-    rest_mm: Numbers
-    """Places of the nodes without load, (nodes, 3)."""
-    deformed_mm: Numbers
-    """Places of the nodes under load, (nodes, 3)."""
-    twist_deg: Numbers
-    """Rotation of the chord through each node; positive is washout."""
-    air_force_mn: Numbers
-    """Force of the air on each node, (nodes, 3)."""
-    triangles: Nodes
-    """Nodes of each triangle of the film, (triangles, 3)."""
-    pressure_pa: Numbers
-    """Pressure on each triangle, positive toward +z of the deformed film."""
-    beams: Nodes
-    """Nodes of each beam element of rod and spars, (beams, 2)."""
-    leading_edge: Nodes
-    """Nodes along the leading edge from base to tip."""
-    trailing_edge: Nodes
-    """Nodes along the trailing edge from base to tip."""
+    wing = Wing.open(design, sets)
+    return Run(wing, wing._native.run(stroke, stroke_quasi_static, uncertainty, progress))
 
 
 class Stroke:
@@ -130,15 +71,22 @@ class Stroke:
 class Run:
     """A solved design. The arrays along the span belong together: one value for each station from base to tip."""
 
-    def __init__(self, solved: _washout.Solved) -> None:
-        self._solved = solved
-        self.summary: Document = json.loads(solved.summary())
+    def __init__(self, wing: Wing, native: _washout.Run) -> None:
+        self.wing = wing
+        """What was solved."""
+        self._native = native
+        self.summary: Document = json.loads(native.summary())
         """The document summary.json; its `files` are empty until they are written."""
 
     @property
     def name(self) -> str:
         """Name of the wing."""
         return str(self.summary["name"])
+
+    @cached_property
+    def solved(self) -> SolvedWing:
+        """The wing in its loaded shape."""
+        return SolvedWing(self.wing, self._native.solved())
 
     @cached_property
     def profile(self) -> Columns:
@@ -170,15 +118,15 @@ class Run:
         """Angle of attack of the chord; None without flow."""
         return self.profile.get("alpha_deg")
 
-    @cached_property
+    @property
     def strips(self) -> dict[str, Numbers]:
         """The air on each strip from base to tip, with the columns of strips.csv: `r_mm`, `alpha_deg`, `cl`, `cd`, …"""
-        return self._solved.strips()
+        return self.solved.strips
 
-    @cached_property
+    @property
     def shape(self) -> Shape:
         """The mesh, at rest and deformed."""
-        return Shape(**self._solved.shape())
+        return self.solved.shape
 
     @cached_property
     def stroke(self) -> Stroke | None:
@@ -222,16 +170,14 @@ class Run:
     def write(self, folder: FilePath, *, report: bool = False) -> Path:
         """Writes the files that `washout solve` writes (ParaView, CSV, summary.json), whole or not at all; `report`: the
         HTML report too. An earlier run there is replaced. Gives the folder."""
-        return Path(self._solved.write(folder, report))
+        return Path(self._native.write(folder, report))
 
     def _forces(self, when: str) -> Forces | None:
         lift = self.summary["lift"]
         return Forces(**lift[when]) if lift and lift[when] else None
 
     def _repr_html_(self) -> str:
-        rows = zip(self.r_mm.tolist(), self.twist_deg.tolist(), strict=True)
-        return notebook.answer(repr(self).strip("<>"), notebook.table(("r, mm", "twist, deg"), rows))
+        return notebook.of_profile(repr(self), self.profile)
 
     def __repr__(self) -> str:
-        twist = "no tip" if self.tip_twist_deg is None else f"tip twist {self.tip_twist_deg:.2f} deg"
-        return f"<washout.Run {self.name}: {twist}>"
+        return f"<washout.Run {self.name}: {notebook.tip(self.tip_twist_deg)}>"

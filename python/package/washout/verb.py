@@ -43,9 +43,9 @@ def schema(verb: str | None = None) -> Document:
     return document
 
 
-def set_options(sets: Mapping[str, Setting] | None) -> list[str]:
-    """`--set KEY=VALUE` for each key of a design."""
-    return [option for key, value in (sets or {}).items() for option in ("--set", f"{key}={toml(value)}")]
+def settings(sets: Mapping[str, Setting] | None) -> list[str]:
+    """`KEY=VALUE` for each key of a design."""
+    return [f"{key}={toml(value)}" for key, value in (sets or {}).items()]
 
 
 def toml(value: object) -> str:
