@@ -112,7 +112,8 @@ fn couple(
                 Err(steps) => {
                     lost += steps;
                     if told.as_ref().is_none_or(is_unsettled) {
-                        told = overload(wing, equilibrium, rest).map(Into::into).or(told);
+                        let too_far = overload(wing, !design.spar.is_empty(), equilibrium, rest);
+                        told = too_far.map(CouplingError::Overloaded).or(told);
                     }
                     continue;
                 }

@@ -1,6 +1,7 @@
 //! Why a coupled solve gives no solution.
 
-use super::overload::Overload;
+use std::fmt;
+
 use crate::aero::AeroError;
 use crate::effects::EffectError;
 use crate::input::InputError;
@@ -105,6 +106,38 @@ pub enum CouplingError {
     /// The user asked to stop.
     #[error(transparent)]
     Interrupted(#[from] Cancelled),
+}
+
+/// What a load would turn too far if the wing stayed as stiff as it is at rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Overload {
+    /// Whether a rod or spar turns so, as opposed to a film beside them.
+    pub is_rod: bool,
+    /// Turn to first order, rad.
+    pub turn_rad: f64,
+    /// Station where it is largest, m.
+    pub r_m: f64,
+}
+
+impl fmt::Display for Overload {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Overload { turn_rad, r_m, .. } = self;
+        let (r_mm, turn) = (1e3 * r_m, turn_rad.round());
+        if self.is_rod {
+            write!(
+                f,
+                "the rods are far too weak for the load: if they stayed as stiff as they are at rest, it would turn them by {turn} rad at \
+                 r = {r_mm:.1} mm. Lower the speed or the amplitude, or make the rods thicker"
+            )
+        } else {
+            write!(
+                f,
+                "without spars next to nothing but its own bending holds the film, and the load would turn it by {turn} rad at \
+                 r = {r_mm:.1} mm if it stayed as stiff as it is at rest: it flies as a flag, with many shapes near equilibrium. Add spars, \
+                 or make the film thicker"
+            )
+        }
+    }
 }
 
 /// Why a sensitivity is not found.

@@ -152,7 +152,7 @@ pub fn iterate(
             break;
         }
         calmest_deg = smaller(calmest_deg, coupled.twist_change_deg);
-        if coupled.iterations >= THROWN.0 && calmest_deg > THROWN.1 {
+        if !wing.linear && coupled.iterations >= THROWN.0 && calmest_deg > THROWN.1 {
             break;
         }
         shapes = accelerator.next(&shapes, &mapped);

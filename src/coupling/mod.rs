@@ -46,7 +46,7 @@ pub mod near;
 
 pub mod periodic;
 
-pub mod overload;
+mod overload;
 
 mod pace;
 

@@ -178,7 +178,7 @@ impl<'a> Sweep<'a> {
         let wing = self.at(value)?;
         let solution = match wing.shape(last.as_ref(), self.progress) {
             Ok(solution) => solution,
-            Err(error @ CouplingError::OutOfPatience { .. }) => {
+            Err(error @ (CouplingError::OutOfPatience { .. } | CouplingError::Overloaded(_))) => {
                 return Ok(Found::Undecided(error.to_string()));
             }
             // what is not a number says nothing about divergence, at no value
