@@ -9,6 +9,7 @@ use crate::compare::StudyComparison;
 use crate::compare::study::compare_study;
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::export::html::REPORT;
+use crate::export::html::measured::Measured;
 use crate::export::html::study::{StudyParts, page as study_page};
 use crate::export::html::wing::Wing;
 use crate::export::html::wings::Wings;
@@ -218,7 +219,8 @@ fn wings(campaign: &Campaign, state: &str, at: &[f64], console: &Console) -> Res
         match solved {
             Ok(solved) => {
                 let found = &solved.at;
-                let wing = Wing::of_solution(&name, &found.design, &found.planform, &found.solution);
+                let mut wing = Wing::of_solution(&name, &found.design, &found.planform, &found.solution);
+                wing.measured = Measured::of_rows(&case.rows);
                 wings.shown.push(wing);
             }
             Err(error) => wings.notes.push(format!("Not shown: {name}: {error}")),

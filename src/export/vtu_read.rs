@@ -15,13 +15,14 @@ use super::ExportError;
 use super::vtu::{Array, Grid, Values};
 
 /// Arrays that are kept, with their components.
-const KEPT: [(&str, usize); 6] = [
+const KEPT: [(&str, usize); 7] = [
     ("displacement_mm", 3),
     ("rotation_deg", 3),
     ("twist_deg", 1),
     ("pressure_pa", 1),
     ("principal_tension_n_per_m", 2),
     ("part", 1),
+    ("section", 1),
 ];
 
 /// Attributes of the root of a file in this form.

@@ -55,6 +55,61 @@ fn a_run_is_reported_in_one_file_with_its_summary_and_reported_again_to_the_same
 }
 
 #[test]
+fn the_stroke_and_the_measured_twist_are_in_the_report_and_the_rod_stays_clamped_in_its_frame() {
+    let here = folder();
+    let v2 = design("twist-v2.toml");
+    let told = [
+        "solve", &v2, "--refine", "0.5", "--stroke", "8", "--report", "--json",
+    ];
+    let said = washout(here.path(), &told);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let page = fs::read_to_string(here.path().join("output/twist-v2/report.html")).expect("a report");
+    let wing = embedded(&page, "wing-data")["wings"][0].clone();
+    let list = |value: &serde_json::Value| value.as_array().expect("a list").clone();
+    let rest = list(&wing["rest"]);
+    let base = (0..rest.len() / 3).find(|&node| rest[3 * node] == 0 && rest[3 * node + 1] == 0);
+    let base = base.expect("a node at the base of the rod");
+    let stroke = list(&wing["stroke"]);
+    assert_eq!(stroke.len(), 8);
+    for (row, phase) in stroke.iter().enumerate() {
+        assert_eq!(phase["row"], row);
+        let moved = list(&phase["moved"]);
+        assert_eq!(moved.len(), rest.len());
+        // a pose that is not that of the file would leave millimetres here
+        for own in &moved[3 * base..3 * base + 3] {
+            assert!(
+                own.as_f64().expect("a number").abs() <= 2.0,
+                "phase {row}: {own} um"
+            );
+        }
+        let twist = list(&phase["twist"]);
+        assert_eq!(3 * twist.len(), rest.len());
+    }
+    let stations = list(&wing["measured"][0]["stations"]);
+    assert_eq!(stations[0], serde_json::json!([0.0, 0.0]));
+    let last = list(stations.last().expect("a station"));
+    let span = &said.document()["measured"]["span"][0]["stations"];
+    let outermost = list(span).last().cloned().expect("a station");
+    for (shown, own) in last.iter().zip([&outermost["r_mm"], &outermost["measured_deg"]]) {
+        let [shown, own] = [shown, own].map(|number| number.as_f64().expect("a number"));
+        assert!((shown - own).abs() < 1e-3, "{shown} {own}");
+    }
+
+    let summary = here.path().join("output/twist-v2/summary.json");
+    let text = fs::read_to_string(&summary).expect("a summary");
+    let strange = text.replacen("\"file\": \"wing-phase-003.vtu\"", "\"file\": \"../wing.vtu\"", 1);
+    assert!(strange != text);
+    fs::write(&summary, strange).expect("written");
+    let refused = washout(here.path(), &["report", "output/twist-v2"]);
+    assert_eq!(refused.code, Some(2), "{}", refused.err);
+    assert!(
+        refused.err.contains("no file of the run: ../wing.vtu"),
+        "{}",
+        refused.err
+    );
+}
+
+#[test]
 fn every_number_of_the_page_of_a_run_and_of_a_comparison_stands_in_its_document() {
     let here = folder();
     let v2 = design("twist-v2.toml");

@@ -19,6 +19,14 @@ pub mod wing;
 
 pub mod wings;
 
+pub mod numbers;
+
+pub mod tube;
+
+pub mod measured;
+
+pub mod stroke;
+
 pub mod still;
 
 pub mod run;

@@ -7,7 +7,22 @@ use super::document::{Document, Shown};
 use crate::plot::pen::escaped;
 
 const STYLE: &str = include_str!("style.css");
-const VIEWER: &str = include_str!("viewer.js");
+/// The viewer, one function of what stands in its files; the last one starts it.
+const VIEWER: &str = concat!(
+    "(function () {\n\"use strict\";\n",
+    include_str!("viewer/wing.js"),
+    include_str!("viewer/measured.js"),
+    include_str!("viewer/camera.js"),
+    include_str!("viewer/mesh.js"),
+    include_str!("viewer/webgl.js"),
+    include_str!("viewer/painter.js"),
+    include_str!("viewer/legend.js"),
+    include_str!("viewer/cursor.js"),
+    include_str!("viewer/controls.js"),
+    include_str!("viewer/hands.js"),
+    include_str!("viewer/start.js"),
+    "})();\n"
+);
 
 /// A part of the page.
 #[derive(Debug, Clone, PartialEq)]

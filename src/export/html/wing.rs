@@ -2,12 +2,18 @@
 
 use crate::coupling::solution::Solution;
 use crate::export::ExportError;
-use crate::export::vtu::{Array, Grid, Values};
-use crate::export::wing::{Shape, solution_grid};
+use crate::export::vtu::Grid;
+use crate::export::wing::{Legend, Shape, solution_grid};
 use crate::geometry::Planform;
 use crate::input::Design;
+use crate::input::design::Section;
 use crate::observation::field::twist_at_nodes;
 use crate::page::text::significant;
+
+use super::measured::Measured;
+use super::numbers::{component_of, finite, joined, micrometres};
+use super::stroke::Stroke;
+use super::tube::diameter_mm;
 
 /// Colours from the lowest to the highest value: cividis (J. R. Nuñez, C. R. Anderton, R. S. Renslow, PLOS ONE 13 (2018)
 /// e0199239), which looks alike to people with and without colour vision and rises in lightness.
@@ -36,8 +42,14 @@ pub struct Wing {
     pub triangles: Vec<[usize; 3]>,
     /// Rod (part 1), spars (2) and stiff ribs (3) by points.
     pub lines: Vec<([usize; 2], i32)>,
+    /// Diameters of the tubes that the lines are drawn as, mm; 0 where the section says none.
+    pub diameters_mm: Vec<f64>,
     /// What it can be coloured by.
     pub fields: Vec<Field>,
+    /// Measured twist along the span, run by run.
+    pub measured: Vec<Measured>,
+    /// Its motion over the stroke, where that was solved.
+    pub stroke: Option<Stroke>,
 }
 
 /// What a wing can be coloured by.
@@ -54,8 +66,8 @@ pub struct Field {
 }
 
 impl Wing {
-    /// From the grids of its unloaded and its loaded shape.
-    pub fn of_grids(name: &str, rest: &Grid, loaded: &Grid) -> Wing {
+    /// From the grids of its unloaded and its loaded shape; `sections` are those that the cells number.
+    pub fn of_grids(name: &str, rest: &Grid, loaded: &Grid, sections: &[Section]) -> Wing {
         let (points, cells) = (loaded.points_mm.len(), loaded.triangles.len());
         let field = |name, unit, is_on_points, values: Option<Vec<f64>>| {
             // A field that is zero everywhere is none: a wing of ribs has no film that could carry tension.
@@ -96,8 +108,13 @@ impl Wing {
                 values: vec![0.0; points],
             });
         }
-        let parts = component_of(on_cells, "part", 0, cells + loaded.lines.len()).unwrap_or_default();
+        let of_cells = |name| component_of(on_cells, name, 0, cells + loaded.lines.len()).unwrap_or_default();
+        let (parts, numbers) = (of_cells("part"), of_cells("section"));
         let part = |line: usize| parts.get(cells + line).map_or(2, |&part| part as i32);
+        let section = |line: usize| {
+            let number = numbers.get(cells + line).filter(|number| **number >= 0.0)?;
+            sections.get(*number as usize)
+        };
         Wing {
             name: name.to_string(),
             rest_mm: rest.points_mm.clone(),
@@ -109,7 +126,12 @@ impl Wing {
                 .enumerate()
                 .map(|(k, &line)| (line, part(k)))
                 .collect(),
+            diameters_mm: (0..loaded.lines.len())
+                .map(|line| section(line).and_then(diameter_mm).unwrap_or(0.0))
+                .collect(),
             fields,
+            measured: Vec::new(),
+            stroke: None,
         }
     }
 
@@ -121,13 +143,13 @@ impl Wing {
         let twist_deg: Vec<f64> = twist_deg.collect();
         let [rest, loaded] = [Shape::Unloaded, Shape::Deformed]
             .map(|shape| solution_grid(design, solution, twist_deg.clone(), shape));
-        Wing::of_grids(name, &rest, &loaded)
+        let sections: Vec<Section> = Legend::of(design).sections.into_iter().cloned().collect();
+        Wing::of_grids(name, &rest, &loaded, &sections)
     }
 
-    /// As the viewer reads it: points in whole micrometres.
+    /// As the viewer reads it: lengths in whole micrometres.
     pub(super) fn json(&self) -> Result<String, ExportError> {
-        let points =
-            |points: &[[f64; 3]]| joined(points.as_flattened(), |x| format!("{}", (x * 1e3).round() as i64));
+        let points = |points: &[[f64; 3]]| micrometres(points.as_flattened());
         let lines = self
             .lines
             .iter()
@@ -136,13 +158,7 @@ impl Wing {
         let triangles: Vec<f64> = self.triangles.as_flattened().iter().map(|&n| n as f64).collect();
         let mut fields = Vec::new();
         for field in &self.fields {
-            if let Some(index) = field.values.iter().position(|value| !value.is_finite()) {
-                return Err(ExportError::NotFinite {
-                    name: field.name.to_string(),
-                    index,
-                    value: field.values[index],
-                });
-            }
+            finite(field.name, &field.values)?;
             fields.push(format!(
                 "{{\"name\":\"{}\",\"unit\":\"{}\",\"on\":\"{}\",\"values\":[{}]}}",
                 field.name,
@@ -151,48 +167,29 @@ impl Wing {
                 joined(&field.values, |value| significant(value, 4))
             ));
         }
+        let measured: Vec<String> = self.measured.iter().map(Measured::json).collect();
+        let stroke = self.stroke.as_ref().map(Stroke::json).transpose()?;
         Ok(format!(
-            "{{\"name\":{},\"rest\":[{}],\"loaded\":[{}],\"triangles\":[{}],\"lines\":[{}],\"fields\":[{}]}}",
+            "{{\"name\":{},\"rest\":[{}],\"loaded\":[{}],\"triangles\":[{}],\"lines\":[{}],\"diameters\":[{}],\"fields\":[{}],\
+             \"measured\":[{}],\"stroke\":{}}}",
             serde_json::Value::from(self.name.as_str()),
             points(&self.rest_mm),
             points(&self.loaded_mm),
             joined(&triangles, |n| n.to_string()),
             joined(&lines, |n| n.to_string()),
-            fields.join(",")
+            micrometres(&self.diameters_mm),
+            fields.join(","),
+            measured.join(","),
+            stroke.as_deref().unwrap_or("null")
         ))
     }
-}
-
-/// One component of an array over its first `entries` entries.
-fn component_of(arrays: &[Array], name: &str, component: usize, entries: usize) -> Option<Vec<f64>> {
-    let array = arrays.iter().find(|array| array.name == name)?;
-    let values: Vec<f64> = match &array.values {
-        Values::Real(components, values) => values
-            .iter()
-            .skip(component)
-            .step_by((*components).max(1))
-            .copied()
-            .collect(),
-        Values::Index(values) => values.iter().map(|&value| f64::from(value)).collect(),
-    };
-    values.get(..entries).map(<[f64]>::to_vec)
-}
-
-fn joined(values: &[f64], show: impl Fn(f64) -> String) -> String {
-    let mut text = String::with_capacity(6 * values.len());
-    for (index, &value) in values.iter().enumerate() {
-        if index > 0 {
-            text.push(',');
-        }
-        text.push_str(&show(value));
-    }
-    text
 }
 
 #[cfg(test)]
 pub mod tests {
     use super::*;
     use crate::export::html::wings::section;
+    use crate::export::vtu::Array;
 
     /// Two triangles and a rod, twisted.
     pub fn wing(name: &str) -> Wing {
@@ -208,11 +205,15 @@ pub mod tests {
             point_arrays: vec![Array::scalar("twist_deg", vec![0.0, 10.0, 0.0, 10.0])],
             cell_arrays: vec![
                 Array::index("part", vec![0, 0, 1]),
+                Array::index("section", vec![-1, -1, 0]),
                 Array::scalar("pressure_pa", vec![1.0, 2.0, 0.0]),
                 Array::vector("principal_tension_n_per_m", &[[0.0, 0.0]; 3]),
             ],
         };
-        Wing::of_grids(name, &grid(0.0), &grid(2.0))
+        let round = Section::Round {
+            diameter_mm: 0.3.into(),
+        };
+        Wing::of_grids(name, &grid(0.0), &grid(2.0), &[round])
     }
 
     #[test]
@@ -225,6 +226,7 @@ pub mod tests {
         assert_eq!(wing["name"], "a</script>b");
         assert_eq!(wing["loaded"][5], 2000);
         assert_eq!(wing["lines"], serde_json::json!([0, 1, 1]));
+        assert_eq!(wing["diameters"], serde_json::json!([300]));
         let names: Vec<_> = wing["fields"]
             .as_array()
             .expect("fields")

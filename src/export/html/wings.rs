@@ -6,8 +6,12 @@ use crate::export::ExportError;
 
 use super::script::in_script;
 use super::still::still;
+use super::stroke::Stroke;
 use super::table::paragraph;
 use super::wing::{MAP, Wing};
+
+/// What the viewer fills and draws on.
+const LIVE: &str = include_str!("viewer/live.html");
 
 /// Wings of a study, and what is not shown of them.
 #[derive(Debug, Clone, Default)]
@@ -51,20 +55,17 @@ pub fn section(wings: &[Wing]) -> Result<String, ExportError> {
     let mut html = String::from("<div class=\"wing\">\n");
     // Writing to a String cannot fail.
     let _ = writeln!(html, "<div id=\"wing-still\">{}</div>", still(first));
-    html.push_str(
-        "<div id=\"wing-live\" hidden>\n<div id=\"wing-controls\"></div>\n<canvas id=\"wing-canvas\" tabindex=\"0\" role=\"img\" \
-         aria-label=\"The wing under load in three dimensions, the unloaded shape dashed; arrow keys turn it, plus and minus \
-         zoom, 0 resets the view\"></canvas>\n<div id=\"wing-bar\"><div class=\"strip\"></div><div class=\"ends\">\
-         <span class=\"low\"></span><span class=\"mid\"></span><span class=\"high\"></span></div></div>\n\
-         <p class=\"quiet screen\">Drag to turn, pinch to zoom; after a click the wheel zooms too. Keys: arrows, + and −, 0 for \
-         the first view. Thick: rod; thin: spars. Dashed: the ghost.</p>\n</div>\n</div>\n",
-    );
+    html.push_str(LIVE);
     let _ = writeln!(
         html,
         "<script type=\"application/json\" id=\"wing-data\">{{\"map\":[{}],\"wings\":[{}]}}</script>",
         map.join(","),
         in_script(&shown.join(","))
     );
+    let strokes = wings.iter().filter_map(|wing| wing.stroke.as_ref());
+    for words in strokes.filter_map(Stroke::note) {
+        html.push_str(&paragraph(&words));
+    }
     if wings.len() > 1 {
         html.push_str(
             "<p class=\"quiet screen\">All wings share one scale of colours. Two states of a wing are held against each other by \
