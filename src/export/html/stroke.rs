@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn a_rigid_wing_has_moved_nowhere_in_the_frame_of_its_rod() {
         // pitched by 90 deg the chord lies along z; swept by 90 deg the span lies along -z; the second half is its mirror
-        let rows = [row(90.0, 0.0, 90.0), row(180.0, 90.0, 0.0)];
+        let rows = [row(0.0, 0.0, 90.0), row(180.0, 90.0, 0.0)];
         let rest_mm = [[10.0, 0.0, 0.0], [10.0, 5.0, 0.0]];
         let shape = |points_mm: [[f64; 3]; 2]| Grid {
             points_mm: points_mm.to_vec(),
