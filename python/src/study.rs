@@ -30,6 +30,7 @@ pub fn compare(
     let verb = Compare {
         design: DesignArguments::of_file(&path, &sets, None),
         with: measurement,
+        sigma: None,
         case,
         reference,
         output,

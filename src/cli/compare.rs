@@ -55,6 +55,9 @@ pub struct Compare {
     /// Measurement file or table of readings (.csv, .tsv, .xlsx, .ods), of a design only [default: the file that the design names]
     #[arg(long, value_name = "FILE")]
     pub with: Option<PathBuf>,
+    /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
+    #[arg(long, value_name = "SIGMA", requires = "with", value_parser = super::sheet::number)]
+    pub sigma: Option<f64>,
     /// Case in that file, of a design only [default: the one that the design names, or the name of the wing]
     #[arg(long, value_name = "NAME")]
     pub case: Option<String>,
@@ -273,7 +276,15 @@ impl Compare {
     fn sheet(&self) -> Result<Option<FromSheet>, Failure> {
         let is_sheet = |table: &&PathBuf| table.is_file() && !Measurement::is_file(table);
         let Some(table) = self.with.as_ref().filter(is_sheet) else {
-            return Ok(None);
+            return match self.sigma {
+                Some(_) => Err(Failure::Option {
+                    option: "--sigma",
+                    reason:
+                        "is of a table of readings; a measurement file states that of its own. Leave it out"
+                            .to_string(),
+                }),
+                None => Ok(None),
+            };
         };
         let others = [
             ("--case", self.case.is_some()),
@@ -288,7 +299,7 @@ impl Compare {
                     table.display()
                 ),
             }),
-            None => FromSheet::load(table, &self.design.design, None).map(Some),
+            None => FromSheet::load(table, &self.design.design, self.sigma).map(Some),
         }
     }
 

@@ -162,6 +162,13 @@ fn a_table_of_readings_is_compared_and_its_sign_is_doubted_first() {
     let rows = document["rows"].as_array().expect("rows");
     let measured: Vec<f64> = rows.iter().filter_map(|row| row["measured"].as_f64()).collect();
     assert_eq!(measured, [9.0, 9.0], "{document}");
+    assert_eq!(rows[0]["sigma"], 0.5, "{document}");
+    let said = compare(
+        "sheet.csv",
+        "r (mm);twist (deg)\n30;9,0\n50;9,0\n",
+        &["--sigma", "0,3"],
+    );
+    assert_eq!(said.document()["rows"][0]["sigma"], 0.3, "{}", said.err);
     let turned = "r (mm);twist (deg)\n20;-9,0\n30;-9,0\n40;-9,0\n50;-9,0\n";
     fs::write(here.path().join("turned.csv"), turned).unwrap();
     let of_turned = [
@@ -178,6 +185,17 @@ fn a_table_of_readings_is_compared_and_its_sign_is_doubted_first() {
     assert_eq!(said.code, Some(2));
     assert!(
         said.err.contains("--case") && said.err.contains("table of readings"),
+        "{}",
+        said.err
+    );
+    let measurement = design("../measurements/colmenares-as-restated.csv");
+    let said = washout(
+        here.path(),
+        &["compare", &wing, "--with", &measurement, "--sigma", "0.3"],
+    );
+    assert_eq!(said.code, Some(2));
+    assert!(
+        said.err.contains("--sigma: is of a table of readings"),
         "{}",
         said.err
     );
