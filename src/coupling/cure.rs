@@ -6,7 +6,8 @@ use crate::progress::Progress;
 use crate::structure::state::State;
 use crate::structure::{Equilibrium, Loads, Mixed, Model, NewtonSettings, StructureError, larger};
 
-/// Newton steps after which the film is let go of at once, and steps after which that is given up.
+/// Newton steps after which the film is let go of at once, and steps after which that is given up and it is let go of step by step, however
+/// many these are.
 const PATIENCE_BY_STEPS: usize = 300;
 const PATIENCE: usize = 600;
 
@@ -26,18 +27,22 @@ pub fn cured(
     let mut state = State::at_rest(model.nodes.len());
     let inner = equilibrium.internal_loads(&state);
     let none = Loads::none(state.displacement.len());
-    let settings = NewtonSettings {
+    let settings = NewtonSettings::default();
+    let hasty = NewtonSettings {
         patience: PATIENCE_BY_STEPS,
-        ..NewtonSettings::default()
+        ..settings
     };
-    match equilibrium.solve(&mut state, &inner, &none, &settings, progress) {
-        Ok(report) => Ok((state, report.steps)),
-        Err(error @ StructureError::NoEquilibrium { steps, .. }) => {
-            let (found, more) = let_go(equilibrium, &settings, progress)?;
-            Ok((found.ok_or(error)?, steps + more))
-        }
-        Err(error) => Err(error.into()),
+    let lost = match equilibrium.solve(&mut state, &inner, &none, &hasty, progress) {
+        Ok(report) => return Ok((state, report.steps)),
+        Err(StructureError::NoEquilibrium { steps, .. }) => steps,
+        Err(error) => return Err(error.into()),
+    };
+    let (found, more) = let_go(equilibrium, &settings, progress)?;
+    if let Some(found) = found {
+        return Ok((found, lost + more));
     }
+    let report = equilibrium.solve(&mut state, &inner, &none, &settings, progress)?;
+    Ok((state, lost + more + report.steps))
 }
 
 /// The shape in which the wing comes to rest when the flat film is let go of and damped, if it does; and the steps until then.

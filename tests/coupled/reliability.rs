@@ -80,10 +80,13 @@ fn loose_wings_on_which_newtons_method_does_not_settle_come_to_rest_in_pseudo_ti
     }
 }
 
-/// Let go of step by step, its tight film meets no equilibrium on the way.
+/// Let go of step by step, the tight film of the first meets no equilibrium on the way, and comes to rest where it is let go of at once. That of the
+/// second does not, and takes 3,000 steps.
 #[test]
-fn a_tight_film_that_cannot_be_let_go_of_step_by_step_is_let_go_of_at_once() {
-    assert_eq!(failures(23..24, 0.3), 0);
+fn tight_films_that_are_hard_to_let_go_of_have_a_rest_shape() {
+    for seed in [23, 279] {
+        assert_eq!(failures(seed..seed + 1, 0.3), 0, "seed {seed}");
+    }
 }
 
 /// What is said of a wing that has no answer is what the load would do to it.
@@ -116,6 +119,6 @@ fn share_of_random_wings_that_have_an_answer() {
     let seeds = seeds.unwrap_or(0..100);
     let refine = var("WASHOUT_REFINE").map_or(0.3, |refine| refine.parse().expect("a number"));
     let failures = failures(seeds.clone(), refine);
-    // 95 of the first 100 have one
+    // 95 of the first 100 have one, 283 of the first 300
     assert!(failures as u64 * 8 <= seeds.end - seeds.start);
 }
