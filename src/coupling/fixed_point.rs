@@ -14,10 +14,10 @@ use crate::structure::{Equilibrium, Loads, NewtonSettings, larger, largest, smal
 const FEATHERED_RAD: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
 /// Newton steps in all after which it is given up, for each iteration that the design allows.
-const PATIENCE: usize = 12;
+const PATIENCE: usize = 50;
 
 /// Iterations after which it is given up where the twist still changes by more than this in each, deg: the wing is thrown to and fro.
-const THROWN: (usize, f64) = (8, 20.0);
+const THROWN: (usize, f64) = (6, 20.0);
 
 /// A coupled equilibrium.
 #[derive(Debug, Clone)]
