@@ -126,15 +126,15 @@ impl fmt::Display for Overload {
         if self.is_rod {
             write!(
                 f,
-                "the rods are far too weak for the load: if they stayed as stiff as they are at rest, it would turn them by {turn} rad at \
+                "the rods are far too weak for the load. If they stayed as stiff as they are at rest, it would turn them by {turn} rad at \
                  r = {r_mm:.1} mm. Lower the speed or the amplitude, or make the rods thicker"
             )
         } else {
             write!(
                 f,
-                "without spars next to nothing but its own bending holds the film, and the load would turn it by {turn} rad at \
-                 r = {r_mm:.1} mm if it stayed as stiff as it is at rest: it flies as a flag, with many shapes near equilibrium. Add spars, \
-                 or make the film thicker"
+                "the film has no spars and flies as a flag, with many shapes near equilibrium: next to nothing but its own bending holds \
+                 it. If it stayed as stiff as it is at rest, the load would turn it by {turn} rad at r = {r_mm:.1} mm. Add spars, or make the \
+                 film thicker"
             )
         }
     }

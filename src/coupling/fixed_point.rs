@@ -212,9 +212,20 @@ pub(super) fn stable(
     }
 }
 
+/// A wing on which the iteration does not settle.
+#[derive(Debug, Clone, Copy, Default)]
+struct Unsettled {
+    is_linear: bool,
+    film_wrinkles: bool,
+    /// Whether most strips stand along the stream.
+    is_feathered: bool,
+    /// Whether the twist was thrown to and fro to the last: further iterations do not help.
+    is_thrown: bool,
+}
+
 /// What to try where the iteration does not settle: only what is not in use already.
-fn cure(coupling: &Coupling, linear: bool, film_wrinkles: bool, feathered: bool) -> String {
-    if film_wrinkles && feathered {
+fn cure(coupling: &Coupling, wing: Unsettled) -> String {
+    if wing.film_wrinkles && wing.is_feathered {
         return "Most of the wing stands within 5 deg of the stream, where the air hardly loads the film: it hangs slack, and \
                 many shapes are near equilibrium. Try a larger root angle, a film that keeps more in compression \
                 (film.residual_compression = 0.01) or carries it (film.compression = \"carries\"), or a coarser mesh \
@@ -230,16 +241,21 @@ fn cure(coupling: &Coupling, linear: bool, film_wrinkles: bool, feathered: bool)
     let in_use = |kind| {
         kind == coupling.accelerator
             || (kind == design::Accelerator::Anderson && coupling.accelerator == design::Accelerator::Newton)
-            || (kind == design::Accelerator::Newton && linear)
+            || (kind == design::Accelerator::Newton && wing.is_linear)
     };
     let names: Vec<String> = (others.iter().filter(|(kind, _)| !in_use(*kind)))
         .map(|(_, name)| format!("\"{name}\""))
         .collect();
+    let first = if wing.is_thrown {
+        "The air throws the wing to and fro, and more iterations do not help. Try"
+    } else {
+        "Allow more iterations (coupling.max_iterations), try"
+    };
     let mut cure = format!(
-        "Allow more iterations (coupling.max_iterations), try coupling.accelerator = {}, a smaller load",
+        "{first} coupling.accelerator = {}, a smaller load",
         names.join(" or ")
     );
-    if film_wrinkles {
+    if wing.film_wrinkles {
         cure += ", film.compression = \"carries\" (a film that does not wrinkle)";
     }
     cure + ", or a finer mesh"
@@ -260,7 +276,12 @@ fn patience_lost(
         .iter()
         .filter(|strip| strip.force.alpha.abs() < FEATHERED_RAD)
         .count();
-    let feathered = 2 * feathered > air.len();
+    let unsettled = Unsettled {
+        is_linear: wing.linear,
+        film_wrinkles: wing.has_film_that_wrinkles(),
+        is_feathered: 2 * feathered > air.len(),
+        is_thrown: !wing.linear && iterations < coupling.max_iterations && twist_change_deg > THROWN.1,
+    };
     match stable(wing, equilibrium, rest, coupled, Care::Full) {
         Err(told @ (CouplingError::Diverged { .. } | CouplingError::NotFinite { .. })) => Err(told),
         _ => Err(CouplingError::OutOfPatience {
@@ -268,7 +289,7 @@ fn patience_lost(
             allowed: coupling.max_iterations,
             twist_change_deg,
             residual,
-            cure: cure(coupling, wing.linear, wing.has_film_that_wrinkles(), feathered),
+            cure: cure(coupling, unsettled),
         }),
     }
 }
@@ -292,12 +313,17 @@ mod tests {
 
     #[test]
     fn advice_names_no_accelerator_that_is_in_use_and_the_film_only_where_it_wrinkles() {
-        let advice = |accelerator, linear, wrinkles| {
+        let advice = |accelerator, is_linear, film_wrinkles| {
             let coupling = Coupling {
                 accelerator,
                 ..Coupling::default()
             };
-            cure(&coupling, linear, wrinkles, false)
+            let wing = Unsettled {
+                is_linear,
+                film_wrinkles,
+                ..Unsettled::default()
+            };
+            cure(&coupling, wing)
         };
         let newton = advice(design::Accelerator::Newton, false, true);
         assert!(
@@ -309,7 +335,23 @@ mod tests {
         assert!(anderson.contains("\"newton\" or \"aitken\""), "{anderson}");
         assert!(!anderson.contains("film"), "{anderson}");
         assert!(!advice(design::Accelerator::Aitken, true, false).contains("newton"));
-        let feathered = |wrinkles| cure(&Coupling::default(), false, wrinkles, true);
+        let feathered = |film_wrinkles| {
+            let wing = Unsettled {
+                film_wrinkles,
+                is_feathered: true,
+                ..Unsettled::default()
+            };
+            cure(&Coupling::default(), wing)
+        };
+        let thrown = Unsettled {
+            is_thrown: true,
+            ..Unsettled::default()
+        };
+        let thrown = cure(&Coupling::default(), thrown);
+        assert!(
+            !thrown.contains("max_iterations") && thrown.contains("Try coupling"),
+            "{thrown}"
+        );
         assert!(
             feathered(true).contains("residual_compression"),
             "{}",
