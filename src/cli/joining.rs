@@ -6,7 +6,6 @@ use crate::effects::custom::Custom;
 use crate::effects::{Card, EffectError, Parameter, instead_of, named};
 use crate::input::study::{LoadedCase, LoadedStudy};
 use crate::input::{Design, nearest, refused_in};
-use crate::page::text::first_up;
 
 use super::Failure;
 
@@ -113,7 +112,7 @@ pub fn own_table<'a>(
         };
         Err(Failure::Option {
             option: "--own",
-            reason: refused_in(file, "file of effects", &key, problem, &first_up(cure)).to_string(),
+            reason: refused_in(file, "file of effects", &key, problem, cure).to_string(),
         })
     };
     if named(name).is_some() {

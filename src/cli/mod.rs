@@ -73,10 +73,6 @@ pub mod effects;
 
 pub mod diagnose;
 
-pub mod candidates;
-
-pub mod kept;
-
 pub mod add;
 
 pub mod added;

@@ -148,14 +148,13 @@ impl Report {
         let compared = super::study::Compared::new(&self.what, loaded, console)?;
         let diagnosed = self
             .diagnose
-            .then(|| super::diagnose::diagnosed(&self.what, loaded, console))
+            .then(|| super::diagnose::diagnosed(loaded, console))
             .transpose()?;
         let mut parts = compared.parts(loaded, console)?;
-        if let Some((campaign, report)) = diagnosed {
-            parts
-                .wings
-                .extend(super::study::explained(&campaign, &report.diagnosis, console)?);
-            parts.diagnosis = Some(report);
+        if let Some(found) = diagnosed {
+            let explained = super::study::explained(&found.campaign, &found.diagnosis, console)?;
+            parts.wings.extend(explained);
+            parts.diagnosis = Some(DiagnosisReport::new(found.diagnosis, found.work, loaded));
         }
         let report = StudyReport {
             comparison: compared.comparison,

@@ -145,6 +145,7 @@ const ROOMS: &[(&str, &[&str])] = &[
         "diagnose",
         &[
             "progress",
+            "origin",
             "input",
             "effects",
             "coupling",
