@@ -7,8 +7,8 @@ use clap::Args;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::compare::ComparedStudy;
 use crate::compare::ladder::{StudyLadderStep, ladder};
-use crate::compare::study::compare_study;
 use crate::compare::study_comparison::StudyComparison;
 use crate::effects::{Card, named};
 use crate::export::html::{self, Document};
@@ -19,12 +19,11 @@ use crate::export::run::RunFolder;
 use crate::input::study::LoadedStudy;
 use crate::origin::{InputFile, MadeOf};
 use crate::page::text::{significant, wrapped};
-use crate::study::Campaign;
 
 use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths};
 use super::effect_tables::{EffectEntry, is_added, without};
-use super::study::{listed, target as target_of};
 use super::study_file::StudyFile;
+use super::written::{listed, target as target_of};
 use super::{Console, Failure, joining};
 
 /// The document that lists the files of a ladder.
@@ -286,8 +285,8 @@ impl Add {
             study: self.to.clone(),
             source,
         };
-        let campaign = Campaign::new(&study, &[], console.progress()).map_err(fault)?;
-        compare_study(&campaign, &study.study.title).map_err(fault)
+        let compared = ComparedStudy::new(&study, console.progress()).map_err(fault)?;
+        Ok(compared.comparison)
     }
 }
 

@@ -5,23 +5,25 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::Value;
 
-use crate::diagnose::verdict::{Diagnosis, Hypothesis, Strength, Verdict};
 use crate::diagnose::candidates::known;
 use crate::diagnose::of_study::refuse_own_data;
+use crate::diagnose::verdict::{Diagnosis, Hypothesis, Strength, Verdict};
 use crate::diagnose::{Cache, Candidates, Plan, Settings, StudyDiagnosis, plan_study};
 use crate::export::diagnosis::{DiagnosisReport, page};
+use crate::export::html::cases::found;
 use crate::export::html::{self, REPORT};
 use crate::export::json;
 use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
+use crate::export::sheet::{to_keep, understood};
+use crate::input::sheet::DesignReadings;
 use crate::input::study::LoadedStudy;
 use crate::page::Part;
 use crate::page::text::significant;
 use crate::study::Campaign;
 
-use super::sheet::FromSheet;
-use super::study::{listed, target};
+use super::written::{listed, target};
 use super::{Console, Failure, joining};
 
 /// The document that lists the files of a diagnosis.
@@ -52,7 +54,7 @@ pub struct Diagnose {
     #[arg(long, value_name = "TABLE", conflicts_with_all = ["plan", "on"])]
     pub with: Option<PathBuf>,
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "with", value_parser = super::sheet::number)]
+    #[arg(long, value_name = "SIGMA", requires = "with", value_parser = super::design_arguments::number)]
     pub sigma: Option<f64>,
     /// Change a key in every design of the study; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]
@@ -113,7 +115,7 @@ impl Diagnose {
     }
 
     /// What is diagnosed: the study, and the table that it was made of, if it was.
-    fn subject(&self, console: &Console) -> Result<(LoadedStudy, Option<FromSheet>), Failure> {
+    fn subject(&self, console: &Console) -> Result<(LoadedStudy, Option<DesignReadings>), Failure> {
         known(&self.effect).map_err(|error| Failure::of_diagnosis(&self.study, error))?;
         if self.sigma.is_some() && self.with.is_none() {
             return Err(Failure::Option {
@@ -125,10 +127,10 @@ impl Diagnose {
         let table = self
             .with
             .as_ref()
-            .map(|table| FromSheet::load(table, &self.study, self.sigma));
+            .map(|table| DesignReadings::load(table, &self.study, self.sigma));
         let table = table.transpose()?;
         if let Some(table) = &table {
-            console.note(table.understood());
+            console.note(understood(&table.sheet));
         }
         let mut study = match (&table, self.plan) {
             (Some(table), _) => table.study(&self.set)?,
@@ -157,20 +159,23 @@ impl Diagnose {
     fn found(
         &self,
         study: &LoadedStudy,
-        table: Option<&FromSheet>,
+        table: Option<&DesignReadings>,
         console: &Console,
     ) -> Result<(Campaign, DiagnosisReport), Failure> {
         let (effects, cache) = (candidates(study, &self.effect, console)?, Cache::of_user());
         let found = StudyDiagnosis::new(study, &effects, self.settings(), &cache, console.progress());
         let found = found.map_err(|error| Failure::of_diagnosis(&study.path, error))?;
         let mut report = DiagnosisReport::new(found.diagnosis, found.work, study);
-        let doubts = table.and_then(FromSheet::doubts);
+        let doubts = table.and_then(DesignReadings::doubts);
         report.diagnosis.sentence = doubts
             .into_iter()
             .chain([report.diagnosis.sentence])
             .collect::<Vec<_>>()
             .join(" ");
-        report.diagnosis.notes.extend(table.and_then(FromSheet::assumed));
+        report
+            .diagnosis
+            .notes
+            .extend(table.and_then(DesignReadings::assumed));
         Ok((found.campaign, report))
     }
 
@@ -186,11 +191,11 @@ impl Diagnose {
         campaign: &Campaign,
         mut report: DiagnosisReport,
         mut folder: RunFolder,
-        table: Option<&FromSheet>,
+        table: Option<&DesignReadings>,
         console: &Console,
     ) -> Result<(), Failure> {
         let study = campaign.name.as_str();
-        let keep = table.map_or(String::new(), FromSheet::to_keep);
+        let keep = table.map_or(String::new(), to_keep);
         let path = table.map_or(self.study.clone(), |table| {
             PathBuf::from(format!("{}.toml", table.name()))
         });
@@ -207,7 +212,7 @@ impl Diagnose {
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
         report.files = folder.listed_with(self.report);
         if self.report {
-            let wings = super::study::found(campaign, &report.diagnosis, console)?;
+            let wings = found(campaign, &report.diagnosis, console.progress())?;
             let page = html::diagnosis::page(study, &report, &wings)?;
             folder.add(REPORT, page.html().as_bytes())?;
         }

@@ -46,7 +46,7 @@ documents! {
     /// `washout solve --json`, and `summary.json`
     Solve "solve" RunSummary,
     /// `washout compare --json`
-    Compare "compare" super::compare::CompareReport,
+    Compare "compare" crate::export::compare_report::CompareReport,
     /// `washout lift --json`
     Lift "lift" crate::export::lift::LiftSummary,
     /// `washout pareto --json`

@@ -7,8 +7,9 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::export::file::{refuse_any, write_new};
+use crate::export::sheet::{files, understood};
+use crate::input::sheet::DesignReadings;
 
-use super::sheet::FromSheet;
 use super::{Console, Failure};
 
 const TEMPLATE: &str = include_str!("init_design.toml");
@@ -50,7 +51,7 @@ pub struct Init {
     #[arg(long, value_name = "TABLE", requires_all = ["study", "design"])]
     pub readings: Option<PathBuf>,
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "readings", value_parser = super::sheet::number)]
+    #[arg(long, value_name = "SIGMA", requires = "readings", value_parser = super::design_arguments::number)]
     pub sigma: Option<f64>,
     /// Folder to write into [default: this one]
     #[arg(long, short, value_name = "DIR")]
@@ -73,12 +74,12 @@ impl Init {
         let folder = self.output.clone().unwrap_or_default();
         let name = checked(&self.name)?;
         let table = match (&self.readings, &self.design) {
-            (Some(readings), Some(design)) => Some(FromSheet::load(readings, design, self.sigma)?),
+            (Some(readings), Some(design)) => Some(DesignReadings::load(readings, design, self.sigma)?),
             _ => None,
         };
         let files = match &table {
             Some(table) => {
-                let made = table.files(name, &folder)?;
+                let made = files(table, name, &folder)?;
                 vec![
                     (format!("{name}.toml"), made.study),
                     (format!("{name}-measured.csv"), made.readings),
@@ -102,7 +103,7 @@ impl Init {
         let beside: Vec<String> = names.collect();
         let page = if let Some(table) = &table {
             let with = beside.join(" and ");
-            let understood = table.understood();
+            let understood = understood(&table.sheet);
             format!("{understood}\n{file} written, with {with}; diagnose it with: washout diagnose {file}\n")
         } else if self.study {
             let with = beside.join(" and ");

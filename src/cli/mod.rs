@@ -15,7 +15,7 @@ pub mod solve;
 
 pub mod stroke;
 
-pub mod study;
+mod written;
 
 pub mod study_file;
 
@@ -60,8 +60,6 @@ pub mod mesh;
 pub mod measure;
 
 pub mod init;
-
-pub mod sheet;
 
 pub mod schema;
 

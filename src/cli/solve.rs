@@ -24,7 +24,7 @@ use crate::wing::{DiscretizationError, Meshes, SolvedWing, WingError, WingModel}
 
 use super::design_arguments::DesignArguments;
 use super::stroke::{self, StrokeRun};
-use super::study::listed;
+use super::written::listed;
 use super::{Console, Failure};
 
 /// Phases of the periodic motion that can be asked for.

@@ -44,12 +44,7 @@ impl Candidates {
         for (index, name) in of_study.unwrap_or_default().iter().enumerate() {
             if named(name).is_none() {
                 let key = format!("candidates[{index}]");
-                return Err(refused(
-                    study,
-                    &key,
-                    "there is no such effect",
-                    &instead_of(name),
-                ));
+                return Err(refused(study, &key, "there is no such effect", &instead_of(name)));
             }
         }
         let names = listed(study, asked);
@@ -58,9 +53,7 @@ impl Candidates {
             return Err(none_left(study, asked, &unable));
         }
         let is_named = !asked.is_empty() || of_study.is_some();
-        let left_out = unable
-            .iter()
-            .filter(|unable| is_named && !unable.stands_already);
+        let left_out = unable.iter().filter(|unable| is_named && !unable.stands_already);
         let left_out = left_out.map(|unable| {
             format!(
                 "{} is not tried: it cannot join the model: {}",

@@ -80,6 +80,9 @@ pub mod run;
 pub mod comparison;
 
 #[cfg(feature = "cli")]
+pub mod compare_report;
+
+#[cfg(feature = "cli")]
 pub mod diagnosis;
 
 #[cfg(feature = "cli")]
@@ -104,6 +107,9 @@ pub mod report;
 pub mod solved;
 
 pub mod studies;
+
+#[cfg(feature = "cli")]
+pub mod sheet;
 
 #[cfg(feature = "cli")]
 pub mod study;

@@ -30,6 +30,8 @@ mod load;
 
 mod named;
 
+mod seen_from;
+
 mod set;
 
 mod syntax;
@@ -62,5 +64,6 @@ pub use expression::{Expression, ExpressionError};
 pub use load::Loaded;
 pub(crate) use nearest::nearest;
 pub(crate) use nearest::nearest as nearest_word;
+pub use seen_from::seen_from;
 pub use twist_table::TwistTable;
 pub use unit::unit_symbol;

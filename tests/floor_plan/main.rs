@@ -125,7 +125,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("synthesize", &["progress", "input", "effects", "study"]),
     (
         "compare",
-        &["progress", "input", "lift", "observation", "wing", "study"],
+        &["progress", "origin", "input", "lift", "observation", "wing", "study"],
     ),
     (
         "sweep",
