@@ -11,6 +11,7 @@ use crate::export::ExportError;
 use crate::input::InputError;
 use crate::page::text::significant;
 use crate::progress::Cancelled;
+use crate::solve::SolveError;
 use crate::study::StudyError;
 use crate::sweep::SweepError;
 use crate::synthesize::SynthesizeError;
@@ -211,6 +212,15 @@ pub enum Failure {
     /// The user asked to stop.
     #[error(transparent)]
     Interrupted(#[from] Cancelled),
+}
+
+impl From<SolveError> for Failure {
+    fn from(error: SolveError) -> Failure {
+        match error {
+            SolveError::Wing(source) => Failure::Wing(source),
+            SolveError::Band(source) => Failure::Study(source),
+        }
+    }
 }
 
 impl Failure {

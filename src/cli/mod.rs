@@ -13,8 +13,6 @@ mod memory;
 
 pub mod solve;
 
-pub mod stroke;
-
 mod written;
 
 pub mod study_file;

@@ -74,6 +74,9 @@ pub mod engineering;
 pub mod collect;
 
 #[cfg(feature = "cli")]
+pub mod solved_run;
+
+#[cfg(feature = "cli")]
 pub mod run;
 
 #[cfg(feature = "cli")]
