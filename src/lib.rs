@@ -99,6 +99,9 @@ pub mod page;
 #[cfg(feature = "cli")]
 pub mod plot;
 
+#[cfg(feature = "cli")]
+pub mod add;
+
 pub mod export;
 
 #[cfg(feature = "cli")]

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::Value;
 
+use crate::add::joining::wings;
 use crate::diagnose::candidates::known;
 use crate::diagnose::of_study::refuse_own_data;
 use crate::diagnose::verdict::{Diagnosis, Hypothesis, Strength, Verdict};
@@ -24,7 +25,7 @@ use crate::page::text::significant;
 use crate::study::Campaign;
 
 use super::written::{listed, target};
-use super::{Console, Failure, joining};
+use super::{Console, Failure};
 
 /// The document that lists the files of a diagnosis.
 pub const DIAGNOSIS: &str = "diagnosis.json";
@@ -137,7 +138,7 @@ impl Diagnose {
             (None, true) => LoadedStudy::load_planned(&self.study, &self.set)?,
             (None, false) => LoadedStudy::load(&self.study, &self.set)?,
         };
-        joining::wings(&study, &self.on)?;
+        wings(&study, &self.on)?;
         if !self.on.is_empty() {
             study.study.candidates_on = Some(self.on.clone());
         }

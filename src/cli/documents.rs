@@ -76,7 +76,7 @@ documents! {
     /// `washout diagnose --json`
     Diagnose "diagnose" DiagnosisReport,
     /// `washout add --json`
-    Add "add" super::add::AddReport,
+    Add "add" crate::export::added::AddReport,
     /// `washout diagnose --plan --json`
     Plan "plan" Plan,
     /// `washout synthesize --json`

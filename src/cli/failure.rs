@@ -3,6 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::add::AddError;
 use crate::blind::BlindError;
 use crate::coupling::CouplingError;
 use crate::diagnose::DiagnoseError;
@@ -212,6 +213,19 @@ pub enum Failure {
     /// The user asked to stop.
     #[error(transparent)]
     Interrupted(#[from] Cancelled),
+}
+
+impl From<AddError> for Failure {
+    fn from(error: AddError) -> Failure {
+        match error {
+            AddError::Question { question, reason } => Failure::Option {
+                option: question,
+                reason,
+            },
+            AddError::Input(source) => Failure::Input(source),
+            AddError::Study { study, source } => Failure::OfStudy { study, source },
+        }
+    }
 }
 
 impl From<SolveError> for Failure {

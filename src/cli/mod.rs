@@ -71,12 +71,6 @@ pub mod diagnose;
 
 pub mod add;
 
-pub mod added;
-
-mod effect_tables;
-
-pub mod joining;
-
 pub mod report;
 
 pub mod plot;

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::compare::ComparedStudy;
+use crate::export::added::{self, AddReport};
 use crate::export::compare_report::CompareReport;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::file::refuse_other;
@@ -30,7 +31,7 @@ use crate::export::verification::VerifyReport;
 use crate::export::{ExportError, json};
 use crate::input::study::LoadedStudy;
 
-use super::add::{AddReport, LADDER};
+use super::add::LADDER;
 use super::compare::COMPARISON;
 use super::verify::DOCUMENT as VERIFY;
 use super::{Console, Failure};
@@ -231,7 +232,7 @@ fn words(kind: &str, document: &Value, folder: &Path) -> Result<String, Failure>
         LayoutSummary::KIND => known::<LayoutSummary>(document, folder)?.page(&shown),
         ModesSummary::KIND => known::<ModesSummary>(document, folder)?.page(&shown),
         VerifyReport::KIND => known::<VerifyReport>(document, folder)?.page().text(),
-        AddReport::KIND => super::add::page(&known(document, folder)?),
+        AddReport::KIND => added::page(&known(document, folder)?),
         _ => String::new(),
     })
 }

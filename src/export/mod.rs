@@ -30,6 +30,9 @@ pub mod modes;
 pub mod pareto;
 
 #[cfg(feature = "cli")]
+pub mod added;
+
+#[cfg(feature = "cli")]
 pub mod ladder;
 
 #[cfg(feature = "cli")]

@@ -177,6 +177,12 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("plot", &[]),
     ("page", &["plot"]),
     (
+        "add",
+        &[
+            "progress", "origin", "input", "effects", "study", "compare", "page",
+        ],
+    ),
+    (
         "blind",
         &["progress", "input", "effects", "study", "synthesize", "diagnose"],
     ),
@@ -206,6 +212,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "diagnose",
             "plot",
             "page",
+            "add",
             "blind",
         ],
     ),
@@ -235,6 +242,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "diagnose",
             "plot",
             "page",
+            "add",
             "blind",
             "export",
         ],
