@@ -115,6 +115,9 @@ pub mod solved;
 pub mod studies;
 
 #[cfg(feature = "cli")]
+pub mod drawn;
+
+#[cfg(feature = "cli")]
 pub mod sheet;
 
 #[cfg(feature = "cli")]

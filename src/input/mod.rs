@@ -44,6 +44,9 @@ mod checked;
 
 mod document;
 
+#[cfg(feature = "cli")]
+pub mod drawing;
+
 mod file;
 
 mod form;
@@ -53,6 +56,8 @@ mod keys;
 mod nearest;
 
 mod path;
+
+mod polar;
 
 mod unit;
 
