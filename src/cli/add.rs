@@ -30,7 +30,7 @@ pub const LADDER: &str = "ladder.json";
   washout add glue-seam --own examples/effect_of_ones_own.toml \\
     --to my-study.toml
 
-The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of the strength stays as wide as what is plausible. Comments of the study are kept. The error is shown rung by rung: as stated and calibrated without any effect that was added, then with one after the other of those in the study, this one last (or taken out), down to the noise; fitted, left out (each case predicted from the others), held out. Writes output/NAME-ladder/ besides: the same as a picture (SVG), with its numbers (CSV); ladder.json.")]
+The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of the strength stays as wide as what is plausible. Comments of the study are kept. The error is shown step by step: uncalibrated and calibrated without any effect that was added, then with one after the other of those in the study, this one last (or taken out), down to the noise; fitted, left out (each case predicted from the others), held out. Writes output/NAME-ladder/ besides: the same as a picture (SVG), with its numbers (CSV); ladder.json.")]
 pub struct Add {
     /// The effect: its name, or with --own that of a table [effects.NAME]
     pub effect: String,

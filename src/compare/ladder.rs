@@ -1,4 +1,4 @@
-//! The error of a study falling step by step: as stated, calibrated, with one effect more after the other, down to the noise.
+//! The error of a study falling step by step: uncalibrated, calibrated, with one effect more after the other, down to the noise.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

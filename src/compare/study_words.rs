@@ -18,7 +18,7 @@ pub(super) fn words(comparison: &StudyComparison) -> Vec<String> {
             )
         };
         words.push(format!(
-            "{}, {}{held}: the model as stated misses by {:.3} {} (root mean square of {}), {verdict}; calibrated, by {:.3}.",
+            "{}, {}{held}: the uncalibrated model misses by {:.3} {} (root mean square of {}), {verdict}; calibrated, by {:.3}.",
             group.wing,
             group.channel.name(),
             group.rmse[0],

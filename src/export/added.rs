@@ -25,7 +25,7 @@ pub struct AddReport {
     pub others: Vec<Other>,
     /// What is to be thought of: strengths that are not plausible, an error that does not fall, wings that change.
     pub notes: Vec<String>,
-    /// The error falling: as stated and calibrated without any effect that was added, with one after the other of those in the
+    /// The error falling: uncalibrated and calibrated without any effect that was added, with one after the other of those in the
     /// study, with this one (or without it), the noise.
     pub ladder: Vec<StudyLadderStep>,
     /// What it was made of.

@@ -77,7 +77,7 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
     page.section("misfit", "Where the calibrated model fails", misfit(study, found));
     page.section(
         "ladder",
-        "Error from the model as stated down to the noise",
+        "Error from the uncalibrated model down to the noise",
         errors(study, found),
     );
     page.section(

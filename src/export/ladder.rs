@@ -1,4 +1,4 @@
-//! The ladder of a study as text: the error falling from the model as stated to the noise.
+//! The ladder of a study as text: the error falling from the uncalibrated model to the noise.
 
 use crate::compare::{StepGroup, StudyLadderStep};
 

@@ -100,7 +100,7 @@ pub fn page(comparison: &StudyComparison) -> Page {
 
 fn chi_square(comparison: &StudyComparison) -> Part {
     let labels = [
-        "χ² per fitted number, as stated",
+        "χ² per fitted number, uncalibrated",
         "χ² per fitted number, calibrated",
     ];
     let facts = labels.into_iter().zip(comparison.chi_square_per_row).enumerate();
@@ -120,9 +120,9 @@ fn groups(comparison: &StudyComparison) -> Table {
         .words("channel", |row| row.channel.name().replace('_', " "))
         .words("use", |row| used(row.is_held_out))
         .number(["count", "numbers", ""], After(0), |row| row.count as f64)
-        .number(["rmse/0", "rms, as stated", ""], Significant(3), |row| row.rmse[0])
+        .number(["rmse/0", "rms, uncalibrated", ""], Significant(3), |row| row.rmse[0])
         .number(["rmse/1", "calibrated", ""], Significant(3), |row| row.rmse[1])
-        .number(["bias/0", "mean, as stated", ""], Significant(3), |row| row.bias[0])
+        .number(["bias/0", "mean, uncalibrated", ""], Significant(3), |row| row.bias[0])
         .number(["bias/1", "calibrated", ""], Significant(3), |row| row.bias[1])
         .number(["sigma_of_measurement", "σ of measurement", ""], Significant(3), |row| {
             row.sigma_of_measurement
@@ -133,7 +133,7 @@ fn groups(comparison: &StudyComparison) -> Table {
         .number(["explained", "explained", ""], Significant(3), |row| row.explained)
         .words("unit", |row| row.unit.as_str())
         .caption(
-            "Error by wing and channel, root mean square and mean. Explained: share of the mean square error, as stated, that σ of \
+            "Error by wing and channel, root mean square and mean. Explained: share of the mean square error of the uncalibrated model that σ of \
              measurement and inputs would give; above 1, the error is smaller than they let expect.",
         )
         .table()
@@ -197,7 +197,7 @@ fn rows(comparison: &StudyComparison) -> Table {
             (sign(row.bound), row.measured)
         })
         .number(["sigma", "σ", ""], Significant(2), |row| row.sigma)
-        .number(["before", "as stated", ""], Significant(4), |row| row.before)
+        .number(["before", "uncalibrated", ""], Significant(4), |row| row.before)
         .number(["sigma_of_inputs", "σ of inputs", ""], Significant(2), |row| {
             row.sigma_of_inputs
         })

@@ -34,7 +34,7 @@ const MEASURED: &str = "\
 Root mean square of measured minus modelled in the unit of the channel, over all rows of a channel: with the inputs as
 stated (and its mean, the bias), and after calibration of what is uncertain within its prior; rows held out were never
 fitted. The standard deviations of the measurement and of the uncertain inputs (an unknown zero of the ruler among them)
-were written down before the first comparison. *Explained* is the share of the mean square error as stated that both
+were written down before the first comparison. *Explained* is the share of the mean square error of the uncalibrated model that both
 together would give on average (ASME V&V 20): where it is less than all, the model lacks something.
 `washout compare STUDY` shows every row.
 ";
@@ -79,14 +79,14 @@ fn tables(report: &VerifyReport, timed: bool) -> String {
     text + &missed(report)
 }
 
-/// The studies: misfit as stated and calibrated, and what known uncertainty explains of it.
+/// The studies: misfit uncalibrated and calibrated, and what known uncertainty explains of it.
 fn measured(studies: &[StudyComparison]) -> String {
     let head = [
         "study",
         "wing",
         "channel",
         "rows",
-        "as stated",
+        "uncalibrated",
         "bias",
         "calibrated",
         "σ measured",

@@ -9,7 +9,7 @@ use plotters::style::RGBColor;
 pub enum Ink {
     /// Text, frames, measurements without a curve of their own.
     Black,
-    /// What stands back: grids, the model as stated.
+    /// What stands back: grids, the uncalibrated model.
     Grey,
     /// The k-th of the curves of a figure; they repeat after seven.
     Curve(usize),

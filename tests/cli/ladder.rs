@@ -129,7 +129,7 @@ fn each_effect_that_was_added_has_its_rung_from_as_stated_down_to_the_noise() {
     let csv = fs::read_to_string(folder.path().join("output/bench-ladder/ladder.csv")).unwrap();
     for line in [
         ",all,root_mean_square,sigma,+ root-flexure,held out,",
-        "rod,twist,root_mean_square,deg,as stated,fitted,",
+        "rod,twist,root_mean_square,deg,uncalibrated,fitted,",
         "rod,twist,root_mean_square,deg,+ root-flexure,each case predicted from the others,0.0",
         "rod,twist,root_mean_square,deg,+ root-flexure,held out,0.0",
         "rod,twist,chi_square_per_number,1,+ rod-shear-modulus,held out,",

@@ -198,9 +198,9 @@ fn a_study_and_its_diagnosis_are_reported_with_every_wing_before_and_after() {
     assert_eq!(
         names(&page),
         [
-            "m-1, as stated",
-            "m-2, as stated",
-            "m-3, as stated",
+            "m-1, uncalibrated",
+            "m-2, uncalibrated",
+            "m-3, uncalibrated",
             "m-1, with rod-shear-modulus",
             "m-2, with rod-shear-modulus",
             "m-3, with rod-shear-modulus",

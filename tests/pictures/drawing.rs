@@ -238,7 +238,7 @@ fn bars_of_a_waterfall_are_as_high_as_their_levels() {
         y_label: "root mean square error (mm)".to_string(),
         groups: vec!["fitted".to_string()],
         steps: vec![
-            step("as stated", 8.0, true),
+            step("uncalibrated", 8.0, true),
             step("calibrated", 4.0, false),
             step("noise", 2.0, true),
         ],
@@ -263,7 +263,7 @@ fn a_ladder_shows_the_groups_that_it_has() {
         channel: Some(Channel::Deflection),
         groups: vec!["fitted".to_string(), "held out".to_string()],
         steps: vec![
-            ("as stated".to_string(), vec![Some(22.0), Some(23.0)]),
+            ("uncalibrated".to_string(), vec![Some(22.0), Some(23.0)]),
             ("+ skin-bending".to_string(), vec![Some(2.0), None]),
             ("noise".to_string(), vec![Some(1.7), Some(1.7)]),
         ],
@@ -273,7 +273,7 @@ fn a_ladder_shows_the_groups_that_it_has() {
     for words in [
         "fitted",
         "held out",
-        "as stated",
+        "uncalibrated",
         "+ skin-bending",
         "noise",
         "root mean square error (mm)",

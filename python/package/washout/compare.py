@@ -97,7 +97,7 @@ class StudyComparison:
         """What was calibrated: `name`, `unit`, prior `mean` and `sigma`, `value`, `standard_error`, `pull`, …"""
         before, after = document["chi_square_per_row"]
         self.chi_square_per_row_before: float = before
-        """Chi-square per fitted row as stated."""
+        """Chi-square per fitted row, uncalibrated."""
         self.chi_square_per_row_after: float = after
         """Chi-square per fitted row, calibrated."""
 
@@ -111,7 +111,7 @@ class StudyComparison:
 
     @property
     def residuals_before(self) -> Numbers:
-        """Measured minus modelled as stated, in the unit of each row's channel."""
+        """Measured minus modelled, uncalibrated, in the unit of each row's channel."""
         residuals: Numbers = self.rows["measured"] - self.rows["before"]
         return residuals
 

@@ -78,7 +78,7 @@ class Diagnosis:
         """Of the effects that the data see best, every fitted number: `condition`, `channel`, `r_mm`, its `residual`, and its
         `signature`: how far a unit of the effect would move it, less what the model absorbs; both in sigma."""
         self.ladder = Columns(document["ladder"])
-        """The error from the model as stated down to the noise."""
+        """The error from the uncalibrated model down to the noise."""
         self.predictions = Columns(document["predictions"])
         """Held-out numbers, as measured, and as predicted by the `calibrated` and the `explained` model."""
         self.notes: list[str] = document["notes"]

@@ -1,4 +1,4 @@
-//! The wings of a study's cases, solved once more for a report: as stated, as calibrated, with what a diagnosis found.
+//! The wings of a study's cases, solved once more for a report: uncalibrated, calibrated, with what a diagnosis found.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ use super::wings::Wings;
 const SHOWN: usize = 12;
 
 impl StudyParts {
-    /// What a report shows besides: the wings as stated and as calibrated, what the designs assume.
+    /// What a report shows besides: the wings uncalibrated and calibrated, what the designs assume.
     pub fn new(
         compared: &ComparedStudy,
         study: &LoadedStudy,
@@ -35,7 +35,7 @@ impl StudyParts {
         }
         let mut shown = wings(
             &compared.campaign,
-            "as stated",
+            "uncalibrated",
             &compared.campaign.start(),
             progress,
         )?;
@@ -50,9 +50,9 @@ impl StudyParts {
     }
 }
 
-/// The wings as stated, and with what a diagnosis holds most probable.
+/// The uncalibrated wings, and those with what a diagnosis holds most probable.
 pub fn found(campaign: &Campaign, diagnosis: &Diagnosis, progress: &Progress) -> Result<Wings, Cancelled> {
-    let mut wings = wings(campaign, "as stated", &campaign.start(), progress)?;
+    let mut wings = wings(campaign, "uncalibrated", &campaign.start(), progress)?;
     wings.extend(explained(campaign, diagnosis, progress)?);
     Ok(wings)
 }
@@ -79,9 +79,7 @@ pub fn explained(campaign: &Campaign, found: &Diagnosis, progress: &Progress) ->
     }
     let state = format!("with {}", first.effects.join(" + "));
     let mut wings = wings(campaign, &state, &at, progress)?;
-    wings
-        .notes
-        .push(format!("{state}: all else as stated, not calibrated anew."));
+    wings.notes.push(format!("{state}: all else uncalibrated."));
     Ok(wings)
 }
 

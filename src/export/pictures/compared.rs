@@ -113,11 +113,11 @@ fn legend(compared: &Compared, curves: &Looks) -> Vec<Key> {
     };
     let stated = if has_inputs {
         line(
-            "model as stated, ±1σ of its inputs",
+            "uncalibrated model, ±1σ of its inputs",
             Sample::Band(Ink::Grey, Weight::Thin),
         )
     } else {
-        line("model as stated", Sample::Line(Ink::Grey, Weight::Thin))
+        line("uncalibrated model", Sample::Line(Ink::Grey, Weight::Thin))
     };
     if compared.is_calibrated {
         keys.push(stated);
@@ -127,7 +127,7 @@ fn legend(compared: &Compared, curves: &Looks) -> Vec<Key> {
         ));
     } else {
         keys.push(line(
-            "model as stated",
+            "uncalibrated model",
             Sample::Line(curves.common(), Weight::Thick),
         ));
     }
@@ -181,7 +181,7 @@ fn chart(compared: &Compared, panel: &StudyPanel, curves: &Looks) -> Panel {
     })
 }
 
-/// The curves of the model as stated: one for all runs, for it does not know of them.
+/// The curves of the uncalibrated model: one for all runs, for it does not know of them.
 fn stated(panel: &StudyPanel) -> Vec<Curve> {
     let kins = distinct(panel.curves.iter().map(|curve| curve.kin.clone()));
     let merged = kins.into_iter().map(|kin| {
@@ -198,7 +198,7 @@ fn stated(panel: &StudyPanel) -> Vec<Curve> {
     merged.collect()
 }
 
-/// What the priors of the inputs allow the model as stated: a band, or a stroke where there is nothing to join.
+/// What the priors of the inputs allow the uncalibrated model: a band, or a stroke where there is nothing to join.
 fn spread(compared: &Compared, curve: &Curve) -> Vec<Mark> {
     let ends = |place: &Placed| {
         let row = &compared.rows[place.row];

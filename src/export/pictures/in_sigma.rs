@@ -139,9 +139,9 @@ pub fn heat_map(compared: &Compared) -> HeatMap {
         }
     };
     let tables = if compared.is_calibrated {
-        vec![table(0, "as stated"), table(1, "calibrated")]
+        vec![table(0, "uncalibrated"), table(1, "calibrated")]
     } else {
-        vec![table(0, "as stated")]
+        vec![table(0, "uncalibrated")]
     };
     HeatMap {
         title: String::new(),

@@ -1,4 +1,4 @@
-//! The error falling from the model as stated to the noise: `ladder.svg`.
+//! The error falling from the uncalibrated model to the noise: `ladder.svg`.
 
 use crate::compare::{self, StudyLadderStep};
 use crate::diagnose::ladder::LadderStep;
@@ -170,7 +170,7 @@ impl StudyGroup {
 
 fn step_words(name: &str) -> String {
     match name {
-        "raw" => "as stated".to_string(),
+        "raw" => "uncalibrated".to_string(),
         name => name.to_string(),
     }
 }

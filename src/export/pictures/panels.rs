@@ -96,7 +96,7 @@ pub struct StudyPanel {
 pub struct Curve {
     /// What sets it apart from the other curves; empty if nothing does.
     pub label: String,
-    /// The same without the run: curves that share it have one model as stated.
+    /// The same without the run: curves that share it have one uncalibrated model.
     pub kin: String,
     /// Its numbers, place rising.
     pub places: Vec<Placed>,

@@ -1,4 +1,4 @@
-//! Measured minus modelled in the units of the channels, as stated and calibrated: `residuals.svg`.
+//! Measured minus modelled in the units of the channels, uncalibrated and calibrated: `residuals.svg`.
 
 use crate::compare::StudyRow;
 use crate::plot::{Chart, Figure, Key, Limit, Mark, Panel, Point, Sample};
@@ -7,12 +7,12 @@ use super::compared::{Looks, headline, point, use_keys};
 use super::panels::{Compared, Profiles, StudyPanel, panels, read_words};
 use super::{with_unit, words};
 
-/// Residuals over station or operating point: as stated on the left, calibrated on the right.
+/// Residuals over station or operating point: uncalibrated on the left, calibrated on the right.
 pub fn figure(compared: &Compared) -> Figure {
     let panels = panels(compared, Profiles::Together);
     let curves = Looks::of(&panels);
     let states: &[(usize, &str)] = if compared.is_calibrated {
-        &[(0, "as stated"), (1, "calibrated")]
+        &[(0, "uncalibrated"), (1, "calibrated")]
     } else {
         &[(0, "")]
     };
