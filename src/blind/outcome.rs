@@ -115,16 +115,16 @@ pub fn judge(
     let is_separable = distances.iter().all(|distance| distance.apart >= SEPARATE);
     let mut set = said.hypotheses.iter().filter(|hypothesis| hypothesis.in_set);
     let first = said.hypotheses.first();
-    let rungs = |name: &str| {
+    let steps = |name: &str| {
         said.ladder
             .iter()
-            .find(|rung| rung.name == name)
-            .and_then(|rung| rung.held_out_sigma)
+            .find(|step| step.name == name)
+            .and_then(|step| step.held_out_sigma)
     };
-    let explained = said.ladder.iter().rev().find(|rung| rung.name.starts_with('+'));
-    let held_out = rungs("calibrated")
-        .zip(explained.and_then(|rung| rung.held_out_sigma))
-        .zip(rungs("noise"))
+    let explained = said.ladder.iter().rev().find(|step| step.name.starts_with('+'));
+    let held_out = steps("calibrated")
+        .zip(explained.and_then(|step| step.held_out_sigma))
+        .zip(steps("noise"))
         .map(|((before, after), noise)| [before, after, noise]);
     let numbers = said.noise.numbers as f64;
     Outcome {

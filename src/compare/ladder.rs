@@ -51,14 +51,14 @@ pub fn ladder(calibrated: &[(String, StudyComparison)]) -> Vec<StudyLadderStep> 
     let Some((_, first)) = calibrated.first() else {
         return Vec::new();
     };
-    let mut rungs = vec![rung("raw", first, Step::Stated)];
-    rungs.extend(
+    let mut steps = vec![of_model("raw", first, Step::Stated)];
+    steps.extend(
         calibrated
             .iter()
-            .map(|(name, model)| rung(name, model, Step::Calibrated)),
+            .map(|(name, model)| of_model(name, model, Step::Calibrated)),
     );
-    rungs.push(rung("noise", first, Step::Noise));
-    rungs
+    steps.push(of_model("noise", first, Step::Noise));
+    steps
 }
 
 /// What of a comparison is meant.
@@ -69,7 +69,7 @@ enum Step {
     Noise,
 }
 
-fn rung(name: &str, model: &StudyComparison, step: Step) -> StudyLadderStep {
+fn of_model(name: &str, model: &StudyComparison, step: Step) -> StudyLadderStep {
     let in_sigma = |is_held_out: bool, error: &dyn Fn(&StudyRow) -> Option<f64>| {
         let rows = model.rows.iter().filter(|row| row.is_held_out == is_held_out);
         root_mean_square(rows.filter_map(|row| Some(error(row)? / row.sigma)))

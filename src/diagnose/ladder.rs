@@ -45,15 +45,15 @@ pub fn ladder(baseline: &Baseline, explanations: &[Explained]) -> Vec<LadderStep
         baseline,
         channel: main_channel(baseline),
     };
-    let mut rungs = vec![
-        ladder.rung("raw", &baseline.raw, None),
-        ladder.rung("calibrated", &baseline.fit.predicted, Some(&baseline.local)),
+    let mut steps = vec![
+        ladder.step("raw", &baseline.raw, None),
+        ladder.step("calibrated", &baseline.fit.predicted, Some(&baseline.local)),
     ];
     for Explained { name, fit, local } in explanations {
-        rungs.push(ladder.rung(&format!("+ {name}"), &fit.predicted, *local));
+        steps.push(ladder.step(&format!("+ {name}"), &fit.predicted, *local));
     }
-    rungs.push(ladder.noise());
-    rungs
+    steps.push(ladder.noise());
+    steps
 }
 
 /// Root mean squares of the readings of one channel.
@@ -98,7 +98,7 @@ impl Ladder<'_> {
         self.baseline.scatter.noise.whiten(&errors).norm_squared() / rows.len().max(1) as f64
     }
 
-    fn rung(&self, name: &str, predicted: &DVector<f64>, local: Option<&Local>) -> LadderStep {
+    fn step(&self, name: &str, predicted: &DVector<f64>, local: Option<&Local>) -> LadderStep {
         let data = &self.baseline.data;
         LadderStep {
             name: name.to_string(),

@@ -89,7 +89,7 @@ pub fn report(
         unseen,
         misfit: misfit::of(baseline),
         added_variables: added.collect(),
-        ladder: ladder(baseline, &rungs(baseline, judgement)),
+        ladder: ladder(baseline, &steps(baseline, judgement)),
         predictions: predictions(baseline, found(judgement))?,
         next_experiment,
         notes: [notes(baseline, judgement), left_out].concat(),
@@ -114,7 +114,7 @@ fn found(judgement: &Judgement) -> Option<&Fit> {
 }
 
 /// The best single effect of the best known explanation, then that explanation; of a cause without a name, its fit.
-fn rungs<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<Explained<'a>> {
+fn steps<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<Explained<'a>> {
     if let Some(bump) = judgement.best_bump().filter(|_| judgement.is_unknown()) {
         return vec![Explained {
             name: bump.kind.name().to_string(),

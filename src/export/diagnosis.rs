@@ -251,7 +251,7 @@ fn misfit(study: &str, found: &Diagnosis) -> Vec<Part> {
 }
 
 fn errors(study: &str, found: &Diagnosis) -> Vec<Part> {
-    let falls = Fall::of_rungs(&found.ladder);
+    let falls = Fall::of_diagnosis(&found.ladder);
     let mut parts = Vec::new();
     if !falls.is_empty() {
         let title = format!("{study} – the error, step by step");
@@ -262,8 +262,8 @@ fn errors(study: &str, found: &Diagnosis) -> Vec<Part> {
 }
 
 /// The error, step by step: the list `ladder` of a document.
-pub fn steps(rungs: &[LadderStep]) -> Table {
-    Rows::of("/ladder", rungs)
+pub fn steps(steps: &[LadderStep]) -> Table {
+    Rows::of("/ladder", steps)
         .words("model", |row| row.name.as_str())
         .words("channel", |row| row.channel.name().replace('_', " "))
         .number(["in_sample", "fitted", ""], Significant(3), |row| row.in_sample)

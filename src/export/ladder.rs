@@ -7,14 +7,14 @@ use crate::page::text::{Table, significant};
 /// A line for each step: errors of all channels in stated σ, fitted, left out and held out, and χ² per number.
 pub fn steps(ladder: &[StudyLadderStep]) -> String {
     let mut table = Table::new(["model", "in_sample", "left_out", "held_out", "chi2"]);
-    for rung in ladder {
+    for step in ladder {
         let shown = |value: Option<f64>| value.map_or(String::new(), |value| significant(value, 3));
         table.row([
-            rung.name.clone(),
-            shown(rung.in_sample_sigma),
-            shown(rung.left_out_sigma),
-            shown(rung.held_out_sigma),
-            shown(rung.chi_square_per_number),
+            step.name.clone(),
+            shown(step.in_sample_sigma),
+            shown(step.left_out_sigma),
+            shown(step.held_out_sigma),
+            shown(step.chi_square_per_number),
         ]);
     }
     table.render()
@@ -23,11 +23,11 @@ pub fn steps(ladder: &[StudyLadderStep]) -> String {
 /// A line for each wing, channel and use of the data; a column for each step.
 pub fn groups(ladder: &[StudyLadderStep]) -> String {
     let head = ["wing", "channel", "use", "of", "unit"].into_iter();
-    let mut table = Table::new(head.chain(ladder.iter().map(|rung| rung.name.as_str())));
-    let count = ladder.first().map_or(0, |rung| rung.groups.len());
+    let mut table = Table::new(head.chain(ladder.iter().map(|step| step.name.as_str())));
+    let count = ladder.first().map_or(0, |step| step.groups.len());
     for index in 0..count {
         let mut line = |used: &str, of: &str, unit: &str, value: &dyn Fn(&StepGroup) -> Option<f64>| {
-            let values = ladder.iter().map(|rung| value(&rung.groups[index]));
+            let values = ladder.iter().map(|step| value(&step.groups[index]));
             let values: Vec<Option<f64>> = values.collect();
             if values.iter().all(Option::is_none) {
                 return;

@@ -39,30 +39,30 @@ type StepGroup = (&'static str, fn(&LadderStep) -> Option<f64>);
 
 impl Fall {
     /// Of the ladder of a diagnosis; groups that no step has are left out.
-    pub fn of_rungs(rungs: &[LadderStep]) -> Vec<Fall> {
-        let Some(first) = rungs.first() else {
+    pub fn of_diagnosis(ladder: &[LadderStep]) -> Vec<Fall> {
+        let Some(first) = ladder.first() else {
             return Vec::new();
         };
         let all: [StepGroup; 3] = [
-            (FITTED, |rung| Some(rung.in_sample)),
-            (LEFT_OUT, |rung| rung.left_out),
-            (HELD_OUT, |rung| rung.held_out),
+            (FITTED, |step| Some(step.in_sample)),
+            (LEFT_OUT, |step| step.left_out),
+            (HELD_OUT, |step| step.held_out),
         ];
         let kept: Vec<_> = all
             .into_iter()
-            .filter(|(_, of)| rungs.iter().any(|rung| of(rung).is_some()))
+            .filter(|(_, of)| ladder.iter().any(|step| of(step).is_some()))
             .collect();
         vec![Fall {
             measure: Measure::RootMeanSquare,
             wing: String::new(),
             channel: Some(first.channel),
             groups: kept.iter().map(|(name, _)| name.to_string()).collect(),
-            steps: rungs
+            steps: ladder
                 .iter()
-                .map(|rung| {
+                .map(|step| {
                     (
-                        step_words(&rung.name),
-                        kept.iter().map(|(_, of)| of(rung)).collect(),
+                        step_words(&step.name),
+                        kept.iter().map(|(_, of)| of(step)).collect(),
                     )
                 })
                 .collect(),
@@ -70,45 +70,45 @@ impl Fall {
     }
 
     /// Of the ladder of a study, of all channels, then wing by wing and channel by channel; groups that no step has are left out.
-    pub fn of_study(rungs: &[StudyLadderStep]) -> Vec<Fall> {
-        let Some(first) = rungs.first() else {
+    pub fn of_study(ladder: &[StudyLadderStep]) -> Vec<Fall> {
+        let Some(first) = ladder.first() else {
             return Vec::new();
         };
-        let groups = || rungs.iter().flat_map(|rung| &rung.groups);
+        let groups = || ladder.iter().flat_map(|step| &step.groups);
         let kept: Vec<&StudyGroup> = STUDY_GROUPS
             .iter()
             .filter(|of| groups().any(|group| of.error(group, Measure::RootMeanSquare).is_some()))
             .collect();
         let fall = |wing: &str, channel: Channel, measure: Measure| {
-            let level = |rung: &StudyLadderStep, of: &StudyGroup| {
-                let mut own = rung
+            let level = |step: &StudyLadderStep, of: &StudyGroup| {
+                let mut own = step
                     .groups
                     .iter()
                     .filter(|group| group.wing == wing && group.channel == channel);
                 own.find_map(|group| of.error(group, measure))
             };
-            let step = |rung: &StudyLadderStep| {
-                let levels = kept.iter().map(|of| level(rung, of)).collect();
-                (step_words(&rung.name), levels)
+            let with_levels = |step: &StudyLadderStep| {
+                let levels = kept.iter().map(|of| level(step, of)).collect();
+                (step_words(&step.name), levels)
             };
             Fall {
                 measure,
                 wing: wing.to_string(),
                 channel: Some(channel),
                 groups: kept.iter().map(|of| of.name.to_string()).collect(),
-                steps: rungs.iter().map(step).collect(),
+                steps: ladder.iter().map(with_levels).collect(),
             }
         };
-        let all = |rung: &StudyLadderStep| {
-            let levels = kept.iter().map(|of| (of.in_sigma)(rung)).collect();
-            (step_words(&rung.name), levels)
+        let all = |step: &StudyLadderStep| {
+            let levels = kept.iter().map(|of| (of.in_sigma)(step)).collect();
+            (step_words(&step.name), levels)
         };
         let mut falls = vec![Fall {
             measure: Measure::InSigma,
             wing: String::new(),
             channel: None,
             groups: kept.iter().map(|of| of.name.to_string()).collect(),
-            steps: rungs.iter().map(all).collect(),
+            steps: ladder.iter().map(all).collect(),
         }];
         let key = |group: &compare::StepGroup| (group.wing.clone(), group.channel);
         for (wing, channel) in distinct(first.groups.iter().map(key)) {
@@ -139,21 +139,21 @@ const STUDY_GROUPS: [StudyGroup; 3] = [
         is_held_out: false,
         root_mean_square: |group| Some(group.rmse),
         chi_square: |group| Some(group.chi_square_per_number),
-        in_sigma: |rung| rung.in_sample_sigma,
+        in_sigma: |step| step.in_sample_sigma,
     },
     StudyGroup {
         name: LEFT_OUT,
         is_held_out: false,
         root_mean_square: |group| group.left_out,
         chi_square: |_| None,
-        in_sigma: |rung| rung.left_out_sigma,
+        in_sigma: |step| step.left_out_sigma,
     },
     StudyGroup {
         name: HELD_OUT,
         is_held_out: true,
         root_mean_square: |group| Some(group.rmse),
         chi_square: |group| Some(group.chi_square_per_number),
-        in_sigma: |rung| rung.held_out_sigma,
+        in_sigma: |step| step.held_out_sigma,
     },
 ];
 

@@ -105,7 +105,7 @@ pub fn add_diagnosis(folder: &mut RunFolder, study: &str, found: &Diagnosis) -> 
         add_picture(folder, "missing-field", &diagnosis::field(study, missing))?;
         folder.add("missing-field.csv", &tables::field(missing)?)?;
     }
-    add_falls(folder, study, &Fall::of_rungs(&found.ladder))
+    add_falls(folder, study, &Fall::of_diagnosis(&found.ladder))
 }
 
 /// Adds `ladder.svg`: the error falling step by step.
