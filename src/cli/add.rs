@@ -100,15 +100,15 @@ impl Add {
             made_of: MadeOf::files(study.files.iter().chain(&fit.files)),
             files: folder.listed_with(self.report),
         };
+        let page = page(&report);
         if self.report {
-            html::folder::add(&mut folder, &page(&report), Document::new("ladder", &report)?)?;
+            html::folder::add(&mut folder, &page, Document::new(page.kind, &report)?)?;
         }
         folder.add_summary(&report)?;
         console.progress().check()?;
         // the study last: whoever is stopped between the two can do the same again
         let pictures = folder.commit()?;
         file.write(&fit.text)?;
-        let page = format!("{}\n{}", page(&report), listed(&pictures, &report.files));
-        console.result(&page, &report)
+        console.answer(&page, &listed(&pictures, &report.files), &report)
     }
 }

@@ -23,6 +23,7 @@ use super::layout_summary::{Best, layout_summary};
 use super::layouts::Looks;
 use super::rod_aim::RodAim;
 use super::tasks::{TaskArguments, beside, unfinished};
+use super::written::listed;
 use super::{Console, Failure};
 use crate::wing::WingModel;
 use crate::wing::flown::can_fly;
@@ -184,10 +185,9 @@ impl DesignRod {
         let points = wanted.map_or(Vec::new(), |twist| points(twist, case.planform.length_m()));
         pictures::layouts::add(&mut folder, &summary, &points)?;
         summary.files = folder.listed_with(self.report);
-        let page = summary.page(&target.display().to_string());
-        let words = self.report.then_some(page.as_str());
-        finished(folder, words, ("summary", &summary), console)?;
-        console.result(&page, &summary)
+        let page = summary.page();
+        let written = finished(folder, self.report.then_some(&page), &summary, console)?;
+        console.answer(&page, &listed(&written, &summary.files), &summary)
     }
 
     fn check(&self) -> Result<(), Failure> {

@@ -11,6 +11,7 @@ use crate::wing::TwistSource;
 use crate::wing::flights::{Amplitudes, Flights};
 
 use super::finished::finished;
+use super::written::listed;
 use super::{Console, Failure};
 
 /// Arguments of `washout lift`.
@@ -88,10 +89,9 @@ impl Lift {
         let mut summary = LiftSummary::new(&flights, &flew, &asked)?;
         pictures::lift::add(&mut folder, &summary)?;
         summary.files = folder.listed_with(self.report);
-        let page = summary.page(&folder.target().display().to_string());
-        let words = self.report.then_some(page.as_str());
-        finished(folder, words, ("summary", &summary), console)?;
-        console.result(&page, &summary)
+        let page = summary.page();
+        let written = finished(folder, self.report.then_some(&page), &summary, console)?;
+        console.answer(&page, &listed(&written, &summary.files), &summary)
     }
 
     fn flights(&self) -> Flights {

@@ -18,6 +18,7 @@ use crate::structure::{MassProperties, Mode, Vibration};
 
 use super::design_arguments::DesignArguments;
 use super::finished::finished;
+use super::written::listed;
 use super::{Console, Failure};
 use crate::wing::WingModel;
 
@@ -102,10 +103,9 @@ impl Modes {
             made_of: MadeOf::files(&wing.loaded.files),
             files: folder.listed_with(self.report),
         };
-        let page = summary.page(&target.display().to_string());
-        let words = self.report.then_some(page.as_str());
-        finished(folder, words, ("summary", &summary), console)?;
-        console.result(&page, &summary)
+        let page = summary.page();
+        let written = finished(folder, self.report.then_some(&page), &summary, console)?;
+        console.answer(&page, &listed(&written, &summary.files), &summary)
     }
 
     fn standing(&self, wing: &WingModel, console: &Console) -> Result<Standing, Failure> {

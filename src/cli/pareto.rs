@@ -21,6 +21,7 @@ use super::fronts::Searches;
 use super::job::Job;
 use super::marked_wings::{Named, marked, named};
 use super::tasks::{TaskArguments, beside};
+use super::written::listed;
 use super::{Console, Failure};
 use crate::wing::WingModel;
 use crate::wing::flown::can_fly;
@@ -169,10 +170,9 @@ impl Pareto {
         let mut folder = RunFolder::create(&target, "pareto")?;
         pictures::pareto::add(&mut folder, &summary)?;
         summary.files = folder.listed_with(self.report);
-        let page = summary.page(&target.display().to_string());
-        let words = self.report.then_some(page.as_str());
-        finished(folder, words, ("summary", &summary), console)?;
-        console.result(&page, &summary)
+        let page = summary.page();
+        let written = finished(folder, self.report.then_some(&page), &summary, console)?;
+        console.answer(&page, &listed(&written, &summary.files), &summary)
     }
 
     fn family(&self, case: &WingModel, stroke: &Stroke) -> Result<StagedTwist, Failure> {

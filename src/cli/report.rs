@@ -30,6 +30,7 @@ use crate::export::summary::RunSummary;
 use crate::export::verification::VerifyReport;
 use crate::export::{ExportError, json};
 use crate::input::study::LoadedStudy;
+use crate::page::Page as Answer;
 
 use super::add::LADDER;
 use super::compare::COMPARISON;
@@ -206,10 +207,10 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
         if kind == RunSummary::KIND {
             return Ok(run::of_files(&read_summary(folder)?, folder, &read)?);
         }
-        let words = words(kind, &document, folder)?;
+        let answer = answer(kind, &document, folder)?;
         let contents = Contents {
             title: &title_of(folder),
-            words: &words,
+            answer: answer.as_ref(),
             files: &shown(folder)?,
             document: Document::of(id, document),
         };
@@ -223,18 +224,17 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
     })
 }
 
-/// What the verb printed that wrote a document of this kind; empty for that of a sweep.
-fn words(kind: &str, document: &Value, folder: &Path) -> Result<String, Failure> {
-    let shown = folder.display().to_string();
-    Ok(match kind {
-        LiftSummary::KIND => known::<LiftSummary>(document, folder)?.page(&shown),
-        ParetoSummary::KIND => known::<ParetoSummary>(document, folder)?.page(&shown),
-        LayoutSummary::KIND => known::<LayoutSummary>(document, folder)?.page(&shown),
-        ModesSummary::KIND => known::<ModesSummary>(document, folder)?.page(&shown),
-        VerifyReport::KIND => known::<VerifyReport>(document, folder)?.page().text(),
+/// What the verb says that wrote a document of this kind; none of a sweep, of which it says what stands in another file.
+fn answer(kind: &str, document: &Value, folder: &Path) -> Result<Option<Answer>, Failure> {
+    Ok(Some(match kind {
+        LiftSummary::KIND => known::<LiftSummary>(document, folder)?.page(),
+        ParetoSummary::KIND => known::<ParetoSummary>(document, folder)?.page(),
+        LayoutSummary::KIND => known::<LayoutSummary>(document, folder)?.page(),
+        ModesSummary::KIND => known::<ModesSummary>(document, folder)?.page(),
+        VerifyReport::KIND => known::<VerifyReport>(document, folder)?.page(),
         AddReport::KIND => added::page(&known(document, folder)?),
-        _ => String::new(),
-    })
+        _ => return Ok(None),
+    }))
 }
 
 /// A document as what its kind says it is.

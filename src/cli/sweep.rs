@@ -337,8 +337,7 @@ impl Ready {
         }
         let files = folder.listed_with(with_report);
         let page = summary.page(&rows);
-        let words = with_report.then_some(page.as_str());
-        let written = finished(folder, words, ("summary", &summary), console)?;
+        let written = finished(folder, with_report.then_some(&page), &summary, console)?;
         if summary.failures == summary.cases {
             return Err(Failure::EmptySweep {
                 cases: summary.cases,
@@ -348,10 +347,8 @@ impl Ready {
         }
         let parts = self.parts.display();
         let listed = listed(&written, &files);
-        console.result(
-            &format!("{page}\n{listed}Its parts are kept in {parts}\n"),
-            &summary,
-        )
+        let after = format!("{listed}Its parts are kept in {parts}\n");
+        console.answer(&page, &after, &summary)
     }
 }
 

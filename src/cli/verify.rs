@@ -81,12 +81,12 @@ impl Verify {
         folder.add("verify.md", markdown(&report).as_bytes())?;
         folder.add("verify.csv", &report.csv()?)?;
         report.files = folder.listed_with(self.report);
-        let words = self.report.then(|| report.page().text());
-        let path = finished(folder, words.as_deref(), ("verify", &report), console)?;
+        let answer = report.page();
+        let path = finished(folder, self.report.then_some(&answer), &report, console)?;
         if let Some(page) = &self.page {
             write_page(page, &trust_page(&report, &studies))?;
         }
-        console.answer(&report.page(), &listed(&path, &report.files), &report)?;
+        console.answer(&answer, &listed(&path, &report.files), &report)?;
         match report.failing() {
             failing if failing.is_empty() => Ok(()),
             failing => Err(Failure::Cases { failing }),

@@ -48,7 +48,7 @@ impl ModelledRatios {
             .at_rate_ratio(1.0)
             .map_err(|error| wing.model.fault(error))?;
         let rows = found.named().into_iter().zip(equal.named());
-        let ratios = rows.map(|((name, as_solved), (_, at_equal_rate))| NamedRatio {
+        let ratios = rows.map(|((_, name, as_solved), (.., at_equal_rate))| NamedRatio {
             name: name.to_string(),
             as_solved,
             at_equal_rate,

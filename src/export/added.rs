@@ -8,7 +8,8 @@ use serde::{Deserialize, Serialize};
 use crate::add::Other;
 use crate::compare::StudyLadderStep;
 use crate::origin::MadeOf;
-use crate::page::text::{significant, wrapped};
+use crate::page::text::significant;
+use crate::page::{Page, Part};
 
 use super::ladder;
 
@@ -34,25 +35,8 @@ pub struct AddReport {
     pub files: Vec<String>,
 }
 
-/// What the tables of errors tell.
-const STEPS: &str = "Root mean square of all channels, in stated sigma; chi2: chi-square per fitted number, with errors of the model that go \
-                     together along the span (discrepancy), which is what a fit makes least. Left out: each case predicted from the others.";
-const GROUPS: &str = "rmse: root mean square error; chi2: chi-square per number, each number for itself.";
-
-/// An effect that was fitted again beside the one that joined.
-fn again(other: &Other) -> String {
-    let [now, error] = other.strength;
-    format!(
-        "  {} fitted again: {} ± {} ({} before)\n",
-        other.effect,
-        significant(now, 4),
-        significant(error, 2),
-        significant(other.before, 4)
-    )
-}
-
-/// The page of `washout add`.
-pub fn page(report: &AddReport) -> String {
+/// What `washout add` says.
+pub fn page(report: &AddReport) -> Page {
     let what = match report.strength {
         Some([value, 0.0]) => format!(
             "{} with strength {}, all of it",
@@ -67,15 +51,30 @@ pub fn page(report: &AddReport) -> String {
         ),
         None => format!("without {}", report.effect),
     };
-    let others = report.others.iter().map(again);
-    let notes = report.notes.iter().map(|note| wrapped(note, 2));
-    let more: String = others.chain(notes).collect();
+    let steps = Part::Table(ladder::steps(&report.ladder));
+    let mut page = Page {
+        title: format!("{}: {what}", report.written.display()),
+        kind: "ladder",
+        lead: vec![
+            Part::List(report.others.iter().map(again).collect()),
+            Part::Notes(report.notes.clone()),
+        ],
+        brief: vec![steps.clone()],
+        ..Page::default()
+    };
+    page.section("ladder", "Error step by step", vec![steps]);
+    page.section("wings", "Error wing by wing", ladder::groups(&report.ladder));
+    page
+}
+
+/// An effect that was fitted again beside the one that joined.
+fn again(other: &Other) -> String {
+    let [now, error] = other.strength;
     format!(
-        "{}: {what}\n{more}\nError step by step\n{}{}\nError wing by wing\n{}{}",
-        report.written.display(),
-        wrapped(STEPS, 2),
-        ladder::steps(&report.ladder),
-        wrapped(GROUPS, 2),
-        ladder::groups(&report.ladder)
+        "{} fitted again: {} ± {} ({} before)",
+        other.effect,
+        significant(now, 4),
+        significant(error, 2),
+        significant(other.before, 4)
     )
 }

@@ -1,49 +1,70 @@
-//! The ladder of a study as text: the error falling from the uncalibrated model to the noise.
+//! The ladder of a study for people: the error falling from the uncalibrated model to the noise.
 
 use crate::compare::{StepGroup, StudyLadderStep};
+use crate::page::Digits::Significant;
+use crate::page::{Part, Rows, Table};
 
-use crate::page::text::{Table, significant};
-
-/// A line for each step: errors of all channels in stated σ, fitted, left out and held out, and χ² per number.
-pub fn steps(ladder: &[StudyLadderStep]) -> String {
-    let mut table = Table::new(["model", "in_sample", "left_out", "held_out", "chi2"]);
-    for step in ladder {
-        let shown = |value: Option<f64>| value.map_or(String::new(), |value| significant(value, 3));
-        table.row([
-            step.name.clone(),
-            shown(step.in_sample_sigma),
-            shown(step.left_out_sigma),
-            shown(step.held_out_sigma),
-            shown(step.chi_square_per_number),
-        ]);
+/// The name of a step, for people.
+pub fn step_words(name: &str) -> &str {
+    match name {
+        "raw" => "uncalibrated",
+        name => name,
     }
-    table.render()
 }
 
-/// A line for each wing, channel and use of the data; a column for each step.
-pub fn groups(ladder: &[StudyLadderStep]) -> String {
-    let head = ["wing", "channel", "use", "of", "unit"].into_iter();
-    let mut table = Table::new(head.chain(ladder.iter().map(|step| step.name.as_str())));
-    let count = ladder.first().map_or(0, |step| step.groups.len());
-    for index in 0..count {
-        let mut line = |used: &str, of: &str, unit: &str, value: &dyn Fn(&StepGroup) -> Option<f64>| {
-            let values = ladder.iter().map(|step| value(&step.groups[index]));
-            let values: Vec<Option<f64>> = values.collect();
-            if values.iter().all(Option::is_none) {
-                return;
-            }
-            let group = &ladder[0].groups[index];
-            let mut row = vec![group.wing.clone(), group.channel.name().to_string()];
-            row.extend([used, of, unit].map(String::from));
-            let shown = |value: &Option<f64>| value.map_or(String::new(), |value| significant(value, 3));
-            row.extend(values.iter().map(shown));
-            table.row(row);
-        };
-        let group = &ladder[0].groups[index];
+/// A line for each step: errors of all channels in stated σ, fitted, left out and held out, and χ² per number.
+pub fn steps(ladder: &[StudyLadderStep]) -> Table {
+    Rows::of("/ladder", ladder)
+        .words("model", |step| step_words(&step.name))
+        .number(["in_sample_sigma", "fitted", "σ"], Significant(3), |step| {
+            step.in_sample_sigma
+        })
+        .number(["left_out_sigma", "left out", "σ"], Significant(3), |step| {
+            step.left_out_sigma
+        })
+        .number(["held_out_sigma", "held out", "σ"], Significant(3), |step| {
+            step.held_out_sigma
+        })
+        .number(["chi_square_per_number", "χ² per number", ""], Significant(3), |step| {
+            step.chi_square_per_number
+        })
+        .caption(
+            "Root mean square of all channels, in stated σ. χ²: per fitted number, with errors of the model that go together along the \
+             span (discrepancy), which is what a fit makes least. Left out: each case predicted from the others.",
+        )
+        .table()
+}
+
+/// A table for each wing, channel and use of the data; a line for each step.
+pub fn groups(ladder: &[StudyLadderStep]) -> Vec<Part> {
+    let first = ladder.first().map_or(&[][..], |step| &step.groups);
+    let of = |(index, group): (usize, &StepGroup)| {
         let used = if group.is_held_out { "held out" } else { "fit" };
-        line(used, "rmse", &group.unit, &|group| Some(group.rmse));
-        line("left out", "rmse", &group.unit, &|group| group.left_out);
-        line(used, "chi2", "1", &|group| Some(group.chi_square_per_number));
-    }
-    table.render()
+        let title = format!("{}, {} ({used})", group.wing, group.channel.name());
+        vec![
+            Part::Subtitle(title),
+            Part::Table(of_group(ladder, index, &group.unit)),
+        ]
+    };
+    first.iter().enumerate().flat_map(of).collect()
+}
+
+fn of_group(ladder: &[StudyLadderStep], index: usize, unit: &str) -> Table {
+    let rows: Vec<(&str, &StepGroup)> = ladder
+        .iter()
+        .map(|step| (step_words(&step.name), &step.groups[index]))
+        .collect();
+    let keyed = rows.iter().enumerate();
+    let keyed = keyed.map(|(step, row)| (format!("{step}/groups/{index}"), row));
+    Rows::keyed("/ladder", keyed)
+        .words("model", |row| row.0)
+        .number(["rmse", "rms", ""], Significant(3), |row| row.1.rmse)
+        .number(["left_out", "left out", ""], Significant(3), |row| row.1.left_out)
+        .number(
+            ["chi_square_per_number", "χ² per number", ""],
+            Significant(3),
+            |row| row.1.chi_square_per_number,
+        )
+        .caption(&format!("Errors in {unit}; χ²: each number for itself"))
+        .table()
 }

@@ -7,7 +7,9 @@ use super::ExportError;
 use super::csv::table;
 use crate::input::design::Design;
 use crate::origin::MadeOf;
-use crate::page::text::{Table, number, wrapped};
+use crate::page::Digits::After;
+use crate::page::text::number;
+use crate::page::{Page, Part, Rows, Table};
 
 /// What `washout design` prints with `--json`; `summary.json` of its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -100,51 +102,67 @@ pub struct Cause {
 }
 
 impl LayoutSummary {
-    /// The page.
-    pub fn page(&self, folder: &str) -> String {
-        let mut page = format!("{}: rod for {}\n", self.name, self.aim);
-        let mut rows = Table::new(["layout", "off_deg", "lift_mn", "lift/power", "as_good"]);
-        for (index, row) in self.layouts.iter().enumerate() {
-            rows.row([
-                row.layout.clone(),
-                row.distance_deg
-                    .map_or("–".into(), |distance| number(distance, 2)),
-                number(row.lift_mn, 2),
-                number(row.lift_per_power_n_per_w, 4),
-                match (row.is_feasible, index < self.equally_good) {
-                    (false, _) => "too little lift".to_string(),
-                    (true, true) => "yes".to_string(),
-                    (true, false) => String::new(),
-                },
-            ]);
-        }
-        page += &rows.render();
-        page += &wrapped(&self.verdict(), 2);
-        page += "\nTwist rate of the best layout with its tolerance\n";
-        let mut rows = Table::new(["from_mm", "to_mm", "deg_per_mm", "±"]);
-        for piece in &self.band.pieces {
-            rows.row([
-                number(piece.from_mm, 1),
-                number(piece.to_mm, 1),
-                number(piece.rate_deg_per_mm, 3),
-                number(piece.tolerance_deg_per_mm, 3),
-            ]);
-        }
-        page += &rows.render();
-        let mut rows = Table::new(["off", "twist_rms_deg"]);
-        for cause in &self.band.causes {
-            rows.row([cause.what.clone(), number(cause.rms_deg, 2)]);
-        }
-        page += &rows.render();
-        for warning in &self.warnings {
-            page += &wrapped(warning, 2);
-        }
-        page += &format!(
-            "\n{} layouts solved, {} without an equilibrium\n",
-            self.solved, self.unsolved
+    /// What `washout design` says.
+    pub fn page(&self) -> Page {
+        let mut page = Page {
+            title: format!("{}: rod for {}", self.name, self.aim),
+            kind: "summary",
+            lead: vec![Part::Sentence(self.verdict()), Part::Notes(self.warnings.clone())],
+            ..Page::default()
+        };
+        page.section(
+            "layouts",
+            "Layouts",
+            vec![
+                Part::Table(self.table()),
+                Part::Text(format!(
+                    "{} layouts solved, {} without an equilibrium.",
+                    self.solved, self.unsolved
+                )),
+            ],
         );
-        page += &format!("Files in {folder}: {}\n", self.files.join(" "));
+        let band = vec![Part::Table(self.pieces()), Part::Table(self.causes())];
+        page.section("band", "The best layout with its tolerance", band);
         page
+    }
+
+    fn table(&self) -> Table {
+        let rows: Vec<(usize, &LayoutRow)> = self.layouts.iter().enumerate().collect();
+        Rows::keyed("/layouts", rows.iter().map(|row| (row.0, row)))
+            .words("layout", |row| row.1.layout.as_str())
+            .number(["distance_deg", "off", "deg"], After(2), |row| row.1.distance_deg)
+            .number(["lift_mn", "lift", "mN"], After(2), |row| row.1.lift_mn)
+            .number(["lift_per_power_n_per_w", "L/P", "N/W"], After(4), |row| {
+                row.1.lift_per_power_n_per_w
+            })
+            .words("as good", |row| {
+                match (row.1.is_feasible, row.0 < self.equally_good) {
+                    (false, _) => "too little lift",
+                    (true, true) => "yes",
+                    (true, false) => "",
+                }
+            })
+            .table()
+    }
+
+    fn pieces(&self) -> Table {
+        Rows::of("/band/pieces", &self.band.pieces)
+            .number(["from_mm", "from", "mm"], After(1), |row| row.from_mm)
+            .number(["to_mm", "to", "mm"], After(1), |row| row.to_mm)
+            .number(["rate_deg_per_mm", "twist rate", "deg/mm"], After(3), |row| {
+                row.rate_deg_per_mm
+            })
+            .number(["tolerance_deg_per_mm", "±", "deg/mm"], After(3), |row| {
+                row.tolerance_deg_per_mm
+            })
+            .table()
+    }
+
+    fn causes(&self) -> Table {
+        Rows::of("/band/causes", &self.band.causes)
+            .words("off", |row| row.what.as_str())
+            .number(["rms_deg", "twist, rms", "deg"], After(2), |row| row.rms_deg)
+            .table()
     }
 
     fn verdict(&self) -> String {

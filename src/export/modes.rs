@@ -13,7 +13,9 @@ use crate::structure::Mode;
 
 use super::vtu::{Array, Grid};
 use super::wing::shape_grid;
-use crate::page::text::{Table, number, wrapped};
+use crate::page::Digits::After;
+use crate::page::text::number;
+use crate::page::{Page, Part, Rows, Table};
 
 /// Natural modes of a wing; `summary.json` of their folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -104,61 +106,59 @@ pub fn mode_grid(design: &Design, mesh: &Mesh, standing: &Standing, mode: &Mode)
 }
 
 impl ModesSummary {
-    /// The modes for people to read.
-    pub fn page(&self, folder: &str) -> String {
-        let mut table = Table::new([
-            "mode",
-            "hz",
-            "x flapping",
-            "twist",
-            "flap",
-            "edge",
-            "film",
-            "mx_mg",
-            "my_mg",
-            "mz_mg",
-            "pitch_g_mm2",
-            "flapping_g_mm2",
-        ]);
-        let optional =
-            |value: Option<f64>, decimals: usize| value.map_or("–".into(), |v| number(v, decimals));
-        for row in &self.modes {
-            let [x, y, z] = row.effective_mass_mg.map(|mass| number(mass, 2));
-            table.row([
-                row.mode.to_string(),
-                number(row.frequency_hz, 2),
-                optional(row.flapping_ratio, 2),
-                number(row.twist_share, 2),
-                number(row.flap_share, 2),
-                number(row.edge_share, 2),
-                number(row.film_share, 2),
-                x,
-                y,
-                z,
-                number(row.effective_pitch_inertia_g_mm2, 3),
-                optional(row.effective_flapping_inertia_g_mm2, 2),
-            ]);
-        }
-        let about = if self.loaded {
-            "its loaded shape, stiffened by the load"
-        } else {
-            "its unloaded shape"
+    /// What `washout modes` says.
+    pub fn page(&self) -> Page {
+        let about = match self.loaded {
+            true => "its loaded shape, stiffened by the load",
+            false => "its unloaded shape",
         };
-        let medium = if self.with_air {
-            "with the air that moves with the film"
-        } else {
-            "without air"
+        let medium = match self.with_air {
+            true => "with the air that moves with the film",
+            false => "without air",
         };
-        let warnings: String = self.warnings.iter().map(|warning| wrapped(warning, 2)).collect();
-        format!(
-            "{}\nNatural modes about {about}, {medium}; mass {} mg\n\n{}\nShares of what moves: the rod turns and straight \
-             chords with it (twist), it bends across the wing (flap)\nor in its plane (edge), film and spars bend off \
-             those chords (film). mx … flapping: mass and inertia that\na base feels when it is shaken along x, y, z, \
-             pitches or flaps.\n{warnings}\nFiles in {folder}: {}\n",
-            self.name,
-            number(self.mass_mg, 2),
-            table.render(),
-            self.files.join(" "),
-        )
+        let head = format!(
+            "Natural modes about {about}, {medium}; mass {} mg.",
+            number(self.mass_mg, 2)
+        );
+        let mut page = Page {
+            title: self.name.clone(),
+            kind: "summary",
+            lead: vec![Part::Text(head), Part::Notes(self.warnings.clone())],
+            ..Page::default()
+        };
+        page.section("modes", "Modes", vec![Part::Table(self.table())]);
+        page
+    }
+
+    fn table(&self) -> Table {
+        Rows::of("/modes", &self.modes)
+            .number(["mode", "mode", ""], After(0), |row| row.mode as f64)
+            .number(["frequency_hz", "f", "Hz"], After(2), |row| row.frequency_hz)
+            .number(["flapping_ratio", "× flapping", ""], After(2), |row| {
+                row.flapping_ratio
+            })
+            .number(["twist_share", "twist", ""], After(2), |row| row.twist_share)
+            .number(["flap_share", "flap", ""], After(2), |row| row.flap_share)
+            .number(["edge_share", "edge", ""], After(2), |row| row.edge_share)
+            .number(["film_share", "film", ""], After(2), |row| row.film_share)
+            .numbers(["effective_mass_mg/*", "mass x / y / z", "mg"], After(2), |row| {
+                row.effective_mass_mg.map(Some).to_vec()
+            })
+            .number(
+                ["effective_pitch_inertia_g_mm2", "pitch", "g mm²"],
+                After(3),
+                |row| row.effective_pitch_inertia_g_mm2,
+            )
+            .number(
+                ["effective_flapping_inertia_g_mm2", "flapping", "g mm²"],
+                After(2),
+                |row| row.effective_flapping_inertia_g_mm2,
+            )
+            .caption(
+                "Shares of what moves: the rod turns and straight chords with it (twist), it bends across the wing (flap) or in its plane \
+                 (edge), film and spars bend off those chords (film). Mass and inertia: what a base feels that is shaken along x, y, z, \
+                 pitches or flaps.",
+            )
+            .table()
     }
 }

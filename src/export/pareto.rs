@@ -7,7 +7,9 @@ use crate::origin::MadeOf;
 
 use super::ExportError;
 use super::csv::table;
-use crate::page::text::{Table, number, wrapped};
+use crate::page::Digits::After;
+use crate::page::text::number;
+use crate::page::{Page, Part, Rows, Table};
 
 /// What `washout pareto` prints with `--json`; `summary.json` of its folder. Lift and efficiency are over those of the wing
 /// without twist at its own stop.
@@ -225,135 +227,154 @@ impl Front {
 }
 
 impl ParetoSummary {
-    /// The page.
-    pub fn page(&self, folder: &str) -> String {
-        let mut page = format!(
-            "{}: front between lift and efficiency ({}) over twist profiles\n",
-            self.name, self.efficiency
-        );
-        page += &wrapped(
-            &format!(
-                "{} stages of at least {} mm and {} to {} deg/mm, tip at most {} deg; {} Hz, ±{} deg, ramp over {} % of each \
-                 half-stroke; population {}, {} generations, {}. Lift and efficiency are over those of the wing without \
-                 twist at its stop of {} deg.",
-                self.stages,
-                number(self.shortest_stage_mm, 0),
-                self.rates_deg_per_mm[0],
-                self.rates_deg_per_mm[1],
-                number(self.stop_angle_deg, 0),
-                number(self.frequency_hz, 1),
-                number(self.half_amplitude_deg, 1),
-                number(100.0 * self.ramp, 0),
-                self.algorithm.population,
-                self.algorithm.generations,
-                self.algorithm.seeds(),
-                number(self.stop_angle_deg, 0),
+    /// What `washout pareto` says.
+    pub fn page(&self) -> Page {
+        let mut page = Page {
+            title: format!(
+                "{}: front between lift and efficiency ({}) over twist profiles",
+                self.name, self.efficiency
             ),
-            2,
-        );
+            kind: "summary",
+            lead: vec![Part::Text(self.family()), Part::Notes(self.warnings.clone())],
+            ..Page::default()
+        };
         if let Some(factor) = &self.shape_factor {
-            page += &format!("\n{}", factor_words(factor));
-        }
-        for (index, front) in self.fronts.iter().enumerate() {
-            page += &format!("\n{}", self.front_words(front, index));
-        }
-        if let Some(gap) = &self.largest_gap {
-            page.push('\n');
-            page += &wrapped(
-                &format!(
-                    "Without the shape factor the front differs from the untwisted wing at other stops by at most {} % in \
-                     efficiency at the same lift (at {} times the lift; {} % root mean square).",
-                    number(100.0 * gap.largest.abs(), 2),
-                    number(gap.lift, 3),
-                    number(100.0 * gap.rms, 2)
-                ),
-                2,
+            page.section(
+                "factor",
+                "Shape factor (assumed form, prior)",
+                factor_parts(factor),
             );
         }
-        for warning in &self.warnings {
-            page += &wrapped(warning, 2);
+        let fronts = self.fronts.iter().enumerate();
+        let fronts = fronts.flat_map(|(index, front)| self.front_parts(index, front));
+        page.section("fronts", "Fronts", fronts.collect());
+        if !self.marks.is_empty() {
+            page.section("marks", "Marked wings", vec![Part::Table(self.marked())]);
         }
-        page += &format!("\nFiles in {folder}: {}\n", self.files.join(" "));
+        page.section(
+            "gap",
+            "Without the shape factor",
+            self.gap_words().into_iter().collect(),
+        );
         page
     }
 
-    fn front_words(&self, front: &Front, index: usize) -> String {
-        let mut text = format!("Front {}, {} profiles\n", front.name, front.points.len());
-        let mut rows = Table::new(["what", "lift", "efficiency", "tip_deg", "twist"]);
-        for (name, profile) in [
-            ("highest lift", front.highest_lift()),
-            ("highest efficiency", front.highest_efficiency()),
-        ] {
-            if let Some(profile) = profile {
-                rows.row([
-                    name.to_string(),
-                    number(profile.lift, 3),
-                    number(profile.efficiency, 3),
-                    number(profile.tip_deg, 1),
-                    profile.words(),
-                ]);
-            }
-        }
-        for mark in &self.marks {
-            rows.row([
-                mark.name.clone(),
-                number(mark.lift[index], 3),
-                number(mark.efficiency, 3),
-                number(mark.tip_deg, 1),
-                String::new(),
-            ]);
-        }
-        text += &rows.render();
+    fn family(&self) -> String {
+        format!(
+            "{} stages of at least {} mm and {} to {} deg/mm, tip at most {} deg; {} Hz, ±{} deg, ramp over {} % of each half-stroke; \
+             population {}, {} generations, {}. Lift and efficiency are over those of the wing without twist at its stop of {} deg.",
+            self.stages,
+            number(self.shortest_stage_mm, 0),
+            self.rates_deg_per_mm[0],
+            self.rates_deg_per_mm[1],
+            number(self.stop_angle_deg, 0),
+            number(self.frequency_hz, 1),
+            number(self.half_amplitude_deg, 1),
+            number(100.0 * self.ramp, 0),
+            self.algorithm.population,
+            self.algorithm.generations,
+            self.algorithm.seeds(),
+            number(self.stop_angle_deg, 0),
+        )
+    }
+
+    /// The ends of a front, and how much more it lifts than each marked wing.
+    fn front_parts(&self, index: usize, front: &Front) -> Vec<Part> {
+        let title = format!("Front {}, {} profiles", front.name, front.points.len());
+        let highest = |of: fn(&Profile) -> f64| {
+            let points = front.points.iter().enumerate();
+            points.max_by(|(_, a), (_, b)| of(a).total_cmp(&of(b)))
+        };
+        let ends = [
+            ("highest lift", highest(|profile| profile.lift)),
+            ("highest efficiency", highest(|profile| profile.efficiency)),
+        ];
+        let ends: Vec<(&str, usize, &Profile)> = ends
+            .into_iter()
+            .filter_map(|(name, end)| end.map(|(place, profile)| (name, place, profile)))
+            .collect();
+        let table = Rows::keyed(
+            &format!("/fronts/{index}/points"),
+            ends.iter().map(|end| (end.1, end)),
+        )
+        .words("profile", |end| end.0)
+        .number(["lift", "lift", ""], After(3), |end| end.2.lift)
+        .number(["efficiency", "efficiency", ""], After(3), |end| end.2.efficiency)
+        .number(["tip_deg", "tip", "deg"], After(1), |end| end.2.tip_deg)
+        .words("twist", |end| end.2.words())
+        .table();
+        let mut lines: Vec<String> = Vec::new();
         if let Some(highest) = front.highest_lift() {
-            for mark in &self.marks {
-                let more = 100.0 * (highest.lift / mark.lift[index] - 1.0);
-                text += &format!("  highest lift over {}: {} %\n", mark.name, number(more, 1));
-            }
+            let more = |mark: &Marked| 100.0 * (highest.lift / mark.lift[index] - 1.0);
+            let over = self
+                .marks
+                .iter()
+                .map(|mark| format!("highest lift over {}: {} %", mark.name, number(more(mark), 1)));
+            lines.extend(over);
         }
-        if let Some(all) = &front.exhaustive {
-            text += &format!(
-                "  all {} profiles of a coarse family tried: the search held to its steps has {} times the area of their front, the \
-                 front above {} times\n",
+        lines.extend(front.exhaustive.as_ref().map(|all| {
+            format!(
+                "all {} profiles of a coarse family tried: the search held to its steps has {} times the area of their front, the front \
+                 above {} times",
                 all.profiles,
                 number(all.on_steps_over_exhaustive, 4),
                 number(all.found_over_exhaustive, 4)
-            );
-        }
-        text
+            )
+        }));
+        vec![Part::Subtitle(title), Part::Table(table), Part::List(lines)]
+    }
+
+    fn marked(&self) -> Table {
+        let names: Vec<&str> = self.fronts.iter().map(|front| front.name.as_str()).collect();
+        Rows::of("/marks", &self.marks)
+            .words("wing", |mark| mark.name.as_str())
+            .numbers(["lift/*", "lift", ""], After(3), |mark| {
+                mark.lift.iter().copied().map(Some).collect()
+            })
+            .number(["efficiency", "efficiency", ""], After(3), |mark| mark.efficiency)
+            .number(["tip_deg", "tip", "deg"], After(1), |mark| mark.tip_deg)
+            .caption(&format!("Lift {}", names.join(" / ")))
+            .table()
+    }
+
+    fn gap_words(&self) -> Option<Part> {
+        let gap = self.largest_gap.as_ref()?;
+        Some(Part::Text(format!(
+            "The front differs from the untwisted wing at other stops by at most {} % in efficiency at the same lift (at {} times the \
+             lift; {} % root mean square).",
+            number(100.0 * gap.largest.abs(), 2),
+            number(gap.lift, 3),
+            number(100.0 * gap.rms, 2)
+        )))
     }
 }
 
-fn factor_words(factor: &FittedFactor) -> String {
-    let sigma = factor
-        .sigma
-        .map_or(String::new(), |sigma| format!(" ± {}", number(sigma, 2)));
-    let mut text = format!(
-        "Shape factor (assumed form, prior): {}, {}; strength {}{sigma} {}\n",
+fn factor_parts(factor: &FittedFactor) -> Vec<Part> {
+    let sigma = factor.sigma;
+    let sigma = sigma.map_or(String::new(), |sigma| format!(" ± {}", number(sigma, 2)));
+    let mut parts = vec![Part::Text(format!(
+        "{}, {}; strength {}{sigma} {}",
         factor.effect,
         factor.formula,
         number(factor.strength, 3),
         factor.unit
-    );
-    if !factor.wings.is_empty() {
-        let mut rows = Table::new(["wing", "measured", "sigma", "fitted"]);
-        for wing in &factor.wings {
-            rows.row([
-                wing.name.clone(),
-                number(wing.measured, 3),
-                number(wing.sigma, 3),
-                number(wing.fitted, 3),
-            ]);
-        }
-        text += &rows.render();
-    }
-    if let Some(chi_squared) = factor.chi_squared {
-        text += &format!(
-            "  misfit of the wings together: chi² {} with {} degree(s) of freedom\n",
+    ))];
+    let table = Rows::of("/shape_factor/wings", &factor.wings)
+        .words("wing", |wing| wing.name.as_str())
+        .number(["measured", "measured", ""], After(3), |wing| wing.measured)
+        .number(["sigma", "σ", ""], After(3), |wing| wing.sigma)
+        .number(["fitted", "fitted", ""], After(3), |wing| wing.fitted)
+        .caption("Effective lift coefficient over that of the wing without twist")
+        .table();
+    parts.push(Part::Table(table));
+    parts.extend(factor.chi_squared.map(|chi_squared| {
+        Part::Text(format!(
+            "Misfit of the wings together: χ² {} with {} degree(s) of freedom.",
             number(chi_squared, 1),
             factor.freedom
-        );
-    }
-    text
+        ))
+    }));
+    parts
 }
 
 /// `front.csv`: the profiles of all fronts.

@@ -10,7 +10,8 @@ use super::csv::{plain_cell, table as csv_table};
 use super::tasks::write_json;
 use super::{ExportError, json};
 use crate::origin::{InputFile, MadeOf};
-use crate::page::text::Table;
+use crate::page::Digits::After;
+use crate::page::{Page, Part, Rows};
 use crate::sweep::{Row, Sensitivity, SweepPlan};
 
 /// Failures that the page lists.
@@ -73,46 +74,54 @@ impl SweepSummary {
         }
     }
 
-    /// The summary as text; `rows`: for the reasons of failures.
-    pub fn page(&self, rows: &[Row]) -> String {
-        let mut page = format!("{}: {} cases", self.plan.base.display(), self.cases);
-        if self.failures > 0 {
-            page += &format!(", {} of which gave nothing", self.failures);
-        }
-        page += "\n\n";
-        let mut spans = Table::new(["figure", "least", "largest", "moved by (share of its variance)"]);
-        for span in &self.figures {
-            let own = self
-                .sensitivities
-                .iter()
-                .find(|known| known.figure == span.figure);
-            let shares = own.map_or(String::new(), |own| {
-                let shares = own.shares.iter().filter(|share| share.total > 0.01);
-                let shown = shares.map(|share| format!("{} {:.0} %", share.key, 100.0 * share.total));
-                shown.collect::<Vec<_>>().join(", ")
+    /// What `washout sweep` says; `rows`: for the reasons of failures.
+    pub fn page(&self, rows: &[Row]) -> Page {
+        let lacking = match self.failures {
+            0 => String::new(),
+            failures => format!(", {failures} of which gave nothing"),
+        };
+        let mut page = Page {
+            title: format!("{}: {} cases{lacking}", self.plan.base.display(), self.cases),
+            kind: "summary",
+            ..Page::default()
+        };
+        let figures = Rows::of("/figures", &self.figures)
+            .words("figure", |span| span.figure.as_str())
+            .number(["least", "least", ""], After(5), |span| span.least)
+            .number(["largest", "largest", ""], After(5), |span| span.largest)
+            .words("moved by (share of its variance)", |span| {
+                self.moved_by(&span.figure)
             });
-            spans.row([
-                span.figure.clone(),
-                format!("{:.5}", span.least),
-                format!("{:.5}", span.largest),
-                shares,
-            ]);
-        }
-        page += &spans.render();
+        page.section("figures", "Figures", vec![Part::Table(figures.table())]);
+        page.section(
+            "failures",
+            "Cases that gave nothing",
+            vec![Part::List(self.failed(rows))],
+        );
+        page
+    }
+
+    fn moved_by(&self, figure: &str) -> String {
+        let own = self.sensitivities.iter().find(|known| known.figure == figure);
+        let shares = own.into_iter().flat_map(|own| &own.shares);
+        let shown = shares
+            .filter(|share| share.total > 0.01)
+            .map(|share| format!("{} {:.0} %", share.key, 100.0 * share.total));
+        shown.collect::<Vec<_>>().join(", ")
+    }
+
+    fn failed(&self, rows: &[Row]) -> Vec<String> {
         let failed: Vec<&Row> = rows.iter().filter(|row| row.failure.is_some()).collect();
-        if !failed.is_empty() {
-            page += "\nCases that gave nothing\n";
-        }
-        for row in failed.iter().take(LISTED) {
+        let line = |row: &&Row| {
             let at = self.plan.axes.iter().zip(&row.values);
             let at: Vec<String> = at.map(|(axis, value)| format!("{}={value}", axis.key)).collect();
-            let reason = row.failure.as_deref().unwrap_or_default();
-            page += &format!("  {}: {reason}\n", at.join(" "));
-        }
+            format!("{}: {}", at.join(" "), row.failure.as_deref().unwrap_or_default())
+        };
+        let mut lines: Vec<String> = failed.iter().take(LISTED).map(line).collect();
         if failed.len() > LISTED {
-            page += &format!("  … and {} more (sweep.csv)\n", failed.len() - LISTED);
+            lines.push(format!("… and {} more (sweep.csv)", failed.len() - LISTED));
         }
-        page
+        lines
     }
 }
 

@@ -64,17 +64,29 @@ impl Ratios {
         })
     }
 
-    /// The ratios with their names.
-    pub fn named(&self) -> [(&'static str, f64); 8] {
+    /// The ratios: the key of each in documents, its name, its value.
+    pub fn named(&self) -> [(&'static str, &'static str, f64); 8] {
         [
-            ("lift", self.lift),
-            ("drag", self.drag),
-            ("power", self.power),
-            ("lift over drag", self.lift_to_drag),
-            ("local lift over drag along the span", self.local_lift_to_drag),
-            ("lift per power", self.lift_per_power),
-            ("lift at equal power", self.lift_at_equal_power),
-            ("lift per power at equal lift", self.lift_per_power_at_equal_lift),
+            ("lift", "lift", self.lift),
+            ("drag", "drag", self.drag),
+            ("power", "power", self.power),
+            ("lift_to_drag", "lift over drag", self.lift_to_drag),
+            (
+                "local_lift_to_drag",
+                "local lift over drag along the span",
+                self.local_lift_to_drag,
+            ),
+            ("lift_per_power", "lift per power", self.lift_per_power),
+            (
+                "lift_at_equal_power",
+                "lift at equal power",
+                self.lift_at_equal_power,
+            ),
+            (
+                "lift_per_power_at_equal_lift",
+                "lift per power at equal lift",
+                self.lift_per_power_at_equal_lift,
+            ),
         ]
     }
 

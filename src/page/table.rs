@@ -31,7 +31,7 @@ impl Digits {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     /// Where its numbers stand below the row in the document, a JSON pointer without its first stroke; `*` stands for the place in a
-    /// list. Empty for words.
+    /// list. With `{}` in it, where they stand below the table, `{}` for the key of the row. Empty for words.
     pub key: &'static str,
     /// What it is called.
     pub label: &'static str,
@@ -236,7 +236,10 @@ impl Table {
     /// Where the document has a number: the one at `item` of the list in a column of a row.
     pub fn place_of(&self, row: &Row, column: &Column, item: usize) -> String {
         let key = column.key.replace('*', &item.to_string());
-        format!("{}/{}/{key}", self.place, row.key)
+        match key.contains("{}") {
+            true => format!("{}/{}", self.place, key.replace("{}", &row.key)),
+            false => format!("{}/{}/{key}", self.place, row.key),
+        }
     }
 
     /// The same without the columns of these keys or, where they hold words, labels.

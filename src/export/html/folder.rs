@@ -2,7 +2,7 @@
 
 use crate::export::ExportError;
 use crate::export::run::RunFolder;
-use crate::plot::pen::escaped;
+use crate::page::Page as Answer;
 
 use super::REPORT;
 use super::document::{Document, Shown};
@@ -20,8 +20,8 @@ const TOO_LONG: usize = 1000;
 pub struct Contents<'a> {
     /// Its title.
     pub title: &'a str,
-    /// What the verb printed; empty where that is not known.
-    pub words: &'a str,
+    /// What the verb says; none where that is not known.
+    pub answer: Option<&'a Answer>,
     /// The document that lists the files.
     pub document: Document,
     /// The files of the folder; SVG and CSV among them are shown.
@@ -41,10 +41,12 @@ pub fn page(
         ..Page::default()
     };
     let of_kind = |ending: &'static str| contents.files.iter().filter(move |file| file.ends_with(ending));
-    let said = match contents.words.trim_end() {
-        "" => String::new(),
-        words => format!("<pre class=\"words\">{}</pre>\n", escaped(words)),
-    };
+    let document = contents.document.clone();
+    if let Some(answer) = contents.answer {
+        page.add(answer, document)?;
+    } else {
+        page.documents.push(document);
+    }
     let mut pictures = String::new();
     for file in of_kind(".svg") {
         let svg = String::from_utf8_lossy(&read(file)?).into_owned();
@@ -59,11 +61,9 @@ pub fn page(
     for file in of_kind(".csv") {
         tables.push_str(&table(file, &read(file)?));
     }
-    page.section("words", "What it says", said);
     page.section("pictures", "Pictures", pictures);
     page.section("tables", "Tables", tables);
     page.section("data", "Data", all_numbers(&contents.document));
-    page.documents.push(contents.document);
     Ok(page)
 }
 
@@ -71,11 +71,11 @@ pub fn page(
 ///
 /// # Errors
 /// If a file cannot be read back, or the report not be written.
-pub fn add(folder: &mut RunFolder, words: &str, document: Document) -> Result<(), ExportError> {
+pub fn add(folder: &mut RunFolder, answer: &Answer, document: Document) -> Result<(), ExportError> {
     let (files, title) = (folder.listed(), title_of(folder.target()));
     let contents = Contents {
         title: &title,
-        words,
+        answer: Some(answer),
         document,
         files: &files,
     };

@@ -48,7 +48,7 @@ pub fn ratios(summary: &LiftSummary) -> Result<Vec<u8>, ExportError> {
             ("equal_amplitude", &wing.equal_amplitude),
             ("equal_frequency_times_amplitude", &wing.equal_rate),
         ] {
-            for (name, value) in set.named() {
+            for (_, name, value) in set.named() {
                 rows.push((
                     wing.name.clone(),
                     summary.reference.clone(),

@@ -7,6 +7,7 @@ use crate::plot::{Figure, Ink, Key, Panel, Sample, Step, Waterfall};
 
 use super::panels::distinct;
 use super::{with_unit, words};
+use crate::export::ladder::step_words;
 
 /// How errors are summed up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +62,7 @@ impl Fall {
                 .iter()
                 .map(|step| {
                     (
-                        step_words(&step.name),
+                        step_words(&step.name).to_string(),
                         kept.iter().map(|(_, of)| of(step)).collect(),
                     )
                 })
@@ -89,7 +90,7 @@ impl Fall {
             };
             let with_levels = |step: &StudyLadderStep| {
                 let levels = kept.iter().map(|of| level(step, of)).collect();
-                (step_words(&step.name), levels)
+                (step_words(&step.name).to_string(), levels)
             };
             Fall {
                 measure,
@@ -101,7 +102,7 @@ impl Fall {
         };
         let all = |step: &StudyLadderStep| {
             let levels = kept.iter().map(|of| (of.in_sigma)(step)).collect();
-            (step_words(&step.name), levels)
+            (step_words(&step.name).to_string(), levels)
         };
         let mut falls = vec![Fall {
             measure: Measure::InSigma,
@@ -165,13 +166,6 @@ impl StudyGroup {
             Measure::InSigma => return None,
         };
         error(group).filter(|_| group.is_held_out == self.is_held_out)
-    }
-}
-
-fn step_words(name: &str) -> String {
-    match name {
-        "raw" => "uncalibrated".to_string(),
-        name => name.to_string(),
     }
 }
 
