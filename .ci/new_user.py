@@ -100,9 +100,10 @@ commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=clone, text
 with open(os.path.join(here, "new-user.md"), "w", encoding="utf-8") as file:
     file.write(f"""# A new user, by script
 
-What `.ci/new_user.sh` wrote: in a clean clone (at {commit}) and a fresh home directory, the README's first command and then every command of
-the tutorials, in the order of the book. Every one ended as its page says. {len(rows)} steps, {total / 60:.0f} minutes in all, of which the first,
-which builds everything, took {rows[0][2] / 60:.0f}; {os.cpu_count()} {platform.machine()} cores, shared with other work. The outputs stay in `target/new-user/outputs`.
+`.ci/new_user.sh` wrote this page. It makes a clean clone (at {commit}) and a fresh home directory. There it runs the
+README's first command and then every command of the tutorials, in the order of the book. Every one ended as its page
+says. There were {len(rows)} steps, {total / 60:.0f} minutes in all. The first step, which builds everything, took {rows[0][2] / 60:.0f}. The machine had {os.cpu_count()} {platform.machine()}
+cores, shared with other work. The outputs stay in `target/new-user/outputs`.
 
 | page | command | seconds |
 |---|---|---|

@@ -24,7 +24,7 @@ References are *seen* (read in a public transcription of the publication), *deri
 independent means) or from *memory*; what rests on memory alone is shown and not judged.
 
 Validation asks for nature instead: its limit is two standard deviations of the measurement, as assumed before any
-comparison was run. Wings whose measurement needs offsets of the ruler or uncertain inputs are studies, not cases.
+comparison was run. Wings whose measurement needs offsets of the instrument or uncertain inputs are studies, not cases.
 ";
 
 /// What stands above the table of the studies.
@@ -33,7 +33,7 @@ const MEASURED: &str = "\
 
 Root mean square of measured minus modelled in the unit of the channel, over all rows of a channel: with the inputs as
 stated (and its mean, the bias), and after calibration of what is uncertain within its prior; rows held out were never
-fitted. The standard deviations of the measurement and of the uncertain inputs (an unknown zero of the ruler among them)
+fitted. The standard deviations of the measurement and of the uncertain inputs (an unknown zero of the instrument among them)
 were written down before the first comparison. *Explained* is the share of the mean square error of the uncalibrated model that both
 together would give on average (ASME V&V 20): where it is less than all, the model lacks something.
 `washout compare STUDY` shows every row.
