@@ -70,11 +70,13 @@ impl Solve {
     /// Solves and writes; nothing is written unless everything converged.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
+        let asked = self.besides.asked();
+        asked.check()?;
         let wing = self.design.wing(console)?;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(&wing.design().name));
         let mut folder = RunFolder::create(&target, "solve")?;
-        let run = SolvedRun::new::<Failure>(&wing, &self.besides.asked(), progress)?;
+        let run = SolvedRun::new::<Failure>(&wing, &asked, progress)?;
         let summary = run.add_files(&mut folder, self.report)?;
         progress.check()?;
         let earlier = read_summary(&target).ok();

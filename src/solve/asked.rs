@@ -34,8 +34,11 @@ pub enum OverStroke {
 }
 
 impl Asked {
-    /// Refuses before any solving what would be refused after it.
-    pub(super) fn check(&self) -> Result<(), SolveError> {
+    /// Refuses what is out of range, before anything is solved.
+    ///
+    /// # Errors
+    /// With the option and its range.
+    pub fn check(&self) -> Result<(), SolveError> {
         match self.stroke {
             Some(OverStroke::Periodic(phases)) => refuse_outside("--stroke", phases, PHASES)?,
             Some(OverStroke::QuasiStatic(phases)) => {

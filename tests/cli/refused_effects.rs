@@ -154,7 +154,7 @@ fn candidates_of_which_none_can_join_are_refused_by_that_key_or_option() {
     let words = [
         "--effect: study.toml: large-rotation cannot join the model: ",
         lacking,
-        "leave --effect out",
+        "or name none",
     ];
     refused(folder.path(), &arguments, &words);
     let with = fs::read_to_string(folder.path().join("study.toml")).unwrap()
