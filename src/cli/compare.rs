@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::Value;
 
+use crate::compare::study_comparison::CalibratedUnknown;
 use crate::compare::{ComparedStudy, DesignComparison};
 use crate::export::compare_report::CompareReport;
 use crate::export::html::study::StudyParts;
@@ -21,6 +22,7 @@ use crate::input::measurement::Measurement;
 use crate::input::sheet::DesignReadings;
 use crate::input::study::LoadedStudy;
 use crate::input::{Loaded, seen_from};
+use crate::study::UnknownKind;
 use crate::wing::{WingError, WingModel};
 
 use super::design_arguments::{DesignArguments, is_there};
@@ -46,7 +48,7 @@ pub const COMPARISON: &str = "comparison.json";
   # report.html besides: the wing in 3D, pictures, tables
   washout compare designs/twist-v2.toml --report
 
-Columns of a measurement file: see the files in measurements/. Writes output/NAME-compare/: model against measurement, and residuals in units and in sigma, as pictures (SVG) with the numbers behind each (CSV); comparison.json. An earlier comparison there is replaced only when all of that is complete.")]
+Columns of a measurement file: see the files in measurements/. Writes output/NAME-compare/: model against measurement, and residuals in units and in sigma, as pictures (SVG) with the numbers behind each (CSV); comparison.json; of a study also calibrated-WING.toml, each wing as calibrated, to be solved at other operating points. An earlier comparison there is replaced only when all of that is complete.")]
 pub struct Compare {
     /// The design
     #[command(flatten)]
@@ -197,6 +199,7 @@ impl Compare {
             .then(|| StudyParts::new(&compared, study, progress))
             .transpose()?;
         add_study(&mut folder, &compared.comparison)?;
+        self.add_calibrated(&mut folder, &compared, study)?;
         let report = StudyReport {
             files: folder.listed_with(self.report),
             ..StudyReport::new(compared.comparison, study)
@@ -210,6 +213,34 @@ impl Compare {
         let sketch = console.sketch(&compared_figure(&Compared::of_study(&report.comparison)));
         let after = listed(&written, &report.files) + &sketch;
         console.answer(&page_of_study(&report.comparison), &after, &report)
+    }
+
+    /// A design of each wing as calibrated, to be solved under other conditions.
+    fn add_calibrated(
+        &self,
+        folder: &mut RunFolder,
+        compared: &ComparedStudy,
+        study: &LoadedStudy,
+    ) -> Result<(), Failure> {
+        let is_of_wing = |found: &CalibratedUnknown| found.unknown.kind != UnknownKind::Ruler;
+        if !compared.comparison.unknowns.iter().any(is_of_wing) && study.study.effect.is_empty() {
+            return Ok(());
+        }
+        let designs = compared.calibrated_designs(study);
+        let designs = designs.map_err(|source| Failure::OfStudy {
+            study: study.path.clone(),
+            source,
+        })?;
+        for design in designs {
+            let name = design.name.clone();
+            let text = format!(
+                "# {name} as calibrated on {}, with the effects of that study. Set its operating point to solve it at another one.\n{}",
+                study.study.name,
+                design.to_toml()
+            );
+            folder.add(&format!("calibrated-{name}.toml"), text.as_bytes())?;
+        }
+        Ok(())
     }
 
     /// The table of `--with`, if it is one of readings and no measurement file.

@@ -53,12 +53,13 @@ impl Candidates {
             return Err(none_left(study, asked, &unable));
         }
         let is_named = !asked.is_empty() || of_study.is_some();
-        let left_out = unable.iter().filter(|unable| is_named && !unable.stands_already);
-        let left_out = left_out.map(|unable| {
-            format!(
+        let left_out = unable.iter().filter_map(|unable| match unable.stands {
+            Stands::InDesign => Some(format!("{} is not tried: {}", unable.name, unable.reason)),
+            Stands::Nowhere if is_named => Some(format!(
                 "{} is not tried: it cannot join the model: {}",
                 unable.name, unable.reason
-            )
+            )),
+            Stands::Nowhere | Stands::InStudy => None,
         });
         let left_out = left_out.collect();
         Ok(Candidates { names, left_out })
@@ -121,8 +122,17 @@ fn refused(study: &LoadedStudy, key: &str, message: &str, cure: &str) -> Diagnos
 struct Unable {
     name: String,
     reason: String,
-    /// Whether the reason is that the study has it.
-    stands_already: bool,
+    stands: Stands,
+}
+
+/// Where an effect stands already.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Stands {
+    /// Among the effects of the study.
+    InStudy,
+    /// In a design of it.
+    InDesign,
+    Nowhere,
 }
 
 /// Those of these effects that cannot join the model of a study.
@@ -135,10 +145,18 @@ fn unable(study: &LoadedStudy, names: &[String]) -> Result<Vec<Unable>, StudyErr
     let cases: Vec<PreparedCase> = cases.collect::<Result<_, _>>()?;
     let mut unable = Vec::new();
     for name in names {
-        let stands_already = study.study.effect.iter().any(|effect| effect.name == *name);
-        let reason = if stands_already {
+        let in_study = study.study.effect.iter().any(|effect| effect.name == *name);
+        let tried = cases.iter().any(|case| case.tries(name));
+        let stands = match (in_study, cases.iter().any(|case| case.states(name))) {
+            (true, _) => Stands::InStudy,
+            (false, true) if !tried => Stands::InDesign,
+            _ => Stands::Nowhere,
+        };
+        let reason = if stands == Stands::InStudy {
             "it stands in the study already ([[effect]])".to_string()
-        } else if cases.iter().any(|case| case.design.effects.contains_key(name)) {
+        } else if stands == Stands::InDesign {
+            format!("it stands in the design already ([effects.{name}]), and is part of the model")
+        } else if tried {
             continue;
         } else {
             let mut lacking: Vec<String> = Vec::new();
@@ -154,7 +172,7 @@ fn unable(study: &LoadedStudy, names: &[String]) -> Result<Vec<Unable>, StudyErr
         unable.push(Unable {
             name: name.clone(),
             reason,
-            stands_already,
+            stands,
         });
     }
     Ok(unable)

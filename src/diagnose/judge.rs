@@ -80,6 +80,14 @@ impl Judgement {
             .find(|belief| !belief.case.families().is_empty())
     }
 
+    /// The families of the most probable explanation of the set that stands in place of the first, instead of beside it.
+    fn rival_of_first(&self) -> Option<Vec<usize>> {
+        let first = self.best_known()?.case.families();
+        let known = self.beliefs.iter().filter(|belief| belief.in_set);
+        let mut families = known.map(|belief| belief.case.families());
+        families.find(|own| !own.is_empty() && !first.iter().all(|family| own.contains(family)))
+    }
+
     /// Distance between the best explanations by two families, in standard deviations: how far the data tell them apart at the strengths
     /// found.
     pub fn distance(&self, baseline: &Baseline, a: usize, b: usize) -> f64 {
@@ -154,6 +162,13 @@ fn refit(
             break;
         }
         chosen.push(belief.case.families());
+    }
+    // what to measure next is asked of the first and of what the set has in its place
+    if fitted > 1 {
+        let rival = judgement
+            .rival_of_first()
+            .filter(|families| !chosen.contains(families));
+        chosen.extend(rival);
     }
     // the better half of a pair shows what the other adds
     let mut halves: Vec<Vec<usize>> = Vec::new();

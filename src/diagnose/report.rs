@@ -313,27 +313,34 @@ fn next(
     (experiments, verdict): (Experiments, Verdict),
     progress: &Progress,
 ) -> Result<(Option<NextExperiment>, Vec<String>), DiagnoseError> {
+    let families = judgement.beliefs.first().map(|first| first.case.families());
+    let has_first = |belief: &&Belief| {
+        let mut families = families.iter().flatten();
+        families.all(|own| belief.case.families().contains(own))
+    };
+    let fit_of = |belief: &Belief| match belief.case {
+        Case::Nothing => Some(&baseline.fit),
+        Case::Unknown => judgement.best_bump().map(|bump| &bump.fit),
+        _ => judgement
+            .best_of(&belief.case.families())
+            .and_then(|(_, explanation)| Some(&explanation?.fit)),
+    };
+    // a second effect beside the first is no rival of it while something else may stand in its place
+    let in_set = || judgement.beliefs.iter().filter(|belief| belief.in_set);
+    let has_other = in_set().any(|belief| !has_first(&belief) && fit_of(belief).is_some());
     let mut rivals: Vec<Rival> = Vec::new();
-    for belief in judgement.beliefs.iter().filter(|belief| belief.in_set) {
-        let fit = match belief.case {
-            Case::Nothing => Some(&baseline.fit),
-            Case::Unknown => judgement.best_bump().map(|bump| &bump.fit),
-            _ => judgement
-                .best_of(&belief.case.families())
-                .and_then(|(_, explanation)| Some(&explanation?.fit)),
-        };
-        rivals.extend(fit.map(|fit| Rival {
+    for (rank, belief) in in_set().enumerate() {
+        if rank > 0 && has_other && has_first(&belief) {
+            continue;
+        }
+        rivals.extend(fit_of(belief).map(|fit| Rival {
             probability: belief.probability,
             fit,
             variance: baseline.likelihood.variance(fit.q),
         }));
     }
     rivals.truncate(RIVALS);
-    let families = judgement.beliefs.first().map(|first| first.case.families());
-    let with_first = judgement.beliefs.iter().filter(|belief| {
-        let mut families = families.iter().flatten();
-        families.all(|own| belief.case.families().contains(own))
-    });
+    let with_first = judgement.beliefs.iter().filter(has_first);
     let is_sure = match verdict {
         Verdict::Effect => with_first.map(|own| own.probability).sum::<f64>() > SURE,
         Verdict::Nothing => judgement.probability(&Case::Nothing) > SURELY_NOTHING,

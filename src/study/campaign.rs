@@ -171,8 +171,11 @@ impl Campaign {
         (scale, offset)
     }
 
-    /// Design of a case with the unknowns in place.
-    fn design_at(&self, case: usize, at: &[f64]) -> Result<crate::input::Design, StudyError> {
+    /// Design of a case with these values of the unknowns in it.
+    ///
+    /// # Errors
+    /// If a value is out of the range of its key.
+    pub fn design_at(&self, case: usize, at: &[f64]) -> Result<crate::input::Design, StudyError> {
         let prepared = &self.cases[case];
         let mut design = prepared.design.clone();
         for (target, &value) in self.targets.targets.iter().zip(at) {

@@ -41,6 +41,8 @@ pub struct PreparedCase {
     pub design: Design,
     /// Measured rows.
     pub rows: Vec<Row>,
+    /// Effects that the design states itself: part of the model, and never tried.
+    own_effects: Vec<String>,
     is_held_out: bool,
     /// The case as it stands, from which it is solved with other values: fixed by the study, so that results are too.
     base: Option<Arc<Solved>>,
@@ -98,6 +100,13 @@ impl PreparedCase {
             if concerns.is_some_and(|designs| !designs.contains(&design.name)) {
                 continue;
             }
+            if design.effects.contains_key(&effect.name) {
+                return Err(failed(format!(
+                    "effect {0} stands in the study ([[effect]]) and in the design {1} ([effects.{0}]); take it out of one of them",
+                    effect.name,
+                    case.loaded.path.display()
+                )));
+            }
             let mut table = effect.numbers.clone();
             table.insert("strength".to_string(), toml::Value::Float(effect.strength));
             common(&effect.name, &mut table, study).map_err(|error| failed(error.to_string()))?;
@@ -137,6 +146,7 @@ impl PreparedCase {
             name: case.name.clone(),
             family: case.family.clone(),
             numbers: case.numbers.clone(),
+            own_effects: case.loaded.design.effects.keys().cloned().collect(),
             design,
             rows: case.rows.clone(),
             is_held_out: case.is_held_out,
@@ -145,6 +155,16 @@ impl PreparedCase {
             air_table: case.loaded.air_table.clone(),
             mesh_file: case.loaded.mesh_file.clone(),
         })
+    }
+
+    /// Whether an effect is tried on the case: it is in its design, and was not stated there.
+    pub fn tries(&self, effect: &str) -> bool {
+        self.design.effects.contains_key(effect) && !self.states(effect)
+    }
+
+    /// Whether the design of the case states an effect itself.
+    pub fn states(&self, effect: &str) -> bool {
+        self.own_effects.iter().any(|own| own == effect)
     }
 
     /// Why a diagnosis cannot try an effect on the case; none if it can.

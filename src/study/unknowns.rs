@@ -119,7 +119,8 @@ impl Targets {
             let table = &case.design.effects[&effect.name];
             let known = acting(&effect.name, table, &case.design).map_err(|error| case.failed(error))?;
             let sigma = effect.sigma.unwrap_or(0.0);
-            found.add_effect(&known.card(), cases, effect.strength, sigma);
+            let has = |case: &PreparedCase| case.design.effects.contains_key(&effect.name);
+            found.add_effect(&known.card(), cases, (effect.strength, sigma), has);
         }
         for name in candidates {
             if !study.study.effect.iter().any(|effect| effect.name == *name)
@@ -129,7 +130,8 @@ impl Targets {
                     Some(places) => found.add_places(effect, &places, cases),
                     None => {
                         let card = effect.card();
-                        found.add_effect(&card, cases, 0.0, 1.5 * card.parameters[0].scale());
+                        let sigma = 1.5 * card.parameters[0].scale();
+                        found.add_effect(&card, cases, (0.0, sigma), |case| case.tries(name));
                     }
                 }
             }
@@ -266,9 +268,14 @@ impl Targets {
         }
     }
 
-    /// An effect in all cases whose design has its table; nowhere, no unknown. Without a sigma it is held.
-    fn add_effect(&mut self, card: &Card, cases: &[PreparedCase], strength: f64, sigma: f64) {
-        let has = |case: &PreparedCase| case.design.effects.contains_key(card.name);
+    /// An effect in the cases that have it; nowhere, no unknown. Without a sigma it is held.
+    fn add_effect(
+        &mut self,
+        card: &Card,
+        cases: &[PreparedCase],
+        (strength, sigma): (f64, f64),
+        has: impl Fn(&PreparedCase) -> bool,
+    ) {
         let touched: Vec<usize> = (0..cases.len()).filter(|&index| has(&cases[index])).collect();
         if touched.is_empty() || sigma == 0.0 {
             return;
@@ -282,7 +289,7 @@ impl Targets {
     /// each.
     fn add_places(&mut self, effect: &dyn Effect, places: &Places, cases: &[PreparedCase]) {
         let card = effect.card();
-        let has = |index: &usize| cases[*index].design.effects.contains_key(card.name);
+        let has = |index: &usize| cases[*index].tries(card.name);
         let all: Vec<usize> = (0..cases.len()).filter(has).collect();
         let wing_of = |index: usize| cases[index].design.name.as_str();
         let mut wings: Vec<&str> = all.iter().map(|&index| wing_of(index)).collect();

@@ -90,10 +90,36 @@ fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_
     let left = report["chi_square_per_row"][1].as_f64().unwrap();
     assert!(left < 2.0, "{left}");
 
+    // the wing as calibrated gives what the study says of it, but for the error of the instrument
+    let solved = json(&run(&[
+        "solve",
+        "output/bench-compare/calibrated-rod.toml",
+        "--json",
+    ]));
+    let rows = report["rows"].as_array().unwrap();
+    let tip = rows
+        .iter()
+        .find(|row| row["case"] == "m-1" && row["r_mm"] == 100.0)
+        .unwrap();
+    let is_offset = |own: &&serde_json::Value| own["unknown"]["name"].as_str().unwrap().starts_with("offset");
+    let unknowns = report["unknowns"].as_array().unwrap();
+    let offset = unknowns.iter().find(is_offset).unwrap()["value"]
+        .as_f64()
+        .unwrap();
+    let (alone, of_study) = (
+        solved["tip"]["twist_deg"].as_f64().unwrap(),
+        tip["after"].as_f64().unwrap(),
+    );
+    assert!(
+        (alone + offset - of_study).abs() < 1e-4 * of_study,
+        "{alone} + {offset}, {of_study}"
+    );
+
     let listed = |target: &str| crate::entries(&folder.path().join("output").join(target));
     assert_eq!(
         listed("bench-compare"),
         [
+            "calibrated-rod.toml",
             "compared.csv",
             "compared.svg",
             "comparison.json",
@@ -141,6 +167,35 @@ fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_
     assert_eq!(removed.code, Some(0), "{}", removed.err);
     let text = fs::read_to_string(folder.path().join("study.toml")).unwrap();
     assert!(!text.contains("rod-shear-modulus"), "{text}");
+}
+
+#[test]
+fn an_effect_that_the_design_states_is_part_of_the_model_and_not_tried() {
+    let folder = tempfile::tempdir().unwrap();
+    bench(folder.path());
+    let design = folder.path().join("rod.toml");
+    let text = fs::read_to_string(&design).unwrap() + "[effects.rod-shear-modulus]\nstrength = 0.25\n";
+    fs::write(&design, text).unwrap();
+    let run = |arguments: &[&str]| washout(folder.path(), arguments);
+    let tried = ["rod-shear-modulus", "root-flexure"]
+        .map(|effect| ["--effect", effect])
+        .concat();
+    let found = json(&run(
+        &[&["diagnose", "study.toml", "--json"], tried.as_slice()].concat()
+    ));
+    assert_eq!(found["verdict"], "nothing", "{found}");
+    let notes = found["notes"].to_string();
+    let wanted =
+        "rod-shear-modulus is not tried: it stands in the design already ([effects.rod-shear-modulus])";
+    assert!(notes.contains(wanted), "{notes}");
+    // and one that stands in the study as well is refused, not written over
+    let both = run(&["add", "rod-shear-modulus", "--to", "study.toml"]);
+    assert_eq!(both.code, Some(2), "{}", both.out);
+    let words = both.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words.contains("stands in the study ([[effect]]) and in the design"),
+        "{words}"
+    );
 }
 
 #[test]

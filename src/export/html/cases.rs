@@ -24,15 +24,7 @@ impl StudyParts {
         study: &LoadedStudy,
         progress: &Progress,
     ) -> Result<StudyParts, Cancelled> {
-        let mut calibrated = compared.campaign.start();
-        for found in &compared.comparison.unknowns {
-            put(
-                &compared.campaign,
-                &mut calibrated,
-                &found.unknown.name,
-                found.value,
-            );
-        }
+        let calibrated = compared.calibrated();
         let mut shown = wings(
             &compared.campaign,
             "uncalibrated",

@@ -115,14 +115,19 @@ fn table(file: &str, bytes: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::page::Part;
 
     #[test]
     fn pictures_stand_in_the_page_and_tables_keep_their_numbers() {
         let document = Document::of("summary", serde_json::json!({"lift_mn": 12.5}));
         let files = ["span.csv", "span.svg", "wing.vtu"].map(str::to_string);
+        let answer = Answer {
+            lead: vec![Part::Text("rigid <12.5> mN".to_string())],
+            ..Answer::default()
+        };
         let contents = Contents {
             title: "lift",
-            words: "rigid <12.5> mN\n",
+            answer: Some(&answer),
             document,
             files: &files,
         };

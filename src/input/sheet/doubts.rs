@@ -1,4 +1,4 @@
-//! What looks wrong in a table: metres for millimetres, radians for degrees, the other sign, the whole stroke for its half.
+//! What looks wrong in a table: metres or centimetres for millimetres, radians for degrees, the other sign, the whole stroke for its half.
 //! It is told with what to write; nothing is changed by a guess.
 
 use super::condition::Condition;
@@ -9,6 +9,8 @@ use crate::input::measurement::{Channel, Measurement};
 
 /// Stations that all lie within this share of the length from the base are in metres.
 const METRES: f64 = 0.01;
+/// Stations of which none lies beyond this share of the length may be in centimetres.
+const CENTIMETRES: f64 = 0.15;
 /// Largest twist, in the unit of the table, that may be in radians.
 const RADIANS: f64 = 0.8;
 /// A half amplitude so many times that of the design may be the whole stroke.
@@ -47,6 +49,13 @@ fn of_stations(table: &Measurement, design: &Design) -> Result<Option<String>, I
         );
         return Err(InputError::about_file(&table.file, message, cure));
     }
+    if farthest > 0.0 && farthest < CENTIMETRES * length {
+        return Ok(Some(format!(
+            "No station lies beyond {farthest} mm of a wing that is {length} mm long: are they in centimetres? Then write r (cm) above \
+             them; {:.1} mm would be the outermost.",
+            farthest * 10.0
+        )));
+    }
     Ok((short > 0).then(|| {
         format!(
             "{short} of {} stations lie within {} mm of the wing base: is one in metres? All stations are in one unit.",
@@ -68,7 +77,7 @@ fn of_twists(table: &Measurement, columns: &[Column]) -> Vec<String> {
         .any(|column| matches!(column.role, Role::Readings { .. }) && column.factor != 1.0);
     if twists.len() > 1 && largest > 0.0 && largest < RADIANS && !is_converted {
         doubts.push(format!(
-            "The largest twist is {largest} deg: is it in radians ({:.1} deg)? Then write rad in its head, e.g. twist (rad).",
+            "The largest twist is {largest:.3} deg: is it in radians ({:.1} deg)? Then write rad in its head, e.g. twist (rad).",
             largest.to_degrees()
         ));
     }
