@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use washout::cli::Failure;
-use washout::export::solved_run::SolvedRun;
 use washout::export::json;
 use washout::export::run::RunFolder;
+use washout::export::solved_run::SolvedRun;
 
 use crate::failure::other;
 use crate::solved::Solved;

@@ -15,13 +15,14 @@ use crate::worker::work;
 
 /// Compares a design, or a study, with its measurements, and gives the document as JSON. Files are written into `output` where it is given.
 #[pyfunction]
-#[pyo3(signature = (path, sets, measurement=None, case=None, reference=None, output=None, listener=None))]
+#[pyo3(signature = (path, sets, table=None, sigma=None, case=None, reference=None, output=None, listener=None))]
 #[expect(clippy::too_many_arguments, reason = "the options of the verb")]
 pub fn compare(
     py: Python<'_>,
     path: PathBuf,
     sets: Vec<String>,
-    measurement: Option<PathBuf>,
+    table: Option<PathBuf>,
+    sigma: Option<f64>,
     case: Option<String>,
     reference: Option<PathBuf>,
     output: Option<PathBuf>,
@@ -29,8 +30,8 @@ pub fn compare(
 ) -> PyResult<String> {
     let verb = Compare {
         design: DesignArguments::of_file(&path, &sets, None),
-        with: measurement,
-        sigma: None,
+        with: table,
+        sigma,
         case,
         reference,
         output,

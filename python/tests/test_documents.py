@@ -82,7 +82,7 @@ def test_a_diagnosis_is_that_of_the_command_line(
 def test_a_comparison_takes_another_measurement_and_a_reference(printed: Printed, tmp_path: Path) -> None:
     measurement, reference = Path("measurements/colmenares-as-restated.csv"), Path("designs/rigid.toml")
     coarse = {"mesh.refine": 0.5}
-    compared = washout.compare(SWEPT, coarse, measurement=measurement, case="twist-v2", reference=reference)
+    compared = washout.compare(SWEPT, measurement, coarse, case="twist-v2", reference=reference)
     options = ["--set", "mesh.refine=0.5", "--with", measurement, "--case", "twist-v2", "--reference", reference]
     assert compared.document == without_files(printed("compare", SWEPT, *options, "--output", tmp_path / "run"))
     assert compared.document["ratios"]["reference"] == "rigid"
@@ -92,7 +92,7 @@ def test_without_an_output_no_file_is_written(tmp_path: Path, monkeypatch: pytes
     design = Path(DESIGN).resolve()
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
-    assert washout.compare(design, {"mesh.refine": 0.5}).document["files"] == []
+    assert washout.compare(design, sets={"mesh.refine": 0.5}).document["files"] == []
     assert list(tmp_path.iterdir()) == []
 
 

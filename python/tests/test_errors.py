@@ -74,7 +74,7 @@ def test_options_of_a_diagnosis_are_refused() -> None:
 
 def test_options_of_a_comparison_are_refused() -> None:
     with pytest.raises(washout.InputError, match="--with: .*nowhere.csv: no such file"):
-        washout.compare(DESIGN, measurement="measurements/nowhere.csv")
+        washout.compare(DESIGN, "measurements/nowhere.csv")
     with pytest.raises(washout.InputError, match="--reference: belongs to a design"):
         washout.compare("studies/tang-dowell-gravity.toml", reference="designs/rigid.toml")
 

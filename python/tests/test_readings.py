@@ -8,6 +8,7 @@ import pytest
 
 import washout
 from washout.readings import Readings, file_of
+from washout.verb import toml
 
 HEADS = ("r (mm)", "22 Hz", "18 Hz")
 COLUMNS = {
@@ -53,3 +54,32 @@ def test_columns_of_different_length_are_refused_with_their_lengths() -> None:
 def test_a_study_takes_no_table() -> None:
     with pytest.raises(washout.InputError, match="names its own readings"):
         washout.diagnose("studies/tang-dowell-gravity.toml", COLUMNS)
+
+
+def test_a_table_becomes_a_study_an_effect_joins_it_and_the_calibrated_wing_can_be_solved(tmp_path: Path) -> None:
+    sets = {"mesh.refine": 0.4}
+    compared = washout.compare(DESIGN, COLUMNS, sets, sigma=0.3)
+    assert isinstance(compared, washout.StudyComparison)
+    design = tmp_path / "wing.toml"
+    text = Path(DESIGN).read_text().replace('materials = "', 'materials = "' + str(Path("designs").absolute()) + "/")
+    design.write_text(text)
+    study = washout.init_study("mine", design, COLUMNS, sigma=0.3, folder=tmp_path)
+    assert study == tmp_path / "mine.toml" and (tmp_path / "mine-measured.csv").exists()
+    added = washout.add("coefficient-scale", study, ladder=tmp_path / "ladder")
+    assert len(added["strength"]) == 2 and added["ladder"][0]["name"] == "raw"
+    washout.compare(study, output=tmp_path / "compared")
+    wing = washout.Wing.open(next((tmp_path / "compared").glob("calibrated-*.toml")), sets)
+    assert "coefficient-scale" in wing.design["effects"]
+    assert wing.with_value("flapping.frequency_hz", 24).solve().tip_twist_deg is not None
+
+
+def test_one_effect_may_be_given_by_its_name_alone() -> None:
+    with pytest.raises(washout.InputError, match="there is no effect root-flexur;"):
+        washout.diagnose(DESIGN, COLUMNS, effects="root-flexur")
+
+
+def test_tables_and_lists_are_values_of_a_design() -> None:
+    assert toml({"assumed": 4.0, "range": [3.0, 6.0], "why": "not measured"}) == (
+        '{ assumed = 4.0, range = [3.0, 6.0], why = "not measured" }'
+    )
+    assert (toml("words"), toml(True), toml([1, 2.5])) == ("words", "true", "[1, 2.5]")

@@ -16,6 +16,7 @@ from washout.diagnose import Diagnosis, diagnose
 from washout.errors import InputError, NotConverged, WashoutError
 from washout.solve import Run, Stroke, solve
 from washout.solved import Forces, LiftReport, Shape, SolvedWing
+from washout.study import add, init_study
 from washout.verb import run, schema
 from washout.wing import Mesh, Wing
 
@@ -38,8 +39,10 @@ __all__ = [
     "StudyComparison",
     "WashoutError",
     "Wing",
+    "add",
     "compare",
     "diagnose",
+    "init_study",
     "run",
     "schema",
     "solve",

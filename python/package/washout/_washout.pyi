@@ -14,7 +14,8 @@ def run(arguments: list[str], listener: _Listener = None) -> str: ...
 def compare(
     path: _Path,
     sets: list[str],
-    measurement: _Path | None = None,
+    table: _Path | None = None,
+    sigma: float | None = None,
     case: str | None = None,
     reference: _Path | None = None,
     output: _Path | None = None,

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from contextlib import nullcontext
 
 from washout import _washout, notebook
 from washout.columns import Columns, Numbers
+from washout.readings import Readings, file_of
 from washout.verb import Document, FilePath, Progress, Setting, settings
 
 
 def compare(
     design_or_study: FilePath,
+    readings: Readings | None = None,
     sets: Mapping[str, Setting] | None = None,
     *,
-    measurement: FilePath | None = None,
+    sigma: float | None = None,
     case: str | None = None,
     reference: FilePath | None = None,
     output: FilePath | None = None,
@@ -22,10 +25,13 @@ def compare(
 ) -> Comparison | StudyComparison:
     """Compares a design with its measurement, or all cases of a study before and after calibration.
 
-    Of a design: `measurement` is another measurement file, `case` the case in it, `reference` the design that measured ratios
-    refer to. `output` keeps the pictures and tables in that folder. Gives what `washout compare --json` prints.
+    Of a design, `readings` are what was measured on it: a pandas.DataFrame, columns by their heads, or the file of a table; it is
+    compared as a study then, and `sigma` is the standard deviation of readings that state none. They may also be a measurement file,
+    with `case` in it; without them the design names its own. `reference` is the design that measured ratios refer to. `output` keeps
+    the pictures and tables in that folder, and each wing as calibrated. Gives what `washout compare --json` prints.
     """
-    text = _washout.compare(design_or_study, settings(sets), measurement, case, reference, output, progress)
+    with nullcontext() if readings is None else file_of(readings) as table:
+        text = _washout.compare(design_or_study, settings(sets), table, sigma, case, reference, output, progress)
     document: Document = json.loads(text)
     return Comparison(document) if "comparison" in document else StudyComparison(document)
 

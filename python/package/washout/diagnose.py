@@ -20,7 +20,7 @@ def diagnose(
     sets: Mapping[str, Setting] | None = None,
     *,
     sigma: float | None = None,
-    effects: Sequence[str] = (),
+    effects: str | Sequence[str] = (),
     significance: float = 0.01,
     seed: int = 1,
     own_data: bool = False,
@@ -40,7 +40,7 @@ def diagnose(
         text = _washout.diagnose(
             design_or_study,
             settings(sets),
-            list(effects),
+            [effects] if isinstance(effects, str) else list(effects),
             significance,
             seed,
             own_data,

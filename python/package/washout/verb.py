@@ -19,8 +19,8 @@ FilePath: TypeAlias = str | os.PathLike[str]
 Progress: TypeAlias = Callable[[str], object]
 """Is called with a line that says what is being done; what it raises stops the work."""
 
-Setting: TypeAlias = bool | int | float | str | Sequence[float]
-"""A value of a key of a design."""
+Setting: TypeAlias = bool | int | float | str | Sequence[Any] | Mapping[str, Any]
+"""A value of a key of a design: a number, words, a list, or a table such as {"assumed": 4.0, "range": [3.0, 6.0], "why": "not measured"}."""
 
 
 def run(verb: str, *arguments: FilePath, progress: Progress | None = None) -> Any:
@@ -49,15 +49,22 @@ def settings(sets: Mapping[str, Setting] | None) -> list[str]:
 
 
 def toml(value: object) -> str:
-    """A value as TOML has it; words need no quotes."""
+    """A value as TOML has it; words need no quotes, but within lists and tables."""
+    return value if isinstance(value, str) else item(value)
+
+
+def item(value: object) -> str:
+    """A value within another."""
     if hasattr(value, "tolist"):
         value = value.tolist()
     match value:
         case bool():
             return "true" if value else "false"
         case str():
-            return value
+            return json.dumps(value)
+        case Mapping():
+            return f"{{ {', '.join(f'{key} = {item(own)}' for key, own in value.items())} }}"
         case list() | tuple():
-            return f"[{', '.join(map(toml, value))}]"
+            return f"[{', '.join(map(item, value))}]"
         case _:
             return repr(value)
