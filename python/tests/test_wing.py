@@ -46,11 +46,11 @@ def test_a_wing_knows_its_design_its_outline_and_its_mesh(wing: washout.Wing, ru
 
 
 def test_a_solved_wing_is_that_of_solve_to_the_bit(solved: washout.SolvedWing, run: washout.Run) -> None:
-    assert solved.profile().rows == run.summary["profile"]
-    assert solved.along_span().rows == run.summary["along_span"]
+    assert solved.profile.rows == run.summary["profile"]
+    assert solved.along_span.rows == run.summary["along_span"]
     assert solved.stages.rows == run.summary["stages"]["stages"]
     assert solved.tip_twist_deg == run.tip_twist_deg
-    lift = solved.lift()
+    lift = solved.lift
     assert lift is not None and lift.solved == run.lift and lift.stroke_mean == run.mean_lift
     for name, values in run.strips.items():
         assert solved.strips[name].tolist() == values.tolist(), name
@@ -65,7 +65,7 @@ def test_the_run_holds_its_wing_and_its_solved_wing(run: washout.Run) -> None:
 
 
 def test_twist_is_read_at_a_place_or_at_many(solved: washout.SolvedWing) -> None:
-    rows = solved.along_span()
+    rows = solved.along_span
     np.testing.assert_allclose(solved.twist_at(rows["r_mm"]), rows["twist_deg"], atol=1e-9)
     twist_deg = solved.twist_at(rows["r_mm"][7])
     assert isinstance(twist_deg, float) and twist_deg == pytest.approx(rows["twist_deg"][7], abs=1e-9)
@@ -89,18 +89,18 @@ def test_a_value_gives_another_wing_and_leaves_the_first(coarse: washout.Wing) -
     assert faster.design["flapping"]["frequency_hz"] == 25.0
     assert coarse.design["flapping"]["frequency_hz"] == 23.0
     by_sets = washout.Wing.open(DESIGN, {**COARSE, "flapping.frequency_hz": 25})
-    assert faster.solve().profile().rows == by_sets.solve().profile().rows
+    assert faster.solve().profile.rows == by_sets.solve().profile.rows
     finer = coarse.with_value("mesh.refine", np.float64(1))
     assert finer.counts["nodes"] > 2 * coarse.counts["nodes"]
 
 
 def test_an_effect_changes_the_twist_and_strength_0_does_not(coarse: washout.Wing) -> None:
-    plain = coarse.solve().profile()["twist_deg"]
+    plain = coarse.solve().profile["twist_deg"]
     none = coarse.with_effect("root-flexure", 0.0)
-    assert none.solve().profile()["twist_deg"].tolist() == plain.tolist()
+    assert none.solve().profile["twist_deg"].tolist() == plain.tolist()
     softer = coarse.with_effect("root-flexure", 0.3)
     assert softer.design["effects"]["root-flexure"]["strength"] == 0.3
-    assert abs(softer.solve().profile()["twist_deg"] - plain).max() > 0.1
+    assert abs(softer.solve().profile["twist_deg"] - plain).max() > 0.1
 
 
 def test_what_is_refused_is_named(coarse: washout.Wing) -> None:
@@ -181,11 +181,11 @@ def test_a_notebook_shows_the_wing_and_its_twist(wing: washout.Wing, solved: was
     assert repr(wing).startswith("<washout.Wing twist-v2: ") and "<table>" in wing._repr_html_()
     assert f"tip twist {solved.tip_twist_deg:.2f} deg" in repr(solved)
     shown = solved._repr_html_()
-    assert shown.count("<tr>") == 1 + len(solved.profile().rows)
+    assert shown.count("<tr>") == 1 + len(solved.profile.rows)
 
 
 def test_lift_is_as_the_flow_has_it() -> None:
-    steady = washout.Wing.open("designs/pre-pazy.toml", COARSE).solve().lift()
+    steady = washout.Wing.open("designs/pre-pazy.toml", COARSE).solve().lift
     assert steady is not None and steady.solved.name == "steady stream" and steady.stroke_mean is None
     still = washout.Wing.open("designs/minguet-1.toml", COARSE).solve()
-    assert still.lift() is None and "alpha_deg" not in still.profile()
+    assert still.lift is None and "alpha_deg" not in still.profile

@@ -115,10 +115,12 @@ class SolvedWing:
         """Twist of the tip station; None where it cannot be read."""
         return self._native.tip_twist_deg()
 
+    @cached_property
     def profile(self) -> Columns:
         """Twist at the stations of the design: `place`, `r_mm`, `chord_mm`, `twist_deg`, `alpha_deg`, …"""
         return Columns(json.loads(self._native.profile()))
 
+    @cached_property
     def along_span(self) -> Columns:
         """The same with 50 places evenly from base to tip: the rows of profile.csv."""
         return Columns(json.loads(self._native.along_span()))
@@ -129,6 +131,7 @@ class SolvedWing:
         `rate_error_deg_per_mm`. No rows where it has too few readings for a fit."""
         return Columns(json.loads(self._native.stages()))
 
+    @cached_property
     def lift(self) -> LiftReport | None:
         """Lift, drag and power; None without flow."""
         report: Document | None = json.loads(self._native.lift())
@@ -156,7 +159,7 @@ class SolvedWing:
         return Path(self._native.write(folder, report, progress))
 
     def _repr_html_(self) -> str:
-        return notebook.of_profile(repr(self), self.profile())
+        return notebook.of_profile(repr(self), self.profile)
 
     def __repr__(self) -> str:
         return f"<washout.SolvedWing {self.name}: {notebook.tip(self.tip_twist_deg)}>"
