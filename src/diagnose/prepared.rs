@@ -46,6 +46,7 @@ impl Prepared {
         cache: &Cache,
         progress: &Progress,
     ) -> Result<Prepared, DiagnoseError> {
+        settings.check()?;
         let meshed = OnCoarserMesh::new(study, candidates, progress)?;
         let settings = Settings {
             discrepancy: meshed.campaign.discrepancy,
