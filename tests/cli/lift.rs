@@ -1,5 +1,9 @@
 //! `washout lift`, `pareto`, `design`: one after the other, as somebody who wants a better wing would.
 
+use washout::export::layouts::LayoutSummary;
+use washout::export::lift::LiftSummary;
+use washout::export::pareto::ParetoSummary;
+
 use crate::{below, conforms, design, entries, folder, schema, washout};
 
 #[test]
@@ -14,6 +18,9 @@ fn from_wings_to_the_best_profile_to_the_rod_that_makes_it() {
     );
     assert_eq!(lift.code, Some(0), "{}", lift.err);
     conforms(&lift.document(), &schema(&["--output", "lift"]));
+    let flown: LiftSummary = serde_json::from_value(lift.document()).expect("wings");
+    assert_eq!(flown.page().astray(&lift.document()), Vec::<String>::new());
+    assert!(!flown.page().astray(&serde_json::Value::Null).is_empty());
     assert_eq!(
         entries(&here.path().join("output/lift")),
         [
@@ -39,6 +46,8 @@ fn from_wings_to_the_best_profile_to_the_rod_that_makes_it() {
     let front = washout(here.path(), &front);
     assert_eq!(front.code, Some(0), "{}", front.err);
     conforms(&front.document(), &schema(&["--output", "pareto"]));
+    let found: ParetoSummary = serde_json::from_value(front.document()).expect("a front");
+    assert_eq!(found.page().astray(&front.document()), Vec::<String>::new());
 
     let wanted = below(here.path(), "output/rigid-pareto/highest-lift.csv");
     let stock = design("stock.csv");
@@ -50,6 +59,8 @@ fn from_wings_to_the_best_profile_to_the_rod_that_makes_it() {
     assert_eq!(rods.code, Some(0), "{}", rods.err);
     let document = rods.document();
     conforms(&document, &schema(&["--output", "design"]));
+    let found: LayoutSummary = serde_json::from_value(document.clone()).expect("layouts");
+    assert_eq!(found.page().astray(&document), Vec::<String>::new());
     assert_eq!(
         entries(&here.path().join("output/twist-v2-design")),
         [

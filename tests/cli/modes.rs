@@ -89,6 +89,9 @@ fn in_flight_they_are_the_frequencies_of_solve_with_and_without_air() {
         );
         assert_eq!(said.code, Some(0), "{}", said.err);
         conforms(&said.document(), &schema(&["--output", "modes"]));
+        let found: washout::export::modes::ModesSummary =
+            serde_json::from_value(said.document()).expect("modes");
+        assert_eq!(found.page().astray(&said.document()), Vec::<String>::new());
         let expected = solved["engineering"][key].as_array().expect("frequencies").iter();
         let expected: Vec<f64> = expected.map(|hz| hz.as_f64().expect("a number")).collect();
         assert_eq!(column(&said, "frequency_hz"), expected);

@@ -159,7 +159,7 @@ fn every_verb_that_writes_a_folder_reports_it_in_words_pictures_tables_and_numbe
             &["modes", &v2, "--refine", "0.4", "--count", "2"],
             "output/twist-v2-modes",
             "summary",
-            &["<pre class=\"words\">", "data-of=\"/modes/0/frequency_hz\""],
+            &["Natural modes about", "data-of=\"/modes/0/frequency_hz\""],
         ),
         (
             &["verify", "--short", "elastica"],

@@ -43,6 +43,7 @@ pub fn page(
     let of_kind = |ending: &'static str| contents.files.iter().filter(move |file| file.ends_with(ending));
     let document = contents.document.clone();
     if let Some(answer) = contents.answer {
+        page.lead.push_str(&paragraph(&answer.title));
         page.add(answer, document)?;
     } else {
         page.documents.push(document);
