@@ -24,6 +24,7 @@ pub fn raised(py: Python<'_>, failure: &Failure) -> PyErr {
     let made = match failure {
         Failure::Input(error) | Failure::Wing(WingError::Input(error)) => of_input(py, &message, error),
         Failure::Wing(WingError::Effect { place, source }) => of_effect(py, &message, place, source),
+        Failure::Option { option, reason } => of_option(py, &message, option, reason),
         _ => {
             let file = file_of(failure).map(|path| path.display().to_string());
             made(py, class, (message, file))
@@ -60,6 +61,16 @@ fn of_input(py: Python<'_>, message: &str, error: &InputError) -> PyResult<PyErr
         &error.cure,
     );
     made(py, "InputError", details)
+}
+
+fn of_option(py: Python<'_>, message: &str, option: &str, reason: &str) -> PyResult<PyErr> {
+    let nowhere = (None::<String>, None::<usize>, None::<usize>);
+    let (file, line, column) = nowhere;
+    made(
+        py,
+        "InputError",
+        (message, file, line, column, option, "", reason, ""),
+    )
 }
 
 fn of_effect(py: Python<'_>, message: &str, place: &Place, error: &EffectError) -> PyResult<PyErr> {

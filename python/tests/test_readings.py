@@ -83,3 +83,16 @@ def test_tables_and_lists_are_values_of_a_design() -> None:
         '{ assumed = 4.0, range = [3.0, 6.0], why = "not measured" }'
     )
     assert (toml("words"), toml(True), toml([1, 2.5])) == ("words", "true", "[1, 2.5]")
+
+
+def test_a_fault_of_a_frame_names_its_row_and_no_file_that_is_gone() -> None:
+    with pytest.raises(washout.InputError, match=r"readings:3 \(row 1 of the data, from 0\)") as caught:
+        washout.diagnose(DESIGN, {"r (mm)": [20.0, 40.0], "22 Hz": [5.1, "much"]})
+    assert "washout-" not in str(caught.value)
+    with pytest.raises(TypeError, match="columns by their heads"):
+        washout.diagnose(DESIGN, [[20.0, 5.1]])  # type: ignore[arg-type]
+    with pytest.raises(washout.InputError, match="by its path"):
+        washout.compare("format = 1\nname = 'x'\n", COLUMNS)
+    with pytest.raises(washout.InputError, match="there is no effect") as refused:
+        washout.diagnose(DESIGN, COLUMNS, effects=["nonsense"])
+    assert refused.value.key == "--effect" and "there is no effect" in refused.value.problem

@@ -11,7 +11,7 @@ import numpy as np
 from washout import _washout, notebook
 from washout.columns import Columns, Numbers
 from washout.readings import Readings, file_of
-from washout.verb import Document, FilePath, Progress, Setting, settings
+from washout.verb import Document, FilePath, Progress, Setting, file_of_design, settings
 
 
 def diagnose(
@@ -38,7 +38,7 @@ def diagnose(
     """
     with nullcontext() if readings is None else file_of(readings) as table:
         text = _washout.diagnose(
-            design_or_study,
+            file_of_design(design_or_study),
             settings(sets),
             [effects] if isinstance(effects, str) else list(effects),
             significance,

@@ -11,6 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Protocol, TypeAlias, runtime_checkable
 
+from washout.errors import InputError
 from washout.verb import FilePath
 
 
@@ -39,9 +40,26 @@ def file_of(readings: Readings) -> Iterator[Path]:
         if isinstance(readings, Frame):
             # stations stand in the index where it has a name
             readings.to_csv(path, index=readings.index.name is not None)
-        else:
+        elif isinstance(readings, Mapping):
             write(path, readings)
-        yield path
+        else:
+            kind = type(readings).__name__
+            raise TypeError(f"readings are a DataFrame, columns by their heads such as {{'r (mm)': [...], '22 Hz': [...]}}, or a file; not {kind}")
+        try:
+            yield path
+        except InputError as error:
+            raise of_frame(error, path) from None
+
+
+def of_frame(error: InputError, path: Path) -> InputError:
+    """A fault of a table that stands in no file of the user's: told by its row."""
+    if str(path) not in str(error):
+        return error
+    row = "" if error.line is None or error.line < 2 else f" (row {error.line - 2} of the data, from 0)"
+    message = str(error).replace(str(path), "readings")
+    if row:
+        message = message.replace(f"readings:{error.line}", f"readings:{error.line}{row}", 1)
+    return InputError(message, None, error.line, error.column, error.key, error.value, error.problem, error.cure)
 
 
 def write(path: Path, columns: Mapping[str, Sequence[Any]]) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeAlias
 
 from washout import _washout
-from washout.errors import WashoutError
+from washout.errors import InputError, WashoutError
 
 Document: TypeAlias = dict[str, Any]
 """A JSON document as the command line prints it with `--json`."""
@@ -41,6 +41,13 @@ def schema(verb: str | None = None) -> Document:
     design files without a verb."""
     document: Document = run("schema", *(("--output", verb) if verb else ()))
     return document
+
+
+def file_of_design(design: FilePath) -> FilePath:
+    """A path; refused where it is the text of a design."""
+    if isinstance(design, str) and "\n" in design:
+        raise InputError("a design is given by its path here; write the text to a file first", problem="is text, not a path")
+    return design
 
 
 def settings(sets: Mapping[str, Setting] | None) -> list[str]:
