@@ -126,11 +126,12 @@ impl ModesSummary {
             lead: vec![Part::Text(head), Part::Notes(self.warnings.clone())],
             ..Page::default()
         };
-        page.section("modes", "Modes", vec![Part::Table(self.table())]);
+        page.section("modes", "Modes", vec![Part::Table(self.shares())]);
+        page.section("effective", "Effective mass", vec![Part::Table(self.effective())]);
         page
     }
 
-    fn table(&self) -> Table {
+    fn shares(&self) -> Table {
         Rows::of("/modes", &self.modes)
             .number(["mode", "mode", ""], After(0), |row| row.mode as f64)
             .number(["frequency_hz", "f", "Hz"], After(2), |row| row.frequency_hz)
@@ -141,6 +142,16 @@ impl ModesSummary {
             .number(["flap_share", "flap", ""], After(2), |row| row.flap_share)
             .number(["edge_share", "edge", ""], After(2), |row| row.edge_share)
             .number(["film_share", "film", ""], After(2), |row| row.film_share)
+            .caption(
+                "Shares of what moves: the rod turns and straight chords with it (twist), it bends across the wing (flap) or in its plane \
+                 (edge), film and spars bend off those chords (film).",
+            )
+            .table()
+    }
+
+    fn effective(&self) -> Table {
+        Rows::of("/modes", &self.modes)
+            .number(["mode", "mode", ""], After(0), |row| row.mode as f64)
             .numbers(["effective_mass_mg/*", "mass x / y / z", "mg"], After(2), |row| {
                 row.effective_mass_mg.map(Some).to_vec()
             })
@@ -154,11 +165,7 @@ impl ModesSummary {
                 After(2),
                 |row| row.effective_flapping_inertia_g_mm2,
             )
-            .caption(
-                "Shares of what moves: the rod turns and straight chords with it (twist), it bends across the wing (flap) or in its plane \
-                 (edge), film and spars bend off those chords (film). Mass and inertia: what a base feels that is shaken along x, y, z, \
-                 pitches or flaps.",
-            )
+            .caption("Mass and inertia that a base feels which is shaken along x, y, z, pitches or flaps")
             .table()
     }
 }

@@ -12,10 +12,10 @@ impl LiftSummary {
             title: "Lift of one wing, mean over the stroke".to_string(),
             kind: "summary",
             lead: vec![
-                Part::Text(format!("{}.", self.twist)),
+                Part::Text(format!("The wings fly with {}.", self.twist)),
                 Part::Notes(self.warnings.clone()),
             ],
-            brief: vec![Part::Table(self.wings())],
+            brief: vec![Part::Table(self.wings().without(&["departure_from_ellipse"]))],
             ..Page::default()
         };
         if !self.ratios.is_empty() {
@@ -58,10 +58,10 @@ impl LiftSummary {
             .number(["local_lift_to_drag", "local L/D", ""], After(3), |wing| {
                 wing.local_lift_to_drag
             })
-            .number(["departure_from_ellipse", "off ellipse", ""], After(3), |wing| {
+            .number(["departure_from_ellipse", "off ell.", ""], After(3), |wing| {
                 wing.departure_from_ellipse
             })
-            .caption("Local L/D: mean along the span of local lift over drag. Off ellipse: departure of the lift along the span from an ellipse.")
+            .caption("Local L/D: mean along the span of local lift over drag. Off ell.: departure of the lift along the span from an ellipse.")
             .table()
     }
 
