@@ -33,7 +33,10 @@ impl Page {
 
     fn head(&self) -> String {
         let lead: String = self.lead.iter().map(|part| part.text(0)).collect();
-        format!("{}\n\n{lead}", self.title)
+        match lead.as_str() {
+            "" => format!("{}\n", self.title),
+            lead => format!("{}\n\n{lead}", self.title),
+        }
     }
 }
 

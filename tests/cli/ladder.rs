@@ -51,7 +51,7 @@ fn errors(added: &Value, of: &str) -> Vec<Option<f64>> {
 }
 
 #[test]
-fn each_effect_that_was_added_has_its_rung_from_as_stated_down_to_the_noise() {
+fn each_effect_that_was_added_has_its_step_from_uncalibrated_down_to_the_noise() {
     let folder = tempfile::tempdir().unwrap();
     hidden_pair(folder.path());
     let add = |arguments: &[&str]| {
