@@ -10,6 +10,8 @@ use super::spline::MonotoneSpline;
 const LEVEL: f64 = 0.01;
 /// Error of the chord between two points, over the largest chord, below which no more points are taken.
 const CLOSE: f64 = 2e-3;
+/// Chord at an end, over the largest, below which the edges meet there.
+const MEET: f64 = 0.01;
 /// Points that are taken at most.
 const MOST: usize = 40;
 /// Places at which the chord is looked at.
@@ -58,7 +60,12 @@ impl DrawnWing {
             .collect();
         let looked = looked?;
         let off_level_mm = off_level(&looked, length_mm)?;
-        let chords: Vec<[f64; 2]> = looked.iter().map(|[r, top, bottom]| [*r, top - bottom]).collect();
+        let mut chords: Vec<[f64; 2]> = looked.iter().map(|[r, top, bottom]| [*r, top - bottom]).collect();
+        let largest = chords.iter().map(|[_, chord]| *chord).fold(0.0, f64::max);
+        for end in [0, LOOKS] {
+            let chord = &mut chords[end][1];
+            *chord = if *chord < MEET * largest { 0.0 } else { *chord };
+        }
         Ok(DrawnWing {
             length_mm,
             points_mm: thinned(&chords),
@@ -159,6 +166,10 @@ mod tests {
     fn the_chord_of_half_an_ellipse_is_found_with_few_points() {
         let wing = DrawnWing::of_outline(&ellipse(0.0), false).expect("a wing");
         assert!((wing.length_mm - 70.0).abs() < 1e-9 && wing.off_level_mm < 1e-9);
+        assert_eq!(
+            (wing.points_mm[0], wing.points_mm[wing.points_mm.len() - 1]),
+            ([0.0, 0.0], [70.0, 0.0])
+        );
         assert!(wing.points_mm.len() <= MOST, "{}", wing.points_mm.len());
         let spline = MonotoneSpline::through(&wing.points_mm).expect("a spline");
         for k in 2..=98 {
@@ -174,7 +185,7 @@ mod tests {
         let wing = DrawnWing::of_outline(&triangle, true).expect("a wing");
         assert!((wing.points_mm[0][1] - 20.0).abs() < 1e-3);
         let left = DrawnWing::of_outline(&triangle, false).expect("a wing");
-        assert!(left.points_mm[0][1] < 1e-3);
+        assert_eq!(left.points_mm[0][1], 0.0);
     }
 
     #[test]
