@@ -51,8 +51,8 @@ impl Cache {
         }
     }
 
-    /// What was kept under these words.
-    pub(super) fn read<T: DeserializeOwned>(&self, made_of: &str) -> Option<T> {
+    /// What was kept under these words; none where it was lost, damaged, or is of another form.
+    pub fn read<T: DeserializeOwned>(&self, made_of: &str) -> Option<T> {
         let file = self.file(made_of)?;
         let tree: Value = serde_json::from_slice(&fs::read(&file).ok()?).ok()?;
         // used just now
@@ -64,7 +64,7 @@ impl Cache {
     }
 
     /// Keeps it. To keep is a convenience: what cannot be written is made anew the next time.
-    pub(super) fn keep(&self, made_of: &str, kept: &impl Serialize) {
+    pub fn keep(&self, made_of: &str, kept: &impl Serialize) {
         if let Some(file) = self.file(made_of) {
             let _ = write(&file, kept);
         }
