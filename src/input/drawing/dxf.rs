@@ -2,6 +2,7 @@
 //!
 //! The crate `dxf` 0.6.2 reads all of the format, but brings 34 crates (images, calendars, big numbers) for these few pairs of lines.
 
+use super::Lines;
 use super::chain::closed;
 use super::curve::{arc, bulged, spline};
 use crate::input::error::{InputError, Place, Problem};
@@ -19,7 +20,7 @@ const UNITS: [(i64, f64, &str); 5] = [
 type Pair<'a> = (i64, &'a str);
 
 /// Closed lines, mm, and what a unit was taken for.
-pub(super) fn lines_mm(file: &str, text: &str) -> Result<(Vec<Vec<[f64; 2]>>, String), InputError> {
+pub(super) fn lines_mm(file: &str, text: &str) -> Result<Lines, InputError> {
     let pairs = pairs(file, text)?;
     let stated = pairs
         .windows(2)

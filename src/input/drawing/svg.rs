@@ -3,6 +3,7 @@
 use resvg::usvg::tiny_skia_path::{PathSegment, Point};
 use resvg::usvg::{Group, Node, Options, Path, Tree};
 
+use super::Lines;
 use super::chain::closed;
 use super::curve::bezier;
 use crate::input::error::InputError;
@@ -11,7 +12,7 @@ use crate::input::error::InputError;
 const PIXEL_MM: f64 = 25.4 / 96.0;
 
 /// Closed lines, mm, y upward, and what a unit was taken for.
-pub(super) fn lines_mm(file: &str, text: &str) -> Result<(Vec<Vec<[f64; 2]>>, String), InputError> {
+pub(super) fn lines_mm(file: &str, text: &str) -> Result<Lines, InputError> {
     let tree = Tree::from_str(text, &Options::default()).map_err(|error| {
         let cure = "Save the drawing as plain SVG";
         InputError::about_file(file, format!("is no SVG that can be read: {error}"), cure)
