@@ -1,0 +1,48 @@
+// What the page knows: the document of the state, the shape that was solved last, and who wants to hear of a change.
+
+var known = { state: null, shape: null, original: {} };
+var hearers = {};
+
+function hear(what, own) { (hearers[what] = hearers[what] || []).push(own); }
+
+function tell(what, news) {
+  (hearers[what] || []).forEach(function (own) { own(news); });
+}
+
+// An answer that comes late does not bring back what was before.
+function learnState(state) {
+  if (!state || (known.state && state.revision < known.state.revision)) return;
+  var isOther = !known.state || known.state.name !== state.name || known.state.file !== state.file;
+  if (isOther) known.original = {};
+  known.state = state;
+  tell("state", state);
+  tell("waiting", isWaiting());
+}
+
+function learnShape(shape) {
+  if (!shape) return;
+  known.shape = shape;
+  if (shape.solved && !known.original[shape.case]) known.original[shape.case] = shape.twist.other || Object.assign({ name: "at first" }, shape.twist);
+  tell("waiting", isWaiting());
+  soon();
+}
+
+// Whether the shape is of an older state than the sliders.
+function isWaiting() { return !!known.state && (!known.shape || known.shape.revision < known.state.revision); }
+
+// All pictures of one shape are drawn in one frame; of shapes that come faster the newest is drawn.
+var isDrawing = false;
+function soon() {
+  if (isDrawing) return;
+  isDrawing = true;
+  window.requestAnimationFrame(function () {
+    isDrawing = false;
+    if (known.shape) tell("shape", known.shape);
+  });
+}
+
+// The title of a key, for sentences.
+function nameOf(key) {
+  var found = known.state.inputs.concat(known.state.effects).filter(function (own) { return own.key === key || own.name === key; })[0];
+  return found ? found.label || found.title : key;
+}
