@@ -50,6 +50,8 @@ mod keys;
 
 mod nearest;
 
+mod numbers;
+
 mod path;
 
 mod unit;
@@ -62,5 +64,6 @@ pub use expression::{Expression, ExpressionError};
 pub use load::Loaded;
 pub(crate) use nearest::nearest;
 pub(crate) use nearest::nearest as nearest_word;
+pub use numbers::DesignNumber;
 pub use twist_table::TwistTable;
 pub use unit::unit_symbol;
