@@ -17,13 +17,14 @@
 //! |---|---|
 //! | [`wing::WingModel`] | a wing read and meshed |
 //! | [`wing::SolvedWing`] | its loaded shape, with twist, lift, drag and power |
+//! | [`solve::SolvedDesign`] | a design solved, with what its mesh leaves, its band, its stroke, its stresses |
 //! | [`observation::TwistProfile`] | twist along the span, as the design's instrument reads it |
 //! | [`lift::LiftReport`] | lift, drag and power |
 //! | [`input::Design`] | a design, checked |
 //! | [`input::measurement::Measurement`] | measured readings |
 //! | [`study::Campaign`] | a study, ready to be calibrated and diagnosed |
-//! | [`compare::StudyComparison`] | measured minus modelled |
-//! | [`diagnose::Diagnosis`] | what the model lacks, and how sure that is |
+//! | [`compare::ComparedStudy`] | measured minus modelled |
+//! | [`diagnose::StudyDiagnosis`] | what the model lacks, and how sure that is |
 //! | [`effects::Effect`] | physics that can be added |
 //!
 //! ```text
@@ -84,6 +85,8 @@ pub mod synthesize;
 
 pub mod compare;
 
+pub mod solve;
+
 pub mod sweep;
 
 pub mod diagnose;
@@ -95,6 +98,9 @@ pub mod page;
 
 #[cfg(feature = "cli")]
 pub mod plot;
+
+#[cfg(feature = "cli")]
+pub mod add;
 
 pub mod export;
 

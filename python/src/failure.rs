@@ -97,8 +97,7 @@ fn file_of(failure: &Failure) -> Option<&Path> {
         Failure::OfStudy { study, .. }
         | Failure::Diagnosis { study, .. }
         | Failure::Synthesis { study, .. }
-        | Failure::Blind { study, .. }
-        | Failure::OwnWord { study, .. } => Some(study),
+        | Failure::Blind { study, .. } => Some(study),
         _ => None,
     }
 }

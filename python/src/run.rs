@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use washout::cli::Failure;
-use washout::cli::solve;
+use washout::export::solved_run::SolvedRun;
 use washout::export::json;
 use washout::export::run::RunFolder;
 
@@ -16,7 +16,7 @@ use crate::worker::work;
 /// A design solved as `washout solve` does it.
 #[pyclass(frozen, module = "washout._washout")]
 pub struct Run {
-    run: Arc<solve::Run>,
+    run: Arc<SolvedRun>,
 }
 
 #[pymethods]
@@ -30,7 +30,7 @@ impl Run {
 
     /// The wing in its loaded shape.
     fn solved(&self) -> Solved {
-        Solved::new(self.run.wing.clone())
+        Solved::new(self.run.solved.wing.clone())
     }
 
     /// Writes the folder of the run, as `washout solve --output` does.
@@ -46,7 +46,7 @@ impl Run {
 }
 
 impl Run {
-    pub fn new(run: solve::Run) -> Run {
+    pub fn new(run: SolvedRun) -> Run {
         Run { run: Arc::new(run) }
     }
 }

@@ -6,14 +6,15 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use washout::cli::Failure;
-use washout::cli::solve::Asked;
 use washout::export::json;
 use washout::input::Design;
+use washout::export::solved_run::SolvedRun;
 use washout::progress::Progress;
+use washout::solve::{Asked, OverStroke};
 use washout::wing::{WingError, WingModel};
 
 use crate::arrays::{elements, nodes, rows};
-use crate::failure::other;
+use crate::failure::{other, refused};
 use crate::run::Run;
 use crate::solved::Solved;
 use crate::worker::work;
@@ -74,15 +75,23 @@ impl Wing {
         listener: Option<Py<PyAny>>,
     ) -> PyResult<Run> {
         let phases = |count: i64| count.clamp(0, u16::MAX.into()) as u16;
+        let stroke = match (stroke, stroke_quasi_static) {
+            (Some(_), Some(_)) => {
+                let reason = "stroke_quasi_static does not go together with stroke; leave one out";
+                return Err(refused(py, reason));
+            }
+            (Some(count), None) => Some(OverStroke::Periodic(phases(count))),
+            (None, Some(count)) => Some(OverStroke::QuasiStatic(phases(count))),
+            (None, None) => None,
+        };
         let asked = Asked {
             uncertainty: uncertainty.map(|count| count.max(0) as usize),
-            stroke: stroke.map(phases),
-            stroke_quasi_static: stroke_quasi_static.map(phases),
+            stroke,
             ..Asked::default()
         };
         let model = Arc::clone(&self.model);
         let run = work(py, listener, move |progress: &Progress| {
-            washout::cli::solve::Run::new(&model, &asked, progress)
+            SolvedRun::new::<Failure>(&model, &asked, progress)
         })?;
         Ok(Run::new(run))
     }

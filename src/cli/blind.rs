@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::blind::{Blind, BlindError, Failed, Kind, Outcome, Ranges, Scoreboard, Turned, scoreboard};
 use crate::diagnose::DiagnoseError;
+use crate::diagnose::candidates::known;
 use crate::export::blind::page;
 use crate::export::lock::Lock;
 use crate::export::run::RunFolder;
@@ -23,7 +24,7 @@ use crate::sweep::Base;
 use crate::synthesize::SynthesizeError;
 use crate::task::{key, stretches};
 
-use super::candidates::{candidates, known};
+use super::diagnose::candidates;
 use super::job::Job;
 use super::tasks::{TaskArguments, Work, beside, gone};
 use super::{Console, Failure};
@@ -116,7 +117,7 @@ struct Ready<'a> {
 impl TryBlind {
     /// Runs what is missing of the cases and prints the scoreboard.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
-        known(&self.effect)?;
+        known(&self.effect).map_err(|error| Failure::of_diagnosis(&self.study, error))?;
         let study = LoadedStudy::load_planned(&self.study, &self.set)?;
         let effects = candidates(&study, &self.effect, console)?;
         let names: Vec<&str> = effects.names.iter().map(String::as_str).collect();

@@ -1,11 +1,11 @@
 //! A design on the command line.
 
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use crate::effects::{instead_of, named};
-use crate::input::{Design, Loaded};
+use crate::input::{Design, Loaded, seen_from};
 use crate::wing::WingModel;
 
 use super::memory::refuse_beyond;
@@ -70,10 +70,18 @@ impl DesignArguments {
         sets.extend(self.refine.map(|factor| format!("mesh.refine={factor}")));
         if let Some(file) = &self.mesh {
             is_there("--mesh", file)?;
-            sets.push(format!("mesh.file={}", beside(&self.design, file).display()));
+            sets.push(format!("mesh.file={}", seen_from(&self.design, file).display()));
         }
         Ok(Design::load(&self.design, &sets)?)
     }
+}
+
+/// A number of an option, with a decimal point or comma as tables have it.
+pub(super) fn number(text: &str) -> Result<f64, String> {
+    let plain = text.trim().replace(',', ".");
+    plain
+        .parse()
+        .map_err(|_| "is no number; write e.g. 0.4 or 0,4".to_string())
 }
 
 /// A size of memory, GB.
@@ -117,37 +125,5 @@ pub(super) fn is_there(option: &'static str, file: &Path) -> Result<(), Failure>
             option,
             reason: format!("{}: no such file", file.display()),
         }),
-    }
-}
-
-/// A path that means the same seen from the folder of the design as `file` does seen from here.
-pub(super) fn beside(design: &Path, file: &Path) -> PathBuf {
-    let folder = design.parent().unwrap_or(Path::new(""));
-    let plain = |path: &Path| path.components().all(|part| matches!(part, Component::Normal(_)));
-    if plain(folder) && file.is_relative() {
-        let up: PathBuf = folder.components().map(|_| Component::ParentDir).collect();
-        up.join(file)
-    } else {
-        std::path::absolute(file).unwrap_or_else(|_| file.to_path_buf())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_mesh_file_is_found_from_the_folder_of_the_design() {
-        let seen = |design: &str, file: &str| beside(Path::new(design), Path::new(file));
-        assert_eq!(seen("wing.toml", "wing.msh"), Path::new("wing.msh"));
-        assert_eq!(
-            seen("designs/a/wing.toml", "meshes/wing.msh"),
-            Path::new("../../meshes/wing.msh")
-        );
-        assert_eq!(
-            seen("designs/wing.toml", "/meshes/wing.msh"),
-            Path::new("/meshes/wing.msh")
-        );
-        assert!(seen("../wing.toml", "wing.msh").is_absolute());
     }
 }

@@ -5,26 +5,27 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::Value;
 
+use crate::add::joining::wings;
+use crate::diagnose::candidates::known;
+use crate::diagnose::of_study::refuse_own_data;
 use crate::diagnose::verdict::{Diagnosis, Hypothesis, Strength, Verdict};
-use crate::diagnose::{DiagnoseError, Experiments, Plan, Settings, diagnose_among, plan};
+use crate::diagnose::{Cache, Candidates, Plan, Settings, StudyDiagnosis, plan_study};
 use crate::export::diagnosis::{DiagnosisReport, page};
+use crate::export::html::cases::found;
 use crate::export::html::{self, REPORT};
 use crate::export::json;
 use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
-use crate::input::measurement::InCommon;
+use crate::export::sheet::{to_keep, understood};
+use crate::input::sheet::DesignReadings;
 use crate::input::study::LoadedStudy;
-use crate::origin::MadeOf;
 use crate::page::Part;
 use crate::page::text::significant;
-use crate::study::{Campaign, Forward, Proposals};
+use crate::study::Campaign;
 
-use super::candidates::{Candidates, candidates, known};
-use super::kept::{self, Prepared};
-use super::sheet::FromSheet;
-use super::study::{listed, target};
-use super::{Console, Failure, joining};
+use super::written::{listed, target};
+use super::{Console, Failure};
 
 /// The document that lists the files of a diagnosis.
 pub const DIAGNOSIS: &str = "diagnosis.json";
@@ -54,7 +55,7 @@ pub struct Diagnose {
     #[arg(long, value_name = "TABLE", conflicts_with_all = ["plan", "on"])]
     pub with: Option<PathBuf>,
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "with", value_parser = super::sheet::number)]
+    #[arg(long, value_name = "SIGMA", requires = "with", value_parser = super::design_arguments::number)]
     pub sigma: Option<f64>,
     /// Change a key in every design of the study; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]
@@ -91,9 +92,9 @@ impl Diagnose {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let (study, table) = self.subject(console)?;
         if self.plan {
-            let (name, plan) = self.planned(&study, console)?;
+            let plan = self.planned(&study, console)?;
             // A plan is words only.
-            return console.answer(&page_of_plan(&name, &plan), "", &plan);
+            return console.answer(&page_of_plan(&study.study.name, &plan), "", &plan);
         }
         let target = target(self.output.as_ref(), &study.study.name, "diagnosis");
         let folder = RunFolder::listed_by(&target, "diagnose", DIAGNOSIS)?;
@@ -108,15 +109,15 @@ impl Diagnose {
     pub fn document(&self, console: &Console) -> Result<Value, Failure> {
         let (study, table) = self.subject(console)?;
         let document = match self.plan {
-            true => json::document(&self.planned(&study, console)?.1),
+            true => json::document(&self.planned(&study, console)?),
             false => json::document(&self.found(&study, table.as_ref(), console)?.1),
         };
         Ok(document?)
     }
 
     /// What is diagnosed: the study, and the table that it was made of, if it was.
-    fn subject(&self, console: &Console) -> Result<(LoadedStudy, Option<FromSheet>), Failure> {
-        known(&self.effect)?;
+    fn subject(&self, console: &Console) -> Result<(LoadedStudy, Option<DesignReadings>), Failure> {
+        known(&self.effect).map_err(|error| Failure::of_diagnosis(&self.study, error))?;
         if self.sigma.is_some() && self.with.is_none() {
             return Err(Failure::Option {
                 option: "--sigma",
@@ -127,22 +128,22 @@ impl Diagnose {
         let table = self
             .with
             .as_ref()
-            .map(|table| FromSheet::load(table, &self.study, self.sigma));
+            .map(|table| DesignReadings::load(table, &self.study, self.sigma));
         let table = table.transpose()?;
         if let Some(table) = &table {
-            console.note(table.understood());
+            console.note(understood(&table.sheet));
         }
         let mut study = match (&table, self.plan) {
             (Some(table), _) => table.study(&self.set)?,
             (None, true) => LoadedStudy::load_planned(&self.study, &self.set)?,
             (None, false) => LoadedStudy::load(&self.study, &self.set)?,
         };
-        joining::wings(&study, &self.on)?;
+        wings(&study, &self.on)?;
         if !self.on.is_empty() {
             study.study.candidates_on = Some(self.on.clone());
         }
         if !self.own_data && !self.plan {
-            refuse_own_word(&self.study, &study, self.seed)?;
+            refuse_own_data(&study, self.seed).map_err(|error| Failure::of_diagnosis(&study.path, error))?;
         }
         Ok((study, table))
     }
@@ -159,34 +160,31 @@ impl Diagnose {
     fn found(
         &self,
         study: &LoadedStudy,
-        table: Option<&FromSheet>,
+        table: Option<&DesignReadings>,
         console: &Console,
     ) -> Result<(Campaign, DiagnosisReport), Failure> {
-        let effects = candidates(study, &self.effect, console)?;
-        let (campaign, mut report) = answered(&self.study, study, &effects, self.settings(), console)?;
-        let doubts = table.and_then(FromSheet::doubts);
+        let (effects, cache) = (candidates(study, &self.effect, console)?, Cache::of_user());
+        let found = StudyDiagnosis::new(study, &effects, self.settings(), &cache, console.progress());
+        let found = found.map_err(|error| Failure::of_diagnosis(&study.path, error))?;
+        let mut report = DiagnosisReport::new(found.diagnosis, found.work, study);
+        let doubts = table.and_then(DesignReadings::doubts);
         report.diagnosis.sentence = doubts
             .into_iter()
             .chain([report.diagnosis.sentence])
             .collect::<Vec<_>>()
             .join(" ");
-        report.diagnosis.notes.extend(table.and_then(FromSheet::assumed));
-        Ok((campaign, report))
+        report
+            .diagnosis
+            .notes
+            .extend(table.and_then(DesignReadings::assumed));
+        Ok((found.campaign, report))
     }
 
-    /// What the campaign of a study could see and tell apart, and its name.
-    fn planned(&self, study: &LoadedStudy, console: &Console) -> Result<(String, Plan), Failure> {
-        let effects = candidates(study, &self.effect, console)?;
-        let names: Vec<&str> = effects.names.iter().map(String::as_str).collect();
-        let prepared = kept::prepared(study, &names, self.settings(), console.progress());
-        let Prepared {
-            campaign,
-            settings,
-            table,
-            ..
-        } = prepared.map_err(|error| fault(&self.study, error))?;
-        let plan = plan(&campaign, Some(&table), &settings, console.progress());
-        Ok((campaign.name, plan.map_err(|error| fault(&self.study, error))?))
+    /// What the campaign of a study could see and tell apart.
+    fn planned(&self, study: &LoadedStudy, console: &Console) -> Result<Plan, Failure> {
+        let (effects, cache) = (candidates(study, &self.effect, console)?, Cache::of_user());
+        let plan = plan_study(study, &effects, self.settings(), &cache, console.progress());
+        plan.map_err(|error| Failure::of_diagnosis(&study.path, error))
     }
 
     fn written(
@@ -194,11 +192,11 @@ impl Diagnose {
         campaign: &Campaign,
         mut report: DiagnosisReport,
         mut folder: RunFolder,
-        table: Option<&FromSheet>,
+        table: Option<&DesignReadings>,
         console: &Console,
     ) -> Result<(), Failure> {
         let study = campaign.name.as_str();
-        let keep = table.map_or(String::new(), FromSheet::to_keep);
+        let keep = table.map_or(String::new(), to_keep);
         let path = table.map_or(self.study.clone(), |table| {
             PathBuf::from(format!("{}.toml", table.name()))
         });
@@ -215,7 +213,7 @@ impl Diagnose {
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
         report.files = folder.listed_with(self.report);
         if self.report {
-            let wings = super::study::found(campaign, &report.diagnosis, console)?;
+            let wings = found(campaign, &report.diagnosis, console.progress())?;
             let page = html::diagnosis::page(study, &report, &wings)?;
             folder.add(REPORT, page.html().as_bytes())?;
         }
@@ -270,108 +268,19 @@ fn to_add(study: &Path, on: &[String], diagnosis: &Diagnosis) -> String {
     commands
 }
 
-/// Data that were made with what the diagnosis itself would use prove nothing.
-fn refuse_own_word(path: &Path, study: &LoadedStudy, seed: u64) -> Result<(), Failure> {
-    let mut files: Vec<(&str, Vec<InCommon>)> = Vec::new();
-    for case in &study.cases {
-        let shared = case.made.map_or(Vec::new(), |made| made.in_common(seed));
-        let file = case.measurement.as_str();
-        if !shared.is_empty() && !files.iter().any(|(known, _)| *known == file) {
-            files.push((file, shared));
-        }
-    }
-    if files.is_empty() {
-        return Ok(());
-    }
-    let made = files.iter().map(|(file, shared)| {
-        let what: Vec<&str> = shared.iter().map(|shared| shared.what.as_str()).collect();
-        format!("{file} was made by washout synthesize with {}", and(&what))
-    });
-    let made = made.collect::<Vec<_>>().join(", and ");
-    let mut without: Vec<&str> = Vec::new();
-    for shared in files.iter().flat_map(|(_, shared)| shared) {
-        if !without.contains(&shared.without.as_str()) {
-            without.push(&shared.without);
-        }
-    }
-    Err(Failure::OwnWord {
-        study: path.to_path_buf(),
-        made,
-        without: and(&without),
-    })
-}
-
-/// Words in one sentence.
-fn and(words: &[&str]) -> String {
-    match words {
-        [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
-        _ => words.concat(),
-    }
-}
-
-/// A study diagnosed as `washout diagnose STUDY` does it, with the campaign that it was diagnosed by.
-pub fn diagnosed(
-    path: &Path,
-    study: &LoadedStudy,
-    console: &Console,
-) -> Result<(Campaign, DiagnosisReport), Failure> {
+/// A study diagnosed as `washout diagnose STUDY` does it.
+pub fn diagnosed(study: &LoadedStudy, console: &Console) -> Result<StudyDiagnosis, Failure> {
     let settings = Settings::default();
-    refuse_own_word(path, study, settings.seed)?;
-    answered(path, study, &candidates(study, &[], console)?, settings, console)
+    let of_study = |error| Failure::of_diagnosis(&study.path, error);
+    refuse_own_data(study, settings.seed).map_err(of_study)?;
+    let effects = candidates(study, &[], console)?;
+    StudyDiagnosis::new(study, &effects, settings, &Cache::of_user(), console.progress()).map_err(of_study)
 }
 
-/// What the measurements of a study say, and what to measure next: of its experiments, or of what any study can add.
-fn answered(
-    path: &Path,
-    study: &LoadedStudy,
-    effects: &Candidates,
-    settings: Settings,
-    console: &Console,
-) -> Result<(Campaign, DiagnosisReport), Failure> {
-    let progress = console.progress();
-    let names: Vec<&str> = effects.names.iter().map(String::as_str).collect();
-    let prepared = kept::prepared(study, &names, settings, progress);
-    let Prepared {
-        campaign,
-        settings,
-        table,
-        beside,
-        note,
-    } = prepared.map_err(|error| fault(path, error))?;
-    let experiments = Campaign::of_experiments(study, &names, progress);
-    let experiments = experiments.map_err(|error| fault(path, error.into()))?;
-    let proposals = Proposals::new(study, &names);
-    let experiments = match &experiments {
-        Some(listed) => Experiments::Listed(listed),
-        None => Experiments::Proposed(&proposals),
-    };
-    let diagnosis = diagnose_among(&campaign, experiments, Some(&table), &settings, progress);
-    let mut diagnosis = diagnosis.map_err(|error| fault(path, error))?;
-    if let Some(wings) = &study.study.candidates_on {
-        let wings = wings.join(", ");
-        diagnosis.notes.push(format!(
-            "Effects were tried on {wings} alone; the other wings are held to be as modelled."
-        ));
-    }
-    diagnosis.notes.extend(effects.left_out.iter().cloned());
-    diagnosis.notes.extend(note);
-    let not_compared = campaign.not_compared().into_iter();
-    let told = not_compared.map(|row| format!("Not compared: {row}"));
-    diagnosis.notes.extend(told);
-    let mut work = campaign.work();
-    work += beside;
-    let report = DiagnosisReport {
-        diagnosis,
-        work,
-        made_of: MadeOf::files(&study.files),
-        files: Vec::new(),
-    };
-    Ok((campaign, report))
-}
-
-fn fault(study: &Path, source: DiagnoseError) -> Failure {
-    Failure::Diagnosis {
-        study: study.to_path_buf(),
-        source,
-    }
+/// The effects to try; of those that were named and cannot be, the reason is noted.
+pub fn candidates(study: &LoadedStudy, asked: &[String], console: &Console) -> Result<Candidates, Failure> {
+    let found = Candidates::new(study, asked);
+    let found = found.map_err(|error| Failure::of_diagnosis(&study.path, error))?;
+    found.left_out.iter().for_each(|words| console.note(words));
+    Ok(found)
 }

@@ -46,7 +46,7 @@ documents! {
     /// `washout solve --json`, and `summary.json`
     Solve "solve" RunSummary,
     /// `washout compare --json`
-    Compare "compare" super::compare::CompareReport,
+    Compare "compare" crate::export::compare_report::CompareReport,
     /// `washout lift --json`
     Lift "lift" crate::export::lift::LiftSummary,
     /// `washout pareto --json`
@@ -76,7 +76,7 @@ documents! {
     /// `washout diagnose --json`
     Diagnose "diagnose" DiagnosisReport,
     /// `washout add --json`
-    Add "add" super::add::AddReport,
+    Add "add" crate::export::added::AddReport,
     /// `washout diagnose --plan --json`
     Plan "plan" Plan,
     /// `washout synthesize --json`

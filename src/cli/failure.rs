@@ -1,8 +1,9 @@
 //! How a verb can fail, and the exit code of each way.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use crate::add::AddError;
 use crate::blind::BlindError;
 use crate::coupling::CouplingError;
 use crate::diagnose::DiagnoseError;
@@ -11,6 +12,7 @@ use crate::export::ExportError;
 use crate::input::InputError;
 use crate::page::text::significant;
 use crate::progress::Cancelled;
+use crate::solve::SolveError;
 use crate::study::StudyError;
 use crate::sweep::SweepError;
 use crate::synthesize::SynthesizeError;
@@ -85,21 +87,6 @@ pub enum Failure {
         study: PathBuf,
         /// Why.
         source: BlindError,
-    },
-    /// Measurements that a diagnosis would only read back.
-    #[error(
-        "{}: {made} as this diagnosis has: finding the answer there would prove nothing. Make the measurements anew with {without} \
-         (washout synthesize), or diagnose them all the same: washout diagnose {} --own-data",
-        study.display(),
-        study.display()
-    )]
-    OwnWord {
-        /// The study file.
-        study: PathBuf,
-        /// Which measurements, and what they share.
-        made: String,
-        /// How to make them without that.
-        without: String,
     },
     /// A search that cannot be made.
     #[error("{}: {source}", design.display())]
@@ -228,7 +215,44 @@ pub enum Failure {
     Interrupted(#[from] Cancelled),
 }
 
+impl From<AddError> for Failure {
+    fn from(error: AddError) -> Failure {
+        match error {
+            AddError::Question { question, reason } => Failure::Option {
+                option: question,
+                reason,
+            },
+            AddError::Input(source) => Failure::Input(source),
+            AddError::Study { study, source } => Failure::OfStudy { study, source },
+        }
+    }
+}
+
+impl From<SolveError> for Failure {
+    fn from(error: SolveError) -> Failure {
+        match error {
+            SolveError::Wing(source) => Failure::Wing(source),
+            SolveError::Band(source) => Failure::Study(source),
+        }
+    }
+}
+
 impl Failure {
+    /// Why a study gives no diagnosis; what is at fault in the command or in a file is told as everywhere.
+    pub fn of_diagnosis(study: &Path, source: DiagnoseError) -> Failure {
+        match source {
+            DiagnoseError::Asked { reason } => Failure::Option {
+                option: "--effect",
+                reason,
+            },
+            DiagnoseError::Input(error) => error.into(),
+            source => Failure::Diagnosis {
+                study: study.to_path_buf(),
+                source,
+            },
+        }
+    }
+
     /// The exit code of the process: 1 other, 2 input, 3 not converged, 130 interrupted.
     pub fn exit_code(&self) -> u8 {
         match self {
@@ -250,7 +274,6 @@ impl Failure {
                 ExploreError::Coupling(CouplingError::Interrupted(_)) => 130,
                 _ => 2,
             },
-            Failure::OwnWord { .. } => 2,
             Failure::Blind { source, .. } => match source {
                 BlindError::Study(source)
                 | BlindError::Synthesis(SynthesizeError::Study(source))

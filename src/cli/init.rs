@@ -6,9 +6,11 @@ use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::export::drawn::Drawn;
 use crate::export::file::{refuse_any, write_new};
+use crate::export::sheet::{files, understood};
+use crate::input::sheet::DesignReadings;
 
-use super::sheet::FromSheet;
 use super::{Console, Failure};
 
 const TEMPLATE: &str = include_str!("init_design.toml");
@@ -35,11 +37,19 @@ chordwise = 6
   washout init my-study --study
   # compares them
   washout compare my-study.toml
+  # a design with the outline of a drawing, DXF or SVG
+  washout init my-wing --outline wing.dxf
   # a study of your own wing and table, long or wide, .csv or .xlsx
   washout init my-study --study --design my-wing.toml --readings sheet.csv")]
 pub struct Init {
     /// Name of the wing or study: letters, digits, '-' and '_'
     pub name: String,
+    /// Take the outline from a drawing, DXF or SVG: its largest closed line, the leading edge level on top, the base at the left
+    #[arg(long, value_name = "DRAWING", conflicts_with = "study")]
+    pub outline: Option<PathBuf>,
+    /// The base is at the right of the drawing
+    #[arg(long, requires = "outline")]
+    pub base_at_right: bool,
     /// Write a study, with its design and made-up readings, instead of a design
     #[arg(long)]
     pub study: bool,
@@ -50,7 +60,7 @@ pub struct Init {
     #[arg(long, value_name = "TABLE", requires_all = ["study", "design"])]
     pub readings: Option<PathBuf>,
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "readings", value_parser = super::sheet::number)]
+    #[arg(long, value_name = "SIGMA", requires = "readings", value_parser = super::design_arguments::number)]
     pub sigma: Option<f64>,
     /// Folder to write into [default: this one]
     #[arg(long, short, value_name = "DIR")]
@@ -73,19 +83,28 @@ impl Init {
         let folder = self.output.clone().unwrap_or_default();
         let name = checked(&self.name)?;
         let table = match (&self.readings, &self.design) {
-            (Some(readings), Some(design)) => Some(FromSheet::load(readings, design, self.sigma)?),
+            (Some(readings), Some(design)) => Some(DesignReadings::load(readings, design, self.sigma)?),
             _ => None,
+        };
+        let drawn = self
+            .outline
+            .as_ref()
+            .map(|drawing| Drawn::load(drawing, self.base_at_right));
+        let drawn = drawn.transpose()?;
+        let text = match &drawn {
+            Some(drawn) => drawn.design(&design(name)),
+            None => design(name),
         };
         let files = match &table {
             Some(table) => {
-                let made = table.files(name, &folder)?;
+                let made = files(table, name, &folder)?;
                 vec![
                     (format!("{name}.toml"), made.study),
                     (format!("{name}-measured.csv"), made.readings),
                 ]
             }
             None if self.study => study(name),
-            None => vec![(format!("{name}.toml"), design(name))],
+            None => vec![(format!("{name}.toml"), text)],
         };
         let files = files
             .into_iter()
@@ -102,13 +121,14 @@ impl Init {
         let beside: Vec<String> = names.collect();
         let page = if let Some(table) = &table {
             let with = beside.join(" and ");
-            let understood = table.understood();
+            let understood = understood(&table.sheet);
             format!("{understood}\n{file} written, with {with}; diagnose it with: washout diagnose {file}\n")
         } else if self.study {
             let with = beside.join(" and ");
             format!("{file} written, with {with}; compare them with: washout compare {file}\n")
         } else {
-            format!("{file} written; solve it with: washout solve {file}\n")
+            let understood = drawn.as_ref().map_or(String::new(), Drawn::understood);
+            format!("{understood}{file} written; solve it with: washout solve {file}\n")
         };
         console.result(&page, &InitReport { file, beside })
     }

@@ -13,9 +13,7 @@ mod memory;
 
 pub mod solve;
 
-pub mod stroke;
-
-pub mod study;
+mod written;
 
 pub mod study_file;
 
@@ -61,8 +59,6 @@ pub mod measure;
 
 pub mod init;
 
-pub mod sheet;
-
 pub mod schema;
 
 pub mod documents;
@@ -73,17 +69,7 @@ pub mod effects;
 
 pub mod diagnose;
 
-pub mod candidates;
-
-pub mod kept;
-
 pub mod add;
-
-pub mod added;
-
-mod effect_tables;
-
-pub mod joining;
 
 pub mod report;
 

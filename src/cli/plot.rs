@@ -12,7 +12,7 @@ use crate::export::run::RunFolder;
 use crate::origin::MadeOf;
 use crate::plot::Print;
 
-use super::study::listed;
+use super::written::listed;
 use super::{Console, Failure};
 
 /// The document that lists the pictures.

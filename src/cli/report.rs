@@ -9,12 +9,16 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::compare::ComparedStudy;
+use crate::export::added::{self, AddReport};
+use crate::export::compare_report::CompareReport;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::file::refuse_other;
+use crate::export::html::cases::explained;
 use crate::export::html::folder::{Contents, page, title_of};
 use crate::export::html::study::StudyParts;
 use crate::export::html::wings::Wings;
-use crate::export::html::{Document, Page, REPORT, diagnosis, is_report, run, study};
+use crate::export::html::{Document, Page, REPORT, compared, diagnosis, is_report, run, study};
 use crate::export::json::Document as _;
 use crate::export::layouts::LayoutSummary;
 use crate::export::lift::LiftSummary;
@@ -26,11 +30,9 @@ use crate::export::summary::RunSummary;
 use crate::export::verification::VerifyReport;
 use crate::export::{ExportError, json};
 use crate::input::study::LoadedStudy;
-use crate::origin::MadeOf;
 
-use super::add::{AddReport, LADDER};
-use super::compare::CompareReport;
-use super::study::COMPARISON;
+use super::add::LADDER;
+use super::compare::COMPARISON;
 use super::verify::DOCUMENT as VERIFY;
 use super::{Console, Failure};
 
@@ -145,24 +147,26 @@ impl Report {
     }
 
     fn of_study(&self, loaded: &LoadedStudy, console: &Console) -> Result<Page, Failure> {
-        let compared = super::study::Compared::new(&self.what, loaded, console)?;
+        let progress = console.progress();
+        let compared = ComparedStudy::new(loaded, progress);
+        let compared = compared.map_err(|source| Failure::OfStudy {
+            study: self.what.clone(),
+            source,
+        })?;
         let diagnosed = self
             .diagnose
-            .then(|| super::diagnose::diagnosed(&self.what, loaded, console))
+            .then(|| super::diagnose::diagnosed(loaded, console))
             .transpose()?;
-        let mut parts = compared.parts(loaded, console)?;
-        if let Some((campaign, report)) = diagnosed {
-            parts
-                .wings
-                .extend(super::study::explained(&campaign, &report.diagnosis, console)?);
-            parts.diagnosis = Some(report);
+        let mut parts = StudyParts::new(&compared, loaded, progress)?;
+        if let Some(found) = diagnosed {
+            let explained = explained(&found.campaign, &found.diagnosis, progress)?;
+            parts.wings.extend(explained);
+            parts.diagnosis = Some(DiagnosisReport::new(found.diagnosis, found.work, loaded));
         }
-        let report = StudyReport {
-            comparison: compared.comparison,
-            made_of: MadeOf::files(&loaded.files),
-            files: Vec::new(),
-        };
-        Ok(study::page(&report, &parts)?)
+        Ok(study::page(
+            &StudyReport::new(compared.comparison, loaded),
+            &parts,
+        )?)
     }
 }
 
@@ -178,7 +182,7 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
         let document: Value = read_document(&comparison)?;
         return match json::kind(&document) {
             Some(kind) if kind == CompareReport::KIND => {
-                super::compare::report_page(&known(&document, &comparison)?)
+                Ok(compared::page_alone(&known(&document, &comparison)?)?)
             }
             _ => Ok(study::page(
                 &known(&document, &comparison)?,
@@ -228,7 +232,7 @@ fn words(kind: &str, document: &Value, folder: &Path) -> Result<String, Failure>
         LayoutSummary::KIND => known::<LayoutSummary>(document, folder)?.page(&shown),
         ModesSummary::KIND => known::<ModesSummary>(document, folder)?.page(&shown),
         VerifyReport::KIND => known::<VerifyReport>(document, folder)?.page().text(),
-        AddReport::KIND => super::add::page(&known(document, folder)?),
+        AddReport::KIND => added::page(&known(document, folder)?),
         _ => String::new(),
     })
 }

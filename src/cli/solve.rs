@@ -1,36 +1,18 @@
 //! `washout solve`: a design in; twist, forces, stresses and files out.
 
-use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::compare::Reading;
-use crate::coupling::Engineering;
-use crate::export::ExportError;
-use crate::export::collect::{Solved, summarize, write_files};
 use crate::export::pictures::profile::twist;
 use crate::export::report::page;
 use crate::export::run::{RunFolder, read_summary};
-use crate::export::summary::RunSummary;
-use crate::export::warnings::of_stroke;
-use crate::input::Design;
-use crate::observation::TwistProfile;
-use crate::progress::Progress;
-use crate::study::uncertainty::FEWEST_SAMPLES;
-use crate::study::{ProfileOutputs, StudyError, Uncertainty, UncertaintySettings, propagate};
-use crate::wing::{DiscretizationError, Meshes, SolvedWing, WingError, WingModel};
+use crate::export::solved_run::SolvedRun;
+use crate::solve::{Asked, OverStroke};
 
 use super::design_arguments::DesignArguments;
-use super::stroke::{self, StrokeRun};
-use super::study::listed;
+use super::written::listed;
 use super::{Console, Failure};
-
-/// Phases of the periodic motion that can be asked for.
-const STROKE_PHASES: RangeInclusive<u16> = 2..=720;
-/// Phases that stand still that can be asked for.
-const STANDING_PHASES: RangeInclusive<u16> = 2..=99;
 
 /// Arguments of `washout solve`.
 #[derive(Debug, Args)]
@@ -60,7 +42,7 @@ pub struct Solve {
     pub output: Option<PathBuf>,
     /// What is wanted besides the loaded shape
     #[command(flatten)]
-    pub asked: Asked,
+    pub besides: Besides,
     /// Write report.html besides: the wing in 3D, pictures and tables in one file for a browser
     #[arg(long)]
     pub report: bool,
@@ -68,7 +50,7 @@ pub struct Solve {
 
 /// What is wanted besides the loaded shape.
 #[derive(Debug, Clone, Copy, Default, Args)]
-pub struct Asked {
+pub struct Besides {
     /// Propagate the assumed ranges to a band by N solves, 16 or more [default N: 64]
     #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "64")]
     pub uncertainty: Option<usize>,
@@ -88,12 +70,11 @@ impl Solve {
     /// Solves and writes; nothing is written unless everything converged.
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let progress = console.progress();
-        self.asked.check()?;
         let wing = self.design.wing(console)?;
         let output = self.output.clone();
         let target = output.unwrap_or_else(|| PathBuf::from("output").join(&wing.design().name));
         let mut folder = RunFolder::create(&target, "solve")?;
-        let run = Run::new(&wing, &self.asked, progress)?;
+        let run = SolvedRun::new::<Failure>(&wing, &self.besides.asked(), progress)?;
         let summary = run.add_files(&mut folder, self.report)?;
         progress.check()?;
         let earlier = read_summary(&target).ok();
@@ -107,119 +88,14 @@ impl Solve {
     }
 }
 
-impl Asked {
-    /// Refuses before any solving what would be refused after it.
-    fn check(&self) -> Result<(), Failure> {
-        refuse_outside("--stroke", self.stroke, STROKE_PHASES)?;
-        refuse_outside("--stroke-quasi-static", self.stroke_quasi_static, STANDING_PHASES)?;
-        if self.stroke.is_some() && self.stroke_quasi_static.is_some() {
-            return Err(Failure::Option {
-                option: "--stroke-quasi-static",
-                reason: "does not go together with --stroke; leave one out".to_string(),
-            });
-        }
-        match self.uncertainty {
-            Some(asked) if asked < FEWEST_SAMPLES => Err(Failure::Study(StudyError::TooFewSamples {
-                asked,
-                fewest: FEWEST_SAMPLES,
-            })),
-            _ => Ok(()),
-        }
-    }
-}
-
-fn refuse_outside(
-    option: &'static str,
-    phases: Option<u16>,
-    range: RangeInclusive<u16>,
-) -> Result<(), Failure> {
-    match phases {
-        Some(phases) if !range.contains(&phases) => Err(Failure::Option {
-            option,
-            reason: format!(
-                "the number of phases must lie in {} … {}",
-                range.start(),
-                range.end()
-            ),
-        }),
-        _ => Ok(()),
-    }
-}
-
-/// A wing solved, with all that was asked for besides; nothing of it is written yet.
-#[derive(Debug)]
-pub struct Run {
-    /// The wing.
-    pub wing: SolvedWing,
-    /// Profile, lift, and how far it is from the measurement.
-    pub reading: Reading,
-    mesh_error: DiscretizationError,
-    uncertainty: Option<Uncertainty>,
-    stroke: Option<StrokeRun>,
-    engineering: Engineering,
-}
-
-impl Run {
-    /// Solves.
-    pub fn new(wing: &WingModel, asked: &Asked, progress: &Progress) -> Result<Run, Failure> {
-        asked.check()?;
-        progress.say(format_args!("solving {}", wing.design().name));
-        let meshes = match asked.accuracy {
-            None => Meshes::solve(wing, progress)?,
-            Some(percent) => Meshes::until(wing, 0.01 * percent, progress)?,
-        };
-        let mesh_error = meshes.error()?;
-        let wing = meshes.wing;
-        let reading = Reading::of(&wing, &BTreeMap::new())?;
-        let uncertainty = asked
-            .uncertainty
-            .map(|samples| band((&wing, meshes.coarser.as_ref().ok()), &reading, samples, progress));
-        let uncertainty = uncertainty.transpose()?;
-        let moving = asked
-            .stroke
-            .map(|phases| stroke::periodic(&wing, phases, progress));
-        let standing = asked
-            .stroke_quasi_static
-            .map(|phases| stroke::quasi_static(&wing, phases, progress));
-        let stroke = moving.or(standing).transpose()?;
-        let engineering = wing.engineering(progress)?;
-        Ok(Run {
-            wing,
-            reading,
-            mesh_error,
-            uncertainty,
-            stroke,
-            engineering,
-        })
-    }
-
-    /// Its summary, as `summary.json` has it, but with no files.
-    pub fn summary(&self) -> RunSummary {
-        let mut summary = summarize(&self.solved());
-        if let Some(stroke) = &self.stroke {
-            summary.warnings.extend(of_stroke(&stroke.summary));
-            summary.stroke = Some(stroke.summary.clone());
-        }
-        summary
-    }
-
-    /// Adds all its files to a folder and gives the summary among them; `with_report`: the report too.
-    pub fn add_files(&self, folder: &mut RunFolder, with_report: bool) -> Result<RunSummary, ExportError> {
-        let mut summary = self.summary();
-        if let Some(stroke) = &self.stroke {
-            stroke.add_files(folder)?;
-        }
-        write_files(folder, &self.solved(), &mut summary, with_report)?;
-        Ok(summary)
-    }
-
-    fn solved(&self) -> Solved<'_> {
-        Solved {
-            wing: &self.wing,
-            reading: &self.reading,
-            mesh_error: &self.mesh_error,
-            uncertainty: self.uncertainty.as_ref(),
-            engineering: &self.engineering,
+impl Besides {
+    fn asked(&self) -> Asked {
+        let periodic = self.stroke.map(OverStroke::Periodic);
+        let standing = self.stroke_quasi_static.map(OverStroke::QuasiStatic);
+        Asked {
+            uncertainty: self.uncertainty,
+            accuracy: self.accuracy.map(|percent| 0.01 * percent),
+            stroke: periodic.or(standing),
         }
     }
 }
@@ -230,49 +106,4 @@ fn percent(text: &str) -> Result<f64, String> {
     let is_sound = |percent: &f64| (0.01..=100.0).contains(percent);
     let value = value.ok().filter(is_sound);
     value.ok_or_else(|| "a percentage from 0.01 to 100 is expected, such as 1%".to_string())
-}
-
-fn band(
-    (wing, coarser): (&SolvedWing, Option<&SolvedWing>),
-    reading: &Reading,
-    samples: usize,
-    progress: &Progress,
-) -> Result<Uncertainty, Failure> {
-    let outputs = ProfileOutputs::new(&reading.profile, &stretches_mm(reading));
-    let unseen = progress.unseen();
-    let evaluate = |design: &Design| -> Result<Vec<f64>, String> {
-        outputs.read(&profile_of(wing, design, &unseen).map_err(|error| error.to_string())?)
-    };
-    let settings = UncertaintySettings {
-        samples,
-        ..UncertaintySettings::default()
-    };
-    let design = wing.model.design();
-    let found = propagate(design, &outputs.outputs, settings, progress, evaluate);
-    let mut found = found.map_err(Failure::Study)?;
-    // a station that the coarser mesh does not read says nothing of the finer one
-    let on_coarser = coarser.and_then(|coarser| outputs.read(&coarser.profile().ok()?).ok());
-    for (output, other) in found.outputs.iter_mut().zip(on_coarser.into_iter().flatten()) {
-        output.mesh_error = Some((output.nominal - other).abs());
-    }
-    Ok(found)
-}
-
-/// Stretches of the measured rates; those of the fitted stages where none was measured.
-fn stretches_mm(reading: &Reading) -> Vec<[f64; 2]> {
-    let measured = reading.measured.iter().flat_map(|comparison| &comparison.rows);
-    let measured: Vec<[f64; 2]> = measured
-        .filter_map(|row| Some([row.r_mm?, row.r_to_mm?]))
-        .collect();
-    if !measured.is_empty() {
-        return measured;
-    }
-    let fitted = reading.stages.iter().flat_map(|fit| &fit.stages);
-    fitted.map(|stage| [stage.from_mm, stage.to_mm]).collect()
-}
-
-/// The profile of another design, solved from a wing nearby.
-fn profile_of(near: &SolvedWing, design: &Design, progress: &Progress) -> Result<TwistProfile, WingError> {
-    let wing = near.model.with_design(design.clone())?;
-    wing.solve_from(&near.solution, progress)?.profile()
 }

@@ -22,8 +22,8 @@ use crate::sweep::{
 
 use super::finished::finished;
 use super::job::Job;
-use super::study::listed;
 use super::tasks::{MOST_TASKS, TaskArguments, Work, beside, gone};
+use super::written::listed;
 use crate::wing::WingError;
 
 use super::{Console, Failure};

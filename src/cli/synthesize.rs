@@ -8,6 +8,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toml_edit::{DocumentMut, Item, value};
 
+use crate::add::joining::{own_strength, own_table};
+use crate::add::own::own_effects;
 use crate::export::measurement::measurement_csv;
 use crate::export::run::RunFolder;
 use crate::export::{ExportError, json, place};
@@ -16,7 +18,7 @@ use crate::input::study::LoadedStudy;
 use crate::origin::InputFile;
 use crate::synthesize::{Hidden, Recipe, SynthesizeError, Synthetic, synthesize};
 
-use super::{Console, Failure, joining};
+use super::{Console, Failure};
 
 const VERB: &str = "synthesize";
 
@@ -151,10 +153,10 @@ impl Synthesize {
             hidden.push(Hidden { wing, ..known });
         }
         if let Some(file) = &self.own {
-            for (name, table) in super::add::own_effects(file)?.0 {
-                let strength = joining::own_strength(file, &name, &table)?;
+            for (name, table) in own_effects(file)?.0 {
+                let strength = own_strength(file, &name, &table)?;
                 let designs = study.cases.iter().map(|case| &case.loaded.design);
-                joining::own_table(file, &name, &table, designs, strength)?;
+                own_table(file, &name, &table, designs, strength)?;
                 hidden.push(Hidden {
                     name,
                     strength,

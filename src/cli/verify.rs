@@ -4,16 +4,18 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::compare::ComparedStudy;
 use crate::export::file::{refuse_page, write_page};
 use crate::export::run::RunFolder;
 use crate::export::trust::{TRUST_HEAD, markdown, trust_page};
 use crate::export::verification::VerifyReport;
 use crate::input::nearest_word;
+use crate::input::study::LoadedStudy;
 use crate::page::text::Table;
 use crate::verify::{ALL, Case, Extent, Kind, named, run};
 
 use super::finished::finished;
-use super::study::{compared, listed};
+use super::written::listed;
 use super::{Console, Failure};
 
 /// Name of the document of the folder.
@@ -62,9 +64,15 @@ impl Verify {
         if let Some(page) = &self.page {
             refuse_page(page, TRUST_HEAD)?;
         }
-        let studies: Result<Vec<_>, Failure> = (self.study.iter())
-            .map(|path| compared(path, &[], console))
-            .collect();
+        let compared = |path: &PathBuf| {
+            let compared = ComparedStudy::new(&LoadedStudy::load(path, &[])?, console.progress());
+            let compared = compared.map_err(|source| Failure::OfStudy {
+                study: path.clone(),
+                source,
+            })?;
+            Ok(compared.comparison)
+        };
+        let studies: Result<Vec<_>, Failure> = self.study.iter().map(compared).collect();
         let studies = studies?;
         let mut folder = RunFolder::listed_by(&self.output, "verify", DOCUMENT)?;
         let extent = if self.short { Extent::Short } else { Extent::Full };

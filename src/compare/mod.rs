@@ -2,13 +2,19 @@
 //!
 //! Errors are measured minus modelled: positive where the wing does more than the model says.
 
+pub mod compared_study;
+
 pub mod comparison;
+
+pub mod design_comparison;
 
 pub mod integrated;
 
 pub mod ladder;
 
 pub mod reading;
+
+pub mod reference;
 
 pub mod row;
 
@@ -26,7 +32,9 @@ pub mod verdict;
 
 pub mod wing;
 
+pub use compared_study::ComparedStudy;
 pub use comparison::Comparison;
+pub use design_comparison::DesignComparison;
 pub use ladder::{StepGroup, StudyLadderStep};
 pub use reading::Reading;
 pub use row::{ComparedRow, NotCompared};

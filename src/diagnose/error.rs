@@ -1,7 +1,10 @@
 //! Why there is no diagnosis.
 
+use std::path::PathBuf;
+
 use thiserror::Error;
 
+use crate::input::InputError;
 use crate::progress::Cancelled;
 use crate::study::StudyError;
 
@@ -35,6 +38,29 @@ pub enum DiagnoseError {
         /// Unknown or result.
         what: String,
     },
+    /// Effects were asked for that there are not, or of which none can join the model.
+    #[error("{reason}")]
+    Asked {
+        /// Which, and what to name instead.
+        reason: String,
+    },
+    /// Measurements that a diagnosis would only read back.
+    #[error(
+        "{made} as this diagnosis has: finding the answer there would prove nothing. Make the measurements anew with {without} (washout \
+         synthesize), or diagnose them all the same: washout diagnose {} --own-data",
+        study.display()
+    )]
+    OwnData {
+        /// The study file.
+        study: PathBuf,
+        /// Which measurements, and what they share.
+        made: String,
+        /// How to make them without that.
+        without: String,
+    },
+    /// A key of the study is refused.
+    #[error(transparent)]
+    Input(#[from] InputError),
     /// The study has no result.
     #[error(transparent)]
     Study(StudyError),

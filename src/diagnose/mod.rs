@@ -6,6 +6,10 @@ pub mod baseline;
 
 pub mod bump;
 
+pub mod cache;
+
+pub mod candidates;
+
 mod columns;
 
 pub mod data;
@@ -38,6 +42,8 @@ pub mod novel;
 
 pub mod novel_words;
 
+pub mod of_study;
+
 pub mod pairs;
 
 mod places;
@@ -46,11 +52,14 @@ pub mod plan;
 
 pub mod posterior;
 
+mod prepared;
+
 pub mod refit;
 
 pub mod report;
 
 pub mod responses;
+
 pub mod root;
 
 pub mod robust;
@@ -81,8 +90,11 @@ pub mod whitened;
 
 pub mod words;
 
+pub use cache::Cache;
+pub use candidates::Candidates;
 pub use error::DiagnoseError;
 pub use next::Experiments;
+pub use of_study::{StudyDiagnosis, plan_study};
 pub use plan::{Plan, plan};
 pub use settings::{PriorOdds, Settings};
 pub use verdict::{Diagnosis, Verdict};

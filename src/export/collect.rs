@@ -10,6 +10,7 @@ use crate::mesh::Mesh;
 use crate::observation::TwistProfile;
 use crate::observation::field::twist_at_nodes;
 use crate::origin::MadeOf;
+use crate::solve::SolvedDesign;
 use crate::study::Uncertainty;
 
 use crate::wing::{DiscretizationError, SolvedWing, WingModel};
@@ -37,6 +38,19 @@ pub struct Solved<'a> {
     pub uncertainty: Option<&'a Uncertainty>,
     /// What a builder wants to know besides.
     pub engineering: &'a Engineering,
+}
+
+impl<'a> Solved<'a> {
+    /// Of a design.
+    pub fn of(design: &'a SolvedDesign) -> Solved<'a> {
+        Solved {
+            wing: &design.wing,
+            reading: &design.reading,
+            mesh_error: &design.mesh_error,
+            uncertainty: design.uncertainty.as_ref(),
+            engineering: &design.engineering,
+        }
+    }
 }
 
 /// The summary of a solved wing, without files.

@@ -8,6 +8,7 @@ use crate::diagnose::misfit::Misfit;
 use crate::diagnose::screening::Sight;
 use crate::diagnose::verdict::{Draft, EffectRow, LookAlike, NoiseFound, Prediction};
 use crate::diagnose::{Diagnosis, Verdict};
+use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
 use crate::page::text::{number, significant};
 use crate::page::{Digits, Page, Part, Rows, Table};
@@ -29,6 +30,18 @@ pub struct DiagnosisReport {
     pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
+}
+
+impl DiagnosisReport {
+    /// Of a study, before files are written.
+    pub fn new(diagnosis: Diagnosis, work: Work, study: &LoadedStudy) -> DiagnosisReport {
+        DiagnosisReport {
+            diagnosis,
+            work,
+            made_of: MadeOf::files(&study.files),
+            files: Vec::new(),
+        }
+    }
 }
 
 use Digits::{After, Significant};

@@ -30,6 +30,9 @@ pub mod modes;
 pub mod pareto;
 
 #[cfg(feature = "cli")]
+pub mod added;
+
+#[cfg(feature = "cli")]
 pub mod ladder;
 
 #[cfg(feature = "cli")]
@@ -74,10 +77,16 @@ pub mod engineering;
 pub mod collect;
 
 #[cfg(feature = "cli")]
+pub mod solved_run;
+
+#[cfg(feature = "cli")]
 pub mod run;
 
 #[cfg(feature = "cli")]
 pub mod comparison;
+
+#[cfg(feature = "cli")]
+pub mod compare_report;
 
 #[cfg(feature = "cli")]
 pub mod diagnosis;
@@ -104,6 +113,12 @@ pub mod report;
 pub mod solved;
 
 pub mod studies;
+
+#[cfg(feature = "cli")]
+pub mod drawn;
+
+#[cfg(feature = "cli")]
+pub mod sheet;
 
 #[cfg(feature = "cli")]
 pub mod study;

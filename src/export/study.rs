@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::compare::StudyComparison;
+use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
 use crate::page::Digits::{After, Significant};
 use crate::page::text::number;
@@ -23,6 +24,17 @@ pub struct StudyReport {
     pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
+}
+
+impl StudyReport {
+    /// Of a study, before files are written.
+    pub fn new(comparison: StudyComparison, study: &LoadedStudy) -> StudyReport {
+        StudyReport {
+            comparison,
+            made_of: MadeOf::files(&study.files),
+            files: Vec::new(),
+        }
+    }
 }
 
 /// Measured numbers that text shows when there are more.

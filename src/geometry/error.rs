@@ -50,6 +50,14 @@ pub enum GeometryError {
         /// What is wrong and the cure.
         problem: &'static str,
     },
+    /// A drawn outline that is no wing.
+    #[error("{problem}; {cure}")]
+    Drawn {
+        /// What is wrong with it.
+        problem: String,
+        /// The cure.
+        cure: &'static str,
+    },
     /// Too few points.
     #[error("planform.outline has {points} point(s): it needs at least 2, [r_mm, chord_mm] with r rising")]
     ShortOutline {

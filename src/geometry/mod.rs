@@ -18,6 +18,8 @@
 
 pub mod beta;
 
+pub mod drawn;
+
 pub mod error;
 
 pub mod layout;
@@ -26,6 +28,7 @@ pub mod planform;
 
 pub mod spline;
 
+pub use drawn::DrawnWing;
 pub use error::GeometryError;
 pub use layout::Layout;
 pub use planform::Planform;

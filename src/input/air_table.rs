@@ -1,10 +1,13 @@
-//! Force coefficients from a CSV table.
+//! Force coefficients from a CSV table, or from a polar as other programs write it.
 
 use super::error::{InputError, Range};
+use super::polar;
 use super::table::Table;
 
-/// Reads a table with the columns alpha_deg, cl, cd; rows `[alpha_deg, cl, cd]` with α rising.
+/// Reads a table with the columns alpha_deg, cl, cd, or a polar; rows `[alpha_deg, cl, cd]` with α rising.
 pub(crate) fn parse(file: &str, text: &str) -> Result<Vec<[f64; 3]>, InputError> {
+    let of_polar = polar::as_table(text);
+    let text = of_polar.as_deref().unwrap_or(text);
     let table = Table::parse(file, text, &["alpha_deg", "cl", "cd"], &[])?;
     let angles = Range {
         low: -180.0,
@@ -51,6 +54,20 @@ mod tests {
         )
         .unwrap();
         assert_eq!(rows, [[-5.0, -0.1, 0.02], [5.0, 0.4, 0.03]]);
+    }
+
+    #[test]
+    fn a_polar_of_xflr5_is_a_table_and_its_faults_have_their_lines() {
+        let polar = |cd: &str| {
+            format!(
+                "xflr5 v6.47\n\n Mach =   0.000     Re =     0.010 e 6     Ncrit =   9.000\n\n  alpha     CL        CD       CDp\n \
+                 ------- -------- --------- ---------\n  -5.000  -0.5000   0.01500   0.008\n   5.000   0.5000   {cd}   0.008\n"
+            )
+        };
+        let rows = parse("p.txt", &polar("0.01600")).unwrap();
+        assert_eq!(rows, [[-5.0, -0.5, 0.015], [5.0, 0.5, 0.016]]);
+        let error = parse("p.txt", &polar("0.x")).unwrap_err().to_string();
+        assert!(error.starts_with("p.txt:8: cd = 0.x"), "{error}");
     }
 
     #[test]

@@ -30,6 +30,8 @@ mod load;
 
 mod named;
 
+mod seen_from;
+
 mod set;
 
 mod syntax;
@@ -41,6 +43,9 @@ mod check;
 mod checked;
 
 mod document;
+
+#[cfg(feature = "cli")]
+pub mod drawing;
 
 mod file;
 
@@ -54,6 +59,8 @@ mod numbers;
 
 mod path;
 
+mod polar;
+
 mod unit;
 
 pub use assumption::{Assumption, Choice};
@@ -65,5 +72,6 @@ pub use load::Loaded;
 pub(crate) use nearest::nearest;
 pub(crate) use nearest::nearest as nearest_word;
 pub use numbers::DesignNumber;
+pub use seen_from::seen_from;
 pub use twist_table::TwistTable;
 pub use unit::unit_symbol;

@@ -4,11 +4,14 @@
 //! computation: lift ratio ℓ and power ratio p at equal fΦ give lift per power ℓ/p at equal fΦ, lift ℓ p^(−2/3) at
 //! equal power, lift per power ℓ^(3/2)/p at equal lift.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::error::LiftError;
 use super::means::StrokeMeans;
 
 /// Ratios of a wing to a reference, the wing at `rate_ratio` times the reference's fΦ.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Ratios {
     /// fΦ of the wing over that of the reference.
     pub rate_ratio: f64,
@@ -59,6 +62,20 @@ impl Ratios {
             lift_at_equal_power: lift * power.powf(-2.0 / 3.0),
             lift_per_power_at_equal_lift: lift.powf(1.5) / power,
         })
+    }
+
+    /// The ratios with their names.
+    pub fn named(&self) -> [(&'static str, f64); 8] {
+        [
+            ("lift", self.lift),
+            ("drag", self.drag),
+            ("power", self.power),
+            ("lift over drag", self.lift_to_drag),
+            ("local lift over drag along the span", self.local_lift_to_drag),
+            ("lift per power", self.lift_per_power),
+            ("lift at equal power", self.lift_at_equal_power),
+            ("lift per power at equal lift", self.lift_per_power_at_equal_lift),
+        ]
     }
 
     /// The same wings with the same twist, the wing at another multiple of the reference's fΦ: 1 compares at equal

@@ -216,15 +216,6 @@ fn is_number(text: &str) -> bool {
     text.starts_with(|first: char| first.is_ascii_digit() || "+-−<>±".contains(first)) || text == "–"
 }
 
-/// A sentence with its first letter in upper case.
-pub fn first_up(words: &str) -> String {
-    let mut letters = words.chars();
-    let first = letters
-        .next()
-        .map_or(String::new(), |letter| letter.to_uppercase().to_string());
-    first + letters.as_str()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -74,6 +74,6 @@ pub use proposed::{Cost, Proposal, Proposals};
 pub use shares::Share;
 pub use skipped::SkippedRow;
 pub use task::Task;
-pub use two_meshes::TwoMeshes;
+pub use two_meshes::{MeshLeaves, OnCoarserMesh, TwoMeshes};
 pub use uncertainty::{Uncertainty, UncertaintySettings, propagate};
 pub use work::Work;

@@ -2,6 +2,7 @@
 //! moved.
 
 use nalgebra::DVector;
+use serde::{Deserialize, Serialize};
 
 use super::campaign::Campaign;
 use super::error::StudyError;
@@ -55,9 +56,9 @@ fn refined(study: &LoadedStudy, factor: f64) -> LoadedStudy {
 
 impl Campaign {
     /// The same with every further prediction corrected by what is known of the mesh.
-    pub fn with_mesh_error(self, error: MeshError) -> Campaign {
+    pub fn with_mesh(self, mesh: &MeshLeaves) -> Campaign {
         Campaign {
-            mesh_error: Some(error),
+            mesh_error: mesh.error.clone(),
             ..self
         }
     }
@@ -93,6 +94,82 @@ fn left(coarser: &DVector<f64>, finer: &DVector<f64>) -> MeshError {
         correction: difference.iter().map(|own| ORDER / (ORDER - 1.0) * own).collect(),
         deviation: difference.iter().map(|own| LEFT * own).collect(),
     }
+}
+
+/// A campaign on the coarser of two meshes, and the study on the mesh that corrects it.
+#[derive(Debug)]
+pub struct OnCoarserMesh {
+    /// The campaign.
+    pub campaign: Campaign,
+    finer: Option<LoadedStudy>,
+    note: Option<String>,
+}
+
+/// What the mesh of a campaign leaves, and a sentence where that is not known.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub struct MeshLeaves {
+    /// What is known.
+    pub error: Option<MeshError>,
+    /// Why it is not known.
+    pub note: Option<String>,
+}
+
+impl OnCoarserMesh {
+    /// On the coarser mesh of [`TwoMeshes::of`]; on that of the study where it has no solution there.
+    ///
+    /// # Errors
+    /// As [`Campaign::new`].
+    pub fn new(
+        study: &LoadedStudy,
+        candidates: &[&str],
+        progress: &Progress,
+    ) -> Result<OnCoarserMesh, StudyError> {
+        let TwoMeshes { coarser, finer } = TwoMeshes::of(study);
+        let refine = |of: &LoadedStudy| of.cases.first().map(|case| case.loaded.design.mesh.refine);
+        match Campaign::new(&coarser, candidates, progress) {
+            Ok(campaign) => Ok(OnCoarserMesh {
+                campaign,
+                finer,
+                note: None,
+            }),
+            Err(error) if matches!(error, StudyError::Cancelled(_)) || refine(&coarser) == refine(study) => {
+                Err(error)
+            }
+            Err(error) => Ok(OnCoarserMesh {
+                campaign: Campaign::new(study, candidates, progress)?,
+                finer: None,
+                note: Some(not_known("half as fine", &error)),
+            }),
+        }
+    }
+
+    /// What the mesh leaves, or that it is not known.
+    ///
+    /// # Errors
+    /// If the user asked to stop.
+    pub fn leaves(&self, candidates: &[&str], progress: &Progress) -> Result<MeshLeaves, StudyError> {
+        let note = self.note.clone();
+        let Some(finer) = &self.finer else {
+            return Ok(MeshLeaves { error: None, note });
+        };
+        match self.campaign.mesh_error_by(finer, candidates, progress) {
+            Ok(error) => Ok(MeshLeaves {
+                error: Some(error),
+                note,
+            }),
+            Err(error @ StudyError::Cancelled(_)) => Err(error),
+            Err(error) => Ok(MeshLeaves {
+                error: None,
+                note: Some(not_known("twice as fine", &error)),
+            }),
+        }
+    }
+}
+
+fn not_known(mesh: &str, error: &StudyError) -> String {
+    format!(
+        "What the mesh leaves is not known, and not in any error: on a mesh {mesh} there is no answer ({error})."
+    )
 }
 
 #[cfg(test)]

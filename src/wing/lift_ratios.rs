@@ -20,36 +20,15 @@ pub struct WingRatios {
     /// Its product of frequency and amplitude over that of the reference.
     pub rate_ratio: f64,
     /// Each at its own frequency and amplitude.
-    pub as_flown: RatioSet,
+    pub as_flown: Ratios,
     /// At the same amplitude, each at its own frequency; with the twist kept.
-    pub equal_amplitude: RatioSet,
+    pub equal_amplitude: Ratios,
     /// At the same product of frequency and amplitude; with the twist kept.
-    pub equal_rate: RatioSet,
+    pub equal_rate: Ratios,
     /// What was measured, if anything was.
     pub measured: Option<MeasuredRatios>,
     /// What the measured lift says of the modelled one.
     pub effective: Option<Effective>,
-}
-
-/// Ratios to the reference.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct RatioSet {
-    /// Mean lift.
-    pub lift: f64,
-    /// Mean drag.
-    pub drag: f64,
-    /// Mean aerodynamic power.
-    pub power: f64,
-    /// Mean lift over mean drag.
-    pub lift_to_drag: f64,
-    /// Local lift over drag, mean along the span: the paper's efficiency.
-    pub local_lift_to_drag: f64,
-    /// Lift per power.
-    pub lift_per_power: f64,
-    /// Lift with the stroke changed until both take the same power.
-    pub lift_at_equal_power: f64,
-    /// Lift per power with the stroke changed until both lift the same.
-    pub lift_per_power_at_equal_lift: f64,
 }
 
 /// Measured ratios to the reference.
@@ -93,37 +72,6 @@ pub struct Sensitivity {
     pub lift_per_power_at_equal_rate: f64,
     /// Lift per power at the same amplitude, each at its own frequency.
     pub lift_per_power_at_equal_amplitude: f64,
-}
-
-impl From<&Ratios> for RatioSet {
-    fn from(ratios: &Ratios) -> Self {
-        RatioSet {
-            lift: ratios.lift,
-            drag: ratios.drag,
-            power: ratios.power,
-            lift_to_drag: ratios.lift_to_drag,
-            local_lift_to_drag: ratios.local_lift_to_drag,
-            lift_per_power: ratios.lift_per_power,
-            lift_at_equal_power: ratios.lift_at_equal_power,
-            lift_per_power_at_equal_lift: ratios.lift_per_power_at_equal_lift,
-        }
-    }
-}
-
-impl RatioSet {
-    /// The ratios with their names.
-    pub fn named(&self) -> [(&'static str, f64); 8] {
-        [
-            ("lift", self.lift),
-            ("drag", self.drag),
-            ("power", self.power),
-            ("lift over drag", self.lift_to_drag),
-            ("local lift over drag along the span", self.local_lift_to_drag),
-            ("lift per power", self.lift_per_power),
-            ("lift at equal power", self.lift_at_equal_power),
-            ("lift per power at equal lift", self.lift_per_power_at_equal_lift),
-        ]
-    }
 }
 
 /// What was measured of a wing as ratios to its reference.
@@ -173,9 +121,9 @@ pub fn wing_ratios(
         name: name.to_string(),
         frequency_ratio,
         rate_ratio: ratios.rate_ratio,
-        as_flown: RatioSet::from(ratios),
-        equal_amplitude: RatioSet::from(&equal_amplitude),
-        equal_rate: RatioSet::from(&ratios.at_rate_ratio(1.0)?),
+        as_flown: *ratios,
+        equal_amplitude,
+        equal_rate: ratios.at_rate_ratio(1.0)?,
         measured,
         effective: effective.transpose()?,
     })

@@ -8,6 +8,8 @@ pub mod solved;
 
 pub mod discretization;
 
+pub mod flights;
+
 pub mod flown;
 
 pub mod lift_ratios;

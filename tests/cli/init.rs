@@ -136,3 +136,59 @@ fn the_text_of_the_new_study_is_in_step_with_the_schema() {
     let said = washout(here.path(), &["compare", "s.toml"]);
     assert_eq!(said.code, Some(0), "{}", said.err);
 }
+
+/// A wing of 80 × 20 mm with a round tip: a path with an arc, its base at the left, drawn in millimetres.
+const WING_SVG: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"50mm\" viewBox=\"0 0 100 50\">\
+     <path d=\"M 5 10 H 85 A 20 20 0 0 1 65 30 H 5 Z\" fill=\"none\" stroke=\"black\"/></svg>";
+
+#[test]
+fn a_drawing_gives_the_design_its_outline_and_the_words_say_what_was_understood() {
+    let here = folder();
+    fs::write(here.path().join("wing.svg"), WING_SVG).expect("written");
+    let said = washout(here.path(), &["init", "drawn", "--outline", "wing.svg"]);
+    assert_eq!((said.code, said.err.as_str()), (Some(0), ""));
+    let words = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let wanted = "wing.svg: a wing of 80.00 mm, its chord 20.0 mm at the base, 20.0 mm at most";
+    assert!(words.starts_with(wanted), "{words}");
+    let design = fs::read_to_string(here.path().join("drawn.toml")).expect("a design");
+    assert!(
+        design.contains("length_mm = 80.0") && design.contains("to_mm = 80.0"),
+        "{design}"
+    );
+    let said = washout(here.path(), &["solve", "drawn.toml", "--refine", "0.3"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+}
+
+#[test]
+fn a_drawing_that_is_no_wing_is_refused_with_its_cure() {
+    let here = folder();
+    let turned = WING_SVG.replace("<path ", "<path transform=\"rotate(10)\" ");
+    let open = WING_SVG.replace(" Z", "");
+    for (name, text, words) in [
+        (
+            "turned.svg",
+            turned.as_str(),
+            "leading edge, is not straight and level",
+        ),
+        ("open.svg", open.as_str(), "holds no closed line"),
+        ("broken.svg", "<svg", "is no SVG that can be read"),
+        (
+            "empty.dxf",
+            "  0\nSECTION\n  2\nENTITIES\n  0\nENDSEC\n  0\nEOF\n",
+            "holds no closed line",
+        ),
+        (
+            "binary.dxf",
+            "AutoCAD Binary DXF\n1\n",
+            "should be the number of a DXF group",
+        ),
+        ("wing.png", "x", "is no drawing that is read"),
+    ] {
+        fs::write(here.path().join(name), text).expect("written");
+        let said = washout(here.path(), &["init", "drawn", "--outline", name]);
+        assert_eq!(said.code, Some(2), "{name}: {}", said.err);
+        let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(told.contains(words), "{name}: {told}");
+        assert!(!here.path().join("drawn.toml").exists());
+    }
+}

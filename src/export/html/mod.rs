@@ -35,6 +35,10 @@ pub mod inputs;
 
 pub mod study;
 
+pub mod cases;
+
+pub mod compared;
+
 pub mod diagnosis;
 
 pub mod folder;

@@ -3,7 +3,11 @@
 #[cfg(feature = "cli")]
 pub mod page;
 
+mod summary;
+
 pub mod tables;
+
+pub use summary::LiftAsked;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

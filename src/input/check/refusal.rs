@@ -54,8 +54,10 @@ pub(crate) fn refuse<T>(
     Err(InputError::new(place, key, &shown, problem, cure))
 }
 
-/// The refusal of the value at `key` of a TOML file on disk, with its place; that of the file, if it cannot be read any more.
+/// The refusal of the value at `key` of a TOML file on disk, with its place; that of the file, if it cannot be read any more. The cure is
+/// given as a sentence.
 pub fn refused_in(path: &Path, what: &str, key: &str, message: &str, cure: &str) -> InputError {
+    let cure = &first_up(cure);
     let root = read_text(path, what).and_then(|text| Node::parse_file(&shown(path), &text));
     match root.and_then(|root| refuse::<()>(&root, key, message, &[], cure)) {
         Err(refusal) => refusal,
@@ -74,6 +76,15 @@ pub fn place_in(path: &Path, key: &str, value: Option<&toml::Value>) -> Place {
         same.then(|| node.place())
     });
     found.unwrap_or_else(|| Place::file(&shown(path)))
+}
+
+/// A sentence with its first letter in upper case.
+fn first_up(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters
+        .next()
+        .map_or(String::new(), |letter| letter.to_uppercase().to_string());
+    first + letters.as_str()
 }
 
 /// Whether two ways to write a value mean the same: 0.30 and 0.3, 'x' and "x".

@@ -55,7 +55,8 @@ pub struct Air {
     /// The lift-curve slope for `thin-airfoil`.
     #[schemars(extend("minimum" = 0.0, "maximum" = 20.0, "examples" = [5.7]))]
     pub lift_slope_per_rad: Quantity,
-    /// The table of coefficients for `table`: a CSV file with the columns alpha_deg, cl, cd.
+    /// The table of coefficients for `table`: a CSV file with the columns alpha_deg, cl, cd; or a polar as XFLR5, XFoil or
+    /// airfoiltools.com writes it.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = ["coefficients.csv"]))]
     pub table: Option<String>,

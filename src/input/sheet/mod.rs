@@ -17,11 +17,14 @@ mod grid;
 
 mod header;
 
+mod of_design;
+
 mod rows;
 
 pub mod study;
 
 pub use condition::Family;
+pub use of_design::DesignReadings;
 
 /// A table that was read for a design, with all that was understood of it and all that was assumed.
 #[derive(Debug, Clone)]

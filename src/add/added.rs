@@ -10,7 +10,7 @@ use crate::input::study::LoadedStudy;
 use crate::page::text::significant;
 use crate::study::UnknownKind;
 
-use super::Failure;
+use super::error::AddError;
 
 /// Share by which an error must fall to count as falling.
 const TOLD: f64 = 0.005;
@@ -24,20 +24,6 @@ pub struct Other {
     pub before: f64,
     /// Its strength now, and the standard error.
     pub strength: [f64; 2],
-}
-
-impl Other {
-    /// As it is printed.
-    pub fn line(&self) -> String {
-        let [now, error] = self.strength;
-        format!(
-            "  {} fitted again: {} ± {} ({} before)\n",
-            self.effect,
-            significant(now, 4),
-            significant(error, 2),
-            significant(self.before, 4)
-        )
-    }
 }
 
 /// The effects of a study other than `effect`, as the fit has them.
@@ -63,9 +49,9 @@ pub fn others(study: &LoadedStudy, fitted: &StudyComparison, effect: &str) -> Ve
 ///
 /// # Errors
 /// If the text is no TOML.
-pub fn with_strengths(text: &str, others: &[Other]) -> Result<String, Failure> {
-    let fault = |error: toml_edit::TomlError| Failure::Option {
-        option: "--to",
+pub fn with_strengths(text: &str, others: &[Other]) -> Result<String, AddError> {
+    let fault = |error: toml_edit::TomlError| AddError::Question {
+        question: "--to",
         reason: error.to_string(),
     };
     let mut document: DocumentMut = text.parse().map_err(fault)?;

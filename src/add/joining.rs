@@ -6,14 +6,13 @@ use crate::effects::custom::Custom;
 use crate::effects::{Card, EffectError, Parameter, instead_of, named};
 use crate::input::study::{LoadedCase, LoadedStudy};
 use crate::input::{Design, nearest, refused_in};
-use crate::page::text::first_up;
 
-use super::Failure;
+use super::error::AddError;
 
 /// There is no effect of this name, nor a table of one's own.
-pub fn no_such_effect(name: &str) -> Failure {
-    Failure::Option {
-        option: "washout add EFFECT",
+pub fn no_such_effect(name: &str) -> AddError {
+    AddError::Question {
+        question: "washout add EFFECT",
         reason: format!(
             "there is no effect {name}; {}; one of your own comes with --own FILE",
             instead_of(name)
@@ -22,10 +21,10 @@ pub fn no_such_effect(name: &str) -> Failure {
 }
 
 /// A file with effects of one's own has none of this name, only `names`.
-pub fn no_such_table(file: &Path, name: &str, names: &[&str]) -> Failure {
+pub fn no_such_table(file: &Path, name: &str, names: &[&str]) -> AddError {
     let near = did_you_mean(";", name, names.iter().copied());
-    Failure::Option {
-        option: "--own",
+    AddError::Question {
+        question: "--own",
         reason: format!(
             "{} has no table [effects.{name}], only {}{near}",
             file.display(),
@@ -40,10 +39,10 @@ fn did_you_mean<'a>(mark: &str, name: &str, known: impl Iterator<Item = &'a str>
 }
 
 /// Reads `NAME=VALUE` of `--number`: another number of an effect than its strength.
-pub fn number(text: &str, card: &Card) -> Result<(String, f64), Failure> {
+pub fn number(text: &str, card: &Card) -> Result<(String, f64), AddError> {
     let refuse = |reason: String| {
-        Err(Failure::Option {
-            option: "--number",
+        Err(AddError::Question {
+            question: "--number",
             reason: format!("{text}: {reason} (washout effects {})", card.name),
         })
     };
@@ -105,15 +104,15 @@ pub fn own_table<'a>(
     table: &toml::Table,
     designs: impl Iterator<Item = &'a Design>,
     strength: f64,
-) -> Result<(), Failure> {
+) -> Result<(), AddError> {
     let refuse = |key: &str, problem: &str, cure: &str| {
         let key = match key {
             "" => format!("effects.{name}"),
             key => format!("effects.{name}.{key}"),
         };
-        Err(Failure::Option {
-            option: "--own",
-            reason: refused_in(file, "file of effects", &key, problem, &first_up(cure)).to_string(),
+        Err(AddError::Question {
+            question: "--own",
+            reason: refused_in(file, "file of effects", &key, problem, cure).to_string(),
         })
     };
     if named(name).is_some() {
@@ -145,7 +144,7 @@ pub fn own_table<'a>(
 }
 
 /// The strength that a table of one's own states; 1, the formula as it is written, where it states none.
-pub fn own_strength(file: &Path, name: &str, table: &toml::Table) -> Result<f64, Failure> {
+pub fn own_strength(file: &Path, name: &str, table: &toml::Table) -> Result<f64, AddError> {
     let Some(value) = table.get("strength") else {
         return Ok(1.0);
     };
@@ -154,15 +153,15 @@ pub fn own_strength(file: &Path, name: &str, table: &toml::Table) -> Result<f64,
     found.ok_or_else(|| {
         let key = format!("effects.{name}.strength");
         let cure = "Write strength = 1.0: the formula as it is written";
-        Failure::Option {
-            option: "--own",
+        AddError::Question {
+            question: "--own",
             reason: refused_in(file, "file of effects", &key, "must be a number", cure).to_string(),
         }
     })
 }
 
 /// Refuses names of wings that the study has not.
-pub fn wings(study: &LoadedStudy, on: &[String]) -> Result<(), Failure> {
+pub fn wings(study: &LoadedStudy, on: &[String]) -> Result<(), AddError> {
     let mut known: Vec<&str> = Vec::new();
     for case in &study.cases {
         if !known.contains(&case.loaded.design.name.as_str()) {
@@ -173,8 +172,8 @@ pub fn wings(study: &LoadedStudy, on: &[String]) -> Result<(), Failure> {
         return Ok(());
     };
     let near = did_you_mean(",", wing, known.iter().copied());
-    Err(Failure::Option {
-        option: "--on",
+    Err(AddError::Question {
+        question: "--on",
         reason: format!(
             "there is no wing {wing} in {}{near}; it has {}",
             study.path.display(),
@@ -184,7 +183,7 @@ pub fn wings(study: &LoadedStudy, on: &[String]) -> Result<(), Failure> {
 }
 
 /// Refuses to take out an effect that does not stand in the study.
-pub fn present(study: &LoadedStudy, name: &str) -> Result<(), Failure> {
+pub fn present(study: &LoadedStudy, name: &str) -> Result<(), AddError> {
     let mut present: Vec<&str> = Vec::new();
     for effect in &study.study.effect {
         if effect.name == name {
@@ -205,8 +204,8 @@ pub fn present(study: &LoadedStudy, name: &str) -> Result<(), Failure> {
             format!("{name} is not in {path}{near}; in it: {}", present.join(", "))
         }
     };
-    Err(Failure::Option {
-        option: "--remove",
+    Err(AddError::Question {
+        question: "--remove",
         reason,
     })
 }

@@ -6,8 +6,8 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TomlError, value};
 
 use crate::effects::named;
 
-use super::Failure;
 use super::added::written;
+use super::error::AddError;
 
 /// An effect that joins a study, or leaves it.
 pub(super) struct EffectEntry<'a> {
@@ -27,7 +27,7 @@ pub(super) struct EffectEntry<'a> {
 
 impl EffectEntry<'_> {
     /// The study's text with the effect in it, or out of it.
-    pub(super) fn changed(&self, text: &str, strength: f64) -> Result<String, Failure> {
+    pub(super) fn changed(&self, text: &str, strength: f64) -> Result<String, AddError> {
         let mut document: DocumentMut = text.parse().map_err(not_toml)?;
         let tables = document
             .entry("effect")
@@ -56,7 +56,7 @@ impl EffectEntry<'_> {
         table.get("name").and_then(Item::as_str) == Some(self.effect)
     }
 
-    fn join(&self, tables: &mut ArrayOfTables, strength: f64) -> Result<(), Failure> {
+    fn join(&self, tables: &mut ArrayOfTables, strength: f64) -> Result<(), AddError> {
         let stands = tables.iter().any(|table| self.is_in(table));
         if !stands {
             let mut table = Table::new();
@@ -79,7 +79,7 @@ impl EffectEntry<'_> {
         Ok(())
     }
 
-    fn add_numbers(&self, table: &mut Table) -> Result<(), Failure> {
+    fn add_numbers(&self, table: &mut Table) -> Result<(), AddError> {
         let text = toml::to_string(self.numbers).map_err(|error| fault(error.to_string()))?;
         let given: DocumentMut = text.parse().map_err(not_toml)?;
         let given = given.as_table().clone().into_inline_table();
@@ -95,14 +95,14 @@ impl EffectEntry<'_> {
     }
 }
 
-fn fault(reason: String) -> Failure {
-    Failure::Option {
-        option: "--to",
+fn fault(reason: String) -> AddError {
+    AddError::Question {
+        question: "--to",
         reason,
     }
 }
 
-fn not_toml(error: TomlError) -> Failure {
+fn not_toml(error: TomlError) -> AddError {
     fault(error.to_string())
 }
 
@@ -112,7 +112,7 @@ pub(super) fn is_added(name: &str, is_fitted: bool) -> bool {
 }
 
 /// The study's text without these effects, as far as they were added.
-pub(super) fn without(text: &str, effects: &[String]) -> Result<String, Failure> {
+pub(super) fn without(text: &str, effects: &[String]) -> Result<String, AddError> {
     let mut document: DocumentMut = text.parse().map_err(not_toml)?;
     if let Some(tables) = document.get_mut("effect").and_then(Item::as_array_of_tables_mut) {
         let is_out = |table: &Table| {

@@ -1,29 +1,31 @@
-//! Which effects a diagnosis may try: those of `--effect`, those that the study names, or all.
+//! Which effects a diagnosis may try: those that are asked for, those that the study names, or all.
 
-use crate::diagnose::DiagnoseError;
 use crate::effects::{Effect, all, instead_of, named};
 use crate::input::refused_in;
 use crate::input::study::LoadedStudy;
-use crate::page::text::first_up;
+use crate::study::StudyError;
 use crate::study::case::PreparedCase;
 
-use super::{Console, Failure};
+use super::error::DiagnoseError;
 
 /// Effects of which the reason is told why they cannot join.
 const TOLD: usize = 4;
 
-/// Refuses names given with `--effect` that no effect has.
-pub fn known(asked: &[String]) -> Result<(), Failure> {
+/// Refuses names that no effect has.
+///
+/// # Errors
+/// [`DiagnoseError::Asked`] with the nearest name.
+pub fn known(asked: &[String]) -> Result<(), DiagnoseError> {
     match asked.iter().find(|name| named(name).is_none()) {
         None => Ok(()),
-        Some(name) => Err(Failure::Option {
-            option: "--effect",
+        Some(name) => Err(DiagnoseError::Asked {
             reason: format!("there is no effect {name}; {}", instead_of(name)),
         }),
     }
 }
 
 /// Effects to be tried.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Candidates {
     /// Their names, each once; one of them at least can join the model.
     pub names: Vec<String>,
@@ -31,39 +33,41 @@ pub struct Candidates {
     pub left_out: Vec<String>,
 }
 
-/// Those asked for with `--effect`, those that the study names, or all. What was named and cannot be tried is noted.
-pub fn candidates(study: &LoadedStudy, asked: &[String], console: &Console) -> Result<Candidates, Failure> {
-    known(asked)?;
-    let of_study = study.study.candidates.as_deref();
-    for (index, name) in of_study.unwrap_or_default().iter().enumerate() {
-        if named(name).is_none() {
-            let key = format!("candidates[{index}]");
-            return Err(refused(
-                study,
-                &key,
-                "there is no such effect",
-                &first_up(&instead_of(name)),
-            ));
+impl Candidates {
+    /// Those asked for, those that the study names, or all.
+    ///
+    /// # Errors
+    /// If there is no effect of a name, or none of them can join the model.
+    pub fn new(study: &LoadedStudy, asked: &[String]) -> Result<Candidates, DiagnoseError> {
+        known(asked)?;
+        let of_study = study.study.candidates.as_deref();
+        for (index, name) in of_study.unwrap_or_default().iter().enumerate() {
+            if named(name).is_none() {
+                let key = format!("candidates[{index}]");
+                return Err(refused(study, &key, "there is no such effect", &instead_of(name)));
+            }
         }
-    }
-    let names = listed(study, asked);
-    let unable = unable(study, &names)?;
-    if unable.len() == names.len() {
-        return Err(none_left(study, asked, &unable));
-    }
-    let is_named = !asked.is_empty() || of_study.is_some();
-    let left_out = unable
-        .iter()
-        .filter(|unable| is_named && !unable.stands_already)
-        .map(|unable| {
+        let names = listed(study, asked);
+        let unable = unable(study, &names)?;
+        if unable.len() == names.len() {
+            return Err(none_left(study, asked, &unable));
+        }
+        let is_named = !asked.is_empty() || of_study.is_some();
+        let left_out = unable.iter().filter(|unable| is_named && !unable.stands_already);
+        let left_out = left_out.map(|unable| {
             format!(
                 "{} is not tried: it cannot join the model: {}",
                 unable.name, unable.reason
             )
         });
-    let left_out: Vec<String> = left_out.collect();
-    left_out.iter().for_each(|words| console.note(words));
-    Ok(Candidates { names, left_out })
+        let left_out = left_out.collect();
+        Ok(Candidates { names, left_out })
+    }
+
+    /// Their names.
+    pub fn names(&self) -> Vec<&str> {
+        self.names.iter().map(String::as_str).collect()
+    }
 }
 
 /// Their names, each once.
@@ -89,13 +93,10 @@ fn listed(study: &LoadedStudy, asked: &[String]) -> Vec<String> {
     names
 }
 
-fn none_left(study: &LoadedStudy, asked: &[String], unable: &[Unable]) -> Failure {
+fn none_left(study: &LoadedStudy, asked: &[String], unable: &[Unable]) -> DiagnoseError {
     let reason = none_joins(unable);
     match (asked, study.study.candidates.as_deref()) {
-        ([], None) => Failure::Diagnosis {
-            study: study.path.clone(),
-            source: DiagnoseError::NoEffects,
-        },
+        ([], None) => DiagnoseError::NoEffects,
         ([], Some(_)) => refused(
             study,
             "candidates",
@@ -103,17 +104,16 @@ fn none_left(study: &LoadedStudy, asked: &[String], unable: &[Unable]) -> Failur
             "Name others in candidates (washout effects NAME says what each needs), or delete candidates, to try all that can \
              act",
         ),
-        _ => Failure::Option {
-            option: "--effect",
+        _ => DiagnoseError::Asked {
             reason: format!(
-                "{}: {reason}. Name others (washout effects NAME says what each needs), or leave --effect out",
+                "{}: {reason}. Name others (washout effects NAME says what each needs), or name none",
                 study.path.display()
             ),
         },
     }
 }
 
-fn refused(study: &LoadedStudy, key: &str, message: &str, cure: &str) -> Failure {
+fn refused(study: &LoadedStudy, key: &str, message: &str, cure: &str) -> DiagnoseError {
     refused_in(&study.path, "study file", key, message, cure).into()
 }
 
@@ -126,18 +126,13 @@ struct Unable {
 }
 
 /// Those of these effects that cannot join the model of a study.
-fn unable(study: &LoadedStudy, names: &[String]) -> Result<Vec<Unable>, Failure> {
+fn unable(study: &LoadedStudy, names: &[String]) -> Result<Vec<Unable>, StudyError> {
     let tried: Vec<&str> = names.iter().map(String::as_str).collect();
     let cases = study
         .cases
         .iter()
         .map(|case| PreparedCase::new(case, study, &tried));
-    let cases: Vec<PreparedCase> = cases
-        .collect::<Result<_, _>>()
-        .map_err(|source| Failure::OfStudy {
-            study: study.path.clone(),
-            source,
-        })?;
+    let cases: Vec<PreparedCase> = cases.collect::<Result<_, _>>()?;
     let mut unable = Vec::new();
     for name in names {
         let stands_already = study.study.effect.iter().any(|effect| effect.name == *name);

@@ -1,0 +1,17 @@
+//! An effect joins the model of a study, or leaves it: fitted together with all else that is open, with the error step by step.
+
+mod added;
+
+mod effect_tables;
+
+mod error;
+
+mod fit;
+
+pub mod joining;
+
+pub mod own;
+
+pub use added::Other;
+pub use error::AddError;
+pub use fit::{Fit, Joining};

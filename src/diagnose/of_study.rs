@@ -1,0 +1,151 @@
+//! A study, diagnosed: its campaign made ready, what it lacks, and what to measure next.
+
+use crate::input::measurement::InCommon;
+use crate::input::study::LoadedStudy;
+use crate::progress::Progress;
+use crate::study::{Campaign, Forward, Proposals, Work};
+
+use super::cache::Cache;
+use super::candidates::Candidates;
+use super::diagnose_among;
+use super::error::DiagnoseError;
+use super::next::Experiments;
+use super::plan::{Plan, plan};
+use super::prepared::Prepared;
+use super::settings::Settings;
+use super::verdict::Diagnosis;
+
+/// A study diagnosed.
+#[derive(Debug)]
+pub struct StudyDiagnosis {
+    /// The campaign that it was diagnosed by.
+    pub campaign: Campaign,
+    /// What it lacks.
+    pub diagnosis: Diagnosis,
+    /// What that took.
+    pub work: Work,
+}
+
+impl StudyDiagnosis {
+    /// What the measurements of a study say, and what to measure next: of its experiments, or of what any study can add.
+    ///
+    /// # Errors
+    /// As [`super::diagnose`].
+    ///
+    /// # Example
+    /// ```
+    /// # use std::path::Path;
+    /// use washout::diagnose::{Cache, Candidates, Settings, StudyDiagnosis};
+    /// use washout::{input::study::LoadedStudy, progress::Progress};
+    ///
+    /// let study = LoadedStudy::load(Path::new("studies/minguet.toml"), &[])?;
+    /// let tried = Candidates::new(&study, &["root-flexure".to_string(), "rod-creep".to_string()])?;
+    /// let quiet = Progress::quiet();
+    /// let found = StudyDiagnosis::new(&study, &tried, Settings::default(), &Cache::none(), &quiet)?;
+    /// println!("{}", found.diagnosis.sentence);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(
+        study: &LoadedStudy,
+        candidates: &Candidates,
+        settings: Settings,
+        cache: &Cache,
+        progress: &Progress,
+    ) -> Result<StudyDiagnosis, DiagnoseError> {
+        let names = candidates.names();
+        let Prepared {
+            campaign,
+            settings,
+            table,
+            beside,
+            note,
+        } = Prepared::new(study, &names, settings, cache, progress)?;
+        let listed = Campaign::of_experiments(study, &names, progress)?;
+        let proposals = Proposals::new(study, &names);
+        let experiments = match &listed {
+            Some(listed) => Experiments::Listed(listed),
+            None => Experiments::Proposed(&proposals),
+        };
+        let mut diagnosis = diagnose_among(&campaign, experiments, Some(&table), &settings, progress)?;
+        let on = study.study.candidates_on.as_ref().map(|wings| {
+            format!(
+                "Effects were tried on {} alone; the other wings are held to be as modelled.",
+                wings.join(", ")
+            )
+        });
+        let not_compared = campaign.not_compared().into_iter();
+        let not_compared = not_compared.map(|row| format!("Not compared: {row}"));
+        let left_out = candidates.left_out.iter().cloned();
+        let notes = on.into_iter().chain(left_out).chain(note).chain(not_compared);
+        diagnosis.notes.extend(notes);
+        let mut work = campaign.work();
+        work += beside;
+        Ok(StudyDiagnosis {
+            campaign,
+            diagnosis,
+            work,
+        })
+    }
+}
+
+/// What the campaign of a study could see and tell apart, whose measurements may still be missing.
+///
+/// # Errors
+/// As [`plan()`].
+pub fn plan_study(
+    study: &LoadedStudy,
+    candidates: &Candidates,
+    settings: Settings,
+    cache: &Cache,
+    progress: &Progress,
+) -> Result<Plan, DiagnoseError> {
+    let prepared = Prepared::new(study, &candidates.names(), settings, cache, progress)?;
+    plan(
+        &prepared.campaign,
+        Some(&prepared.table),
+        &prepared.settings,
+        progress,
+    )
+}
+
+/// Refuses measurements that were made with what a diagnosis with this seed itself uses: they prove nothing.
+///
+/// # Errors
+/// [`DiagnoseError::OwnData`].
+pub fn refuse_own_data(study: &LoadedStudy, seed: u64) -> Result<(), DiagnoseError> {
+    let mut files: Vec<(&str, Vec<InCommon>)> = Vec::new();
+    for case in &study.cases {
+        let shared = case.made.map_or(Vec::new(), |made| made.in_common(seed));
+        let file = case.measurement.as_str();
+        if !shared.is_empty() && !files.iter().any(|(known, _)| *known == file) {
+            files.push((file, shared));
+        }
+    }
+    if files.is_empty() {
+        return Ok(());
+    }
+    let made = files.iter().map(|(file, shared)| {
+        let what: Vec<&str> = shared.iter().map(|shared| shared.what.as_str()).collect();
+        format!("{file} was made by washout synthesize with {}", and(&what))
+    });
+    let made = made.collect::<Vec<_>>().join(", and ");
+    let mut without: Vec<&str> = Vec::new();
+    for shared in files.iter().flat_map(|(_, shared)| shared) {
+        if !without.contains(&shared.without.as_str()) {
+            without.push(&shared.without);
+        }
+    }
+    Err(DiagnoseError::OwnData {
+        study: study.path.clone(),
+        made,
+        without: and(&without),
+    })
+}
+
+/// Words in one sentence.
+fn and(words: &[&str]) -> String {
+    match words {
+        [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => words.concat(),
+    }
+}

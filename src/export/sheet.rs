@@ -1,0 +1,108 @@
+//! A table of readings in words: what was understood of it, and the study that it makes.
+
+use std::path::Path;
+
+use super::ExportError;
+use super::measurement::measurement_csv;
+use crate::input::seen_from;
+use crate::input::sheet::study::Names;
+use crate::input::sheet::{DesignReadings, Sheet};
+use crate::page::text::{Table, significant, wrapped};
+
+/// The files of a study that was made of a table.
+pub struct Files {
+    /// The study.
+    pub study: String,
+    /// Its measurement file.
+    pub readings: String,
+}
+
+/// What was understood, what is assumed and what looks wrong, before anything is solved.
+pub fn understood(sheet: &Sheet) -> String {
+    let mut text = format!("What {} says\n", sheet.measurement.file);
+    let pairs = |heads: [&'static str; 2], rows: &[[String; 2]]| {
+        let mut table = Table::new(heads);
+        rows.iter().for_each(|row| table.row(row.clone()));
+        table.render()
+    };
+    text += &pairs(["column", "is"], &sheet.understood);
+    text += &format!("\n{}", conditions(sheet));
+    if !sheet.assumed.is_empty() {
+        text += "\nNot in the table, so taken to be\n";
+        text += &pairs(["what", "is"], &sheet.assumed);
+    }
+    for doubt in &sheet.doubts {
+        text += &format!("\n{}", wrapped(&format!("Check: {doubt}"), 0));
+    }
+    text
+}
+
+/// Its conditions, a line each.
+fn conditions(sheet: &Sheet) -> String {
+    let mut cases = Table::new(["condition", "sets", "readings", "stations mm", "values"]);
+    for family in &sheet.families {
+        for case in &family.cases {
+            let rows = sheet.measurement.rows.iter().filter(|row| row.case == *case);
+            let rows: Vec<_> = rows.collect();
+            let ends = |values: Vec<f64>| match values.iter().copied().reduce(f64::min) {
+                None => String::new(),
+                Some(least) => {
+                    let most = values.iter().copied().fold(least, f64::max);
+                    format!("{} … {}", significant(least, 4), significant(most, 4))
+                }
+            };
+            let units: Vec<&str> = rows.iter().map(|row| row.channel.unit()).collect();
+            let is_one = units.iter().all(|unit| *unit == units[0]);
+            cases.row([
+                case.clone(),
+                family
+                    .set
+                    .iter()
+                    .filter_map(|set| Some(set.split_once('=')?.0))
+                    .collect::<Vec<_>>()
+                    .join(", "),
+                rows.len().to_string(),
+                ends(rows.iter().filter_map(|row| row.r_mm).collect()),
+                match is_one {
+                    true => format!(
+                        "{} {}",
+                        ends(rows.iter().map(|row| row.value).collect()),
+                        units[0]
+                    ),
+                    false => "several channels".to_string(),
+                },
+            ]);
+        }
+    }
+    cases.render()
+}
+
+/// The texts of the study and of its measurement file, for a study of this name in this folder.
+///
+/// # Errors
+/// If the readings cannot be put into words.
+pub fn files(of: &DesignReadings, name: &str, folder: &Path) -> Result<Files, ExportError> {
+    let study = of.sheet.study(Names {
+        study: name,
+        design: &seen_from(&folder.join(name), &of.design).display().to_string(),
+        readings: &format!("{name}-measured.csv"),
+    });
+    let table = &of.sheet.measurement;
+    let mut comments = vec![format!("source: {}", table.file)];
+    comments.extend(table.comments.iter().cloned());
+    let readings = measurement_csv(&comments, &table.rows)?;
+    Ok(Files { study, readings })
+}
+
+/// The command that writes the study.
+pub fn to_keep(of: &DesignReadings) -> String {
+    let sigma = of
+        .sigma
+        .map_or(String::new(), |sigma| format!(" --sigma {sigma}"));
+    format!(
+        "  washout init {} --study --design {} --readings {}{sigma}\n",
+        of.name(),
+        of.design.display(),
+        of.table.display()
+    )
+}

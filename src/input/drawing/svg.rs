@@ -1,0 +1,59 @@
+//! Closed lines of an SVG, with its units, transforms and shapes resolved by usvg.
+
+use resvg::usvg::tiny_skia_path::{PathSegment, Point};
+use resvg::usvg::{Group, Node, Options, Path, Tree};
+
+use super::chain::closed;
+use super::curve::bezier;
+use crate::input::error::InputError;
+
+/// Millimetres of a pixel: 96 of them are an inch (CSS).
+const PIXEL_MM: f64 = 25.4 / 96.0;
+
+/// Closed lines, mm, y upward, and what a unit was taken for.
+pub(super) fn lines_mm(file: &str, text: &str) -> Result<(Vec<Vec<[f64; 2]>>, String), InputError> {
+    let tree = Tree::from_str(text, &Options::default()).map_err(|error| {
+        let cure = "Save the drawing as plain SVG";
+        InputError::about_file(file, format!("is no SVG that can be read: {error}"), cure)
+    })?;
+    let (mut whole, mut open) = (Vec::new(), Vec::new());
+    walk(tree.root(), &mut whole, &mut open);
+    whole.extend(closed(open));
+    let has_unit = ["mm\"", "cm\"", "in\"", "mm'", "cm'", "in'"];
+    let head = text.split_once("<svg").map_or("", |(_, rest)| rest);
+    let head = head.split_once('>').map_or("", |(head, _)| head);
+    let unit = match has_unit.iter().any(|unit| head.contains(unit)) {
+        true => "as its width and height state",
+        false => "pixels of 1/96 inch, for the file states no other unit",
+    };
+    Ok((whole, unit.to_string()))
+}
+
+fn walk(group: &Group, whole: &mut Vec<Vec<[f64; 2]>>, open: &mut Vec<Vec<[f64; 2]>>) {
+    for node in group.children() {
+        match node {
+            Node::Group(group) => walk(group, whole, open),
+            Node::Path(path) => add(path, whole, open),
+            _ => {}
+        }
+    }
+}
+
+fn add(path: &Path, whole: &mut Vec<Vec<[f64; 2]>>, open: &mut Vec<Vec<[f64; 2]>>) {
+    let Some(data) = path.data().clone().transform(path.abs_transform()) else {
+        return;
+    };
+    let mut line: Vec<[f64; 2]> = Vec::new();
+    let at = |point: Point| [f64::from(point.x) * PIXEL_MM, -f64::from(point.y) * PIXEL_MM];
+    for segment in data.segments() {
+        let last = line.last().copied().unwrap_or_default();
+        match segment {
+            PathSegment::MoveTo(to) => open.push(std::mem::replace(&mut line, vec![at(to)])),
+            PathSegment::LineTo(to) => line.push(at(to)),
+            PathSegment::QuadTo(a, to) => line.extend(bezier(&[last, at(a), at(to)])),
+            PathSegment::CubicTo(a, b, to) => line.extend(bezier(&[last, at(a), at(b), at(to)])),
+            PathSegment::Close => whole.push(std::mem::take(&mut line)),
+        }
+    }
+    open.push(line);
+}

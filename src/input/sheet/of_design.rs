@@ -1,0 +1,101 @@
+//! A table of readings as a user gives it: its file, and the design that it was measured on.
+
+use std::path::{Path, PathBuf};
+
+use super::Sheet;
+use super::study::Names;
+use crate::input::error::InputError;
+use crate::input::study::LoadedStudy;
+
+/// Standard deviations that a reading can have, in its unit.
+const SIGMAS: [f64; 2] = [1e-9, 1e9];
+
+/// A table, read for a design, and where both came from.
+#[derive(Debug)]
+pub struct DesignReadings {
+    /// What it holds.
+    pub sheet: Sheet,
+    /// The design file.
+    pub design: PathBuf,
+    /// The table.
+    pub table: PathBuf,
+    /// Standard deviation that was given for readings that state none.
+    pub sigma: Option<f64>,
+}
+
+impl DesignReadings {
+    /// Reads a table.
+    ///
+    /// # Errors
+    /// As [`Sheet::load`], or if `sigma` is no standard deviation, or the design is a study.
+    pub fn load(table: &Path, design: &Path, sigma: Option<f64>) -> Result<DesignReadings, InputError> {
+        let [low, high] = SIGMAS;
+        if sigma.is_some_and(|sigma| !(low..=high).contains(&sigma)) {
+            return Err(InputError::about_file(
+                "--sigma",
+                format!("must lie in {low:e} … {high:e}"),
+                "Give one standard deviation of a reading, in its unit",
+            ));
+        }
+        if LoadedStudy::is_study(design)? {
+            return Err(InputError::about_file(
+                &design.display().to_string(),
+                "is a study, which names its own readings",
+                "Give a design, or leave --with out",
+            ));
+        }
+        Ok(DesignReadings {
+            sheet: Sheet::load(table, design, sigma)?,
+            design: design.to_path_buf(),
+            table: table.to_path_buf(),
+            sigma,
+        })
+    }
+
+    /// What looks wrong in the table, to be said before any answer; none if nothing does.
+    pub fn doubts(&self) -> Option<String> {
+        let doubts = self.sheet.doubts.join(" ");
+        (!doubts.is_empty())
+            .then(|| format!("Check the table first, all else is of it as it stands: {doubts}"))
+    }
+
+    /// What is assumed, for the document: who reads that has not seen it; none if nothing is.
+    pub fn assumed(&self) -> Option<String> {
+        let assumed = self
+            .sheet
+            .assumed
+            .iter()
+            .map(|[what, is]| format!("{what}: {is}"));
+        let assumed: Vec<String> = assumed.collect();
+        (!assumed.is_empty()).then(|| format!("Not in the table, so taken to be: {}.", assumed.join("; ")))
+    }
+
+    /// The study of the table, as `washout init --study --readings` writes it, without a file; `sets` change the design.
+    ///
+    /// # Errors
+    /// As [`LoadedStudy::load`].
+    pub fn study(&self, sets: &[String]) -> Result<LoadedStudy, InputError> {
+        let name = self.name();
+        let path = PathBuf::from(format!("{name}.toml"));
+        let text = self.sheet.study(Names {
+            study: &name,
+            design: &self.design.display().to_string(),
+            readings: &self.sheet.measurement.file,
+        });
+        LoadedStudy::with_readings(&path, &text, sets, &self.sheet.measurement)
+    }
+
+    /// Name of the study: of its design and its table.
+    pub fn name(&self) -> String {
+        let stem = self.table.file_stem().unwrap_or_default().to_string_lossy();
+        let plain = |c: char| {
+            if c.is_ascii_alphanumeric() || c == '_' {
+                c
+            } else {
+                '-'
+            }
+        };
+        let stem: String = stem.chars().map(plain).collect();
+        format!("{}-{stem}", self.sheet.loaded.design.name)
+    }
+}
