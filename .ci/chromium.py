@@ -25,7 +25,7 @@ class Page:
     """A page in a browser of its own."""
 
     def __init__(self, address, width=1280, height=800, dark=False, options=()):
-        self.profile = tempfile.TemporaryDirectory()
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_browser, self.sending = os.pipe()
         self.receiving, from_browser = os.pipe()
 

@@ -1,7 +1,8 @@
 // Everything is put together, and the program is asked for the first time.
 
 function begin() {
-  var ask = server();
+  var solved = at("grid"), ask = solved ? grid(JSON.parse(solved.textContent)) : server();
+  if (ask.isAlone) document.body.classList.add("alone");
   // What is said of the shape stands on it.
   at("wing-stage").appendChild(at("grey"));
   at("wing-stage").appendChild(at("solving"));
@@ -14,9 +15,12 @@ function begin() {
   residuals();
   figures();
   ladder();
-  missing(ask);
   hear("shape", wingView.show);
-  keyboard(ask, { cases: cases(ask), save: save(ask), sheet: sheet(ask) });
+  if (ask.isAlone) keyboard({});
+  else {
+    missing(ask);
+    keyboard({ cases: cases(ask), save: save(ask), sheet: sheet(ask) });
+  }
   ask.begin();
 }
 

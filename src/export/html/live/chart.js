@@ -45,7 +45,7 @@ function chart(name, spec) {
 
   function stretch() {
     var most = 1;
-    lines().concat(content.points).forEach(function (own) { own.x.forEach(function (x) { most = Math.max(most, x); }); });
+    lines().concat(content.points, content.bands).forEach(function (own) { own.x.forEach(function (x) { most = Math.max(most, x); }); });
     return most;
   }
 

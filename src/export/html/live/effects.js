@@ -1,7 +1,7 @@
 // The effects that can be added to the model: a list to search, and a slider for the strength of each that is in.
 
 function effects(ask) {
-  var chosen = at("effects-in"), list = at("effects-list"), search = at("effects-search"), signature = "", inside = "", movers = {}, rows = [];
+  var chosen = at("effects-in"), list = at("effects-list"), search = at("effects-search"), signature = "", inside = "", revision = null, movers = {}, rows = [];
 
   // A strength to begin with: the middle of what is plausible, or its far end where that is none.
   function first(own) {
@@ -60,7 +60,12 @@ function effects(ask) {
     signature = words;
     inside = now;
     rows.forEach(function (row, k) { row.isIn = isIn(state.effects[k]); });
-    state.effects.filter(isIn).forEach(function (own) { movers[own.name].show(own.value); });
+    var isNew = state.revision !== revision;
+    revision = state.revision;
+    state.effects.filter(isIn).forEach(function (own) {
+      if (isNew) movers[own.name].refuse(null);
+      movers[own.name].show(own.value);
+    });
     say(at("effects-count"), state.effects.filter(isIn).length ? state.effects.filter(isIn).length + " in the model" : "none in the model");
     find();
   });

@@ -3,7 +3,7 @@
 var GROUPS = ["Motion", "Air", "Rods", "Spars", "Film", "Root", "Mass", "Uncertain", "Other"];
 
 function inputs(ask) {
-  var holder = at("inputs-groups"), movers = {}, signature = "", isOpen = { Motion: true, Air: true };
+  var holder = at("inputs-groups"), movers = {}, signature = "", revision = null, isOpen = { Motion: true, Air: true };
 
   function build(state) {
     movers = {};
@@ -30,8 +30,10 @@ function inputs(ask) {
     })]);
     if (words !== signature) build(state);
     signature = words;
-    var moved = {};
+    var moved = {}, isNew = state.revision !== revision;
+    revision = state.revision;
     state.inputs.forEach(function (own) {
+      if (isNew && own.key !== known.refusedAt) movers[own.key].own.refuse(null);
       movers[own.key].own.show(own.value);
       if (own.value !== own.original) moved[own.group] = (moved[own.group] || 0) + 1;
     });

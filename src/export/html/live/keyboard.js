@@ -1,6 +1,6 @@
-// Keys for everything; `?` lists them.
+// Keys for everything; `?` lists them. `parts`: what needs the program, and is not there without it.
 
-function keyboard(ask, parts) {
+function keyboard(parts) {
   var box = at("keys-box"), isOn = at("keys-on");
 
   function press(name) {
@@ -15,17 +15,19 @@ function keyboard(ask, parts) {
       if (own) own.focus();
     };
   }
-  var all = [
-    ["?", "this list", help], ["u", "undo (also Ctrl+Z)", press("undo")], ["r", "redo (also Ctrl+Y)", press("redo")],
+  var all = [["?", "this list", help], ["u", "undo (also Ctrl+Z)", press("undo")], ["r", "redo (also Ctrl+Y)", press("redo")]].concat(!parts.save ? [] : [
     ["m", "what is missing?", press("ask")], ["x", "stop the search", press("stop")],
     ["a", "add the hypothesis in focus, else the first", add],
     ["s", "save", parts.save.open], ["o", "open a table, a design or a study", parts.sheet.choose],
-    ["]", "next case", function () { parts.cases.step(1, false); }], ["[", "case before", function () { parts.cases.step(-1, false); }],
+    ["]", "next case", function () { parts.cases.step(1, false); }], ["[", "case before", function () { parts.cases.step(-1, false); }]
+  ], [
     ["w", "to the wing", focus(function () { return at("wing-canvas"); })],
     ["c", "to the curve", focus(function () { return document.querySelector("#curve .plot"); })],
-    ["i", "to the inputs", focus(function () { return document.querySelector("#inputs-groups details[open] input[type=range]") || document.querySelector("#inputs-groups summary"); })],
+    ["i", "to the inputs", focus(function () {
+      return document.querySelector("#inputs-groups details[open] input[type=range]") || document.querySelector("#inputs-groups summary");
+    })],
     ["/", "to the search of effects", focus(function () { return at("effects-search"); })]
-  ].filter(function (own) { return !own[2].isMissing; });
+  ]);
 
   function add() {
     var focused = document.activeElement.closest && document.activeElement.closest(".hypotheses li");

@@ -5,7 +5,7 @@ var serial = 0;
 
 // `spec`: { label, unit, low, high, step, value, original, plausible }; `move` gets the value and whether the gesture goes on.
 function mover(spec, move) {
-  var name = "move-" + (serial += 1), isHeld = false, resting = null, sent = spec.value;
+  var name = "move-" + (serial += 1), isHeld = false, isRefused = false, resting = null, sent = spec.value, accepted = spec.value;
   var unit = spec.unit === "1" ? "" : spec.unit;
   var hint = [
     spec.plausible ? "plausible " + plain(spec.plausible[0], 4) + " to " + plain(spec.plausible[1], 4) : null,
@@ -43,19 +43,20 @@ function mover(spec, move) {
 
   function slid() {
     isHeld = true;
-    window.clearTimeout(resting);
     sent = Number(range.value);
     write(sent);
     move(sent, true);
+    rest(1500);
   }
 
-  // Arrow keys rest after each step; those that follow soon belong to one gesture.
-  function rested() {
+  // Arrow keys rest after each step; those that follow soon belong to one gesture. A gesture whose end is never told ends too.
+  function rested() { rest(400); }
+  function rest(wait) {
     window.clearTimeout(resting);
     resting = window.setTimeout(function () {
       isHeld = false;
       move(sent, false);
-    }, 400);
+    }, wait);
   }
 
   function go(value) {
@@ -84,7 +85,10 @@ function mover(spec, move) {
     back();
   }
 
+  // Said until the value is another one.
   function refuse(words) {
+    isRefused = !!words;
+    if (words) range.value = sent = accepted;
     refusal.hidden = !words;
     say(refusal, words || "");
     dress(field, { "aria-invalid": words ? "true" : "false" });
@@ -96,7 +100,8 @@ function mover(spec, move) {
   ]);
 
   function show(value) {
-    if (isHeld) return;
+    accepted = value;
+    if (isHeld || isRefused) return;
     sent = value;
     range.value = value;
     if (document.activeElement !== field || typed(field.value) === null) write(value);

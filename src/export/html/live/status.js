@@ -11,8 +11,10 @@ function status() {
   function parts(shape) {
     var stability = shape.stability;
     var own = [];
+    if (shape.interpolated) own.push(make("span", { "class": "bad" }, "\u2248 interpolated between solved points"));
+    else if (shape.interpolated === false) own.push(make("span", { "class": "good" }, "\u2713 a solved point"));
     if (stability) own.push(make("span", { "class": stability.stable ? "good" : "bad" }, [stability.stable ? "\u2713 " : "\u26a0 ", stability.words]));
-    own.push(make("span", {}, isNumber(shape.mesh_error_deg) ? "mesh error " + withUnit(shape.mesh_error_deg, "deg", 2) : "mesh error not known yet"));
+    if (shape.interpolated === undefined) own.push(make("span", {}, isNumber(shape.mesh_error_deg) ? "mesh error " + withUnit(shape.mesh_error_deg, "deg", 2) : "mesh error not known yet"));
     if (isNumber(shape.seconds)) own.push(make("span", { "class": "time" }, "solved in " + plain(shape.seconds, 2) + " s"));
     return own;
   }

@@ -302,6 +302,7 @@ function start(canvas) {
     if (seen) point();
   });
   window.addEventListener("resize", soon);
+  if (window.ResizeObserver) new ResizeObserver(soon).observe(canvas);
   // Printing does not wait for the next frame.
   window.addEventListener("beforeprint", function () { layers = null; arrive(); draw(); });
   if (window.matchMedia) {
