@@ -37,9 +37,9 @@ function residuals() {
       }),
       bands: [{ look: "two", x: [0, most], low: [-2, -2], high: [2, 2] }, { look: "one", x: [0, most], low: [-1, -1], high: [1, 1] }]
     }, {
-      heads: ["reading", "at (mm)", "measured", "model", "\u03c3", "in \u03c3"],
+      heads: ["reading", "at (mm)", "measured", "model", "\u03c3", "unit", "in \u03c3"],
       rows: function () {
-        return all.map(function (one) { return [one.quantity, one.r_mm, one.measured, one.modelled, one.sigma, one.in_sigma]; });
+        return all.map(function (one) { return [one.quantity, one.r_mm, one.measured, one.modelled, one.sigma, one.unit || "", one.in_sigma]; });
       }
     });
     say(rest, all.filter(function (one) { return !isNumber(one.r_mm); }).map(function (one) {

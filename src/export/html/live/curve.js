@@ -9,6 +9,10 @@ function curve() {
     if (original && !same(original.twist_deg, twist.twist_deg)) {
       lines.push({ name: original.name || "as stated", look: "ghost", x: original.r_mm, y: original.twist_deg });
     }
+    var before = known.before && known.before.case === shape.case ? known.before.twist : null;
+    if (before && original && !same(before.twist_deg, twist.twist_deg) && !same(before.twist_deg, original.twist_deg)) {
+      lines.push({ name: "before", look: "before", x: before.r_mm, y: before.twist_deg });
+    }
     lines.push({ name: shape.solved ? "model" : "last solved", look: shape.solved ? "model" : "stale", x: twist.r_mm, y: twist.twist_deg });
     if (tried) lines.push({ name: "with " + tried.name, look: "tried", x: tried.r_mm, y: tried.twist_deg });
     var points = (twist.measured || []).map(function (run, k) {

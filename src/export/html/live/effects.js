@@ -38,6 +38,10 @@ function effects(ask) {
       var out = make("button", { type: "button", "class": "out", title: "Take it out", onclick: function () { ask.effect(own.name, null, false); } }, "\u00d7");
       out.ariaLabel = "Take out " + own.title;
       mine.box.replaceChild(out, mine.box.querySelector(".back"));
+      // What is either there or not has no strength to move.
+      if (own.all_or_none) mine.box.querySelector(".track").remove();
+      if (own.all_or_none) mine.box.querySelector(".typed").remove();
+      if (own.meaning) mine.box.appendChild(make("p", { "class": "meaning" }, own.meaning));
       return mine.box;
     }));
     if (hadFocus) search.focus();

@@ -95,6 +95,7 @@ function grid(all) {
 
   // Takes a change in; what belongs to one gesture is one step of undo.
   function change(what, words, isDrag, apply) {
+    begins(what, isDrag);
     if (gesture !== what) {
       undone = [];
       done.push([words, values()]);
@@ -117,6 +118,7 @@ function grid(all) {
   function move(list, back) {
     var step = list.pop();
     if (!step) return Promise.resolve(state);
+    begins("undo", false);
     back.push([step[0], values()]);
     put(step[1]);
     gesture = null;

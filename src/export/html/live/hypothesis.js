@@ -1,7 +1,7 @@
 // One hypothesis: its probability as a bar, where on the wing it acts, its strength, what it would do to the curve, and a way to add it.
 
 function hypothesis(ask, own, index) {
-  var asked = false, curve = own.curve || null;
+  var asked = false, isAdding = false, note = make("span", { "class": "quiet", role: "status" }), curve = own.curve || null;
 
   function strength(one) {
     var unit = one.unit === "1" ? "" : one.unit;
@@ -21,22 +21,31 @@ function hypothesis(ask, own, index) {
   }
   function leave() { tell("tried", null); }
 
-  var percent = own.probability >= 0.995 ? "> 99 %" : own.probability < 0.01 ? "< 1 %" : Math.round(100 * own.probability) + " %";
+  var percent = share(own.probability);
   var bar = make("span", { "class": "probability", "aria-hidden": "true" }, make("span", {}));
   bar.firstChild.style.width = 100 * Math.max(0.005, Math.min(1, own.probability)) + "%";
   var add = make("button", {
     type: "button", disabled: !own.can_add, onclick: function () {
+      if (isAdding) return ask.stop();
       leave();
-      ask.add(index);
+      busy(true);
+      return ask.add(index).then(function () { busy(false); });
     }
   }, "Add");
+  // Its strengths are fitted, which takes some seconds; until then the button stops it.
+  function busy(isIt) {
+    isAdding = isIt;
+    add.textContent = isIt ? "Stop" : "Add";
+    add.ariaLabel = isIt ? "Stop adding " + own.title : "Add " + own.title + " to the model";
+    say(note, isIt ? "fitting its strength \u2026" : "");
+  }
   add.ariaLabel = "Add " + own.title + " to the model";
   var box = make("li", { onpointerenter: look, onpointerleave: leave, onfocusin: look, onfocusout: leave }, [
     place(own.effects),
     make("div", { "class": "what" }, [
       make("span", { "class": "row" }, [make("strong", {}, own.title), make("span", { "class": "percent" }, percent)]), bar,
       make("span", {}, own.sentence || ""),
-      make("span", { "class": "quiet" }, (own.strengths || []).map(strength).join(", ") + (own.in_set === false ? " \u2013 outside the 95 % set" : ""))
+      make("span", { "class": "quiet" }, (own.strengths || []).map(strength).join(", ") + (own.in_set === false ? " \u2013 outside the 95 % set" : "")), note
     ]),
     add
   ]);
@@ -64,4 +73,9 @@ function seamOf(name) {
   var seams = [["root", /root|hinge|stop/], ["tip", /^tip|tip-/], ["spars", /spar|rib/], ["rod", /rod|torsion|warping|shear/], ["film", /film|skin|slack/], ["picture", /picture|camera|instrument/]];
   var hit = seams.filter(function (own) { return own[1].test(words); })[0];
   return hit ? hit[0] : "air";
+}
+
+// A probability in words; never one of 0 or 1.
+function share(value) {
+  return value >= 0.995 ? "> 99 %" : value < 0.01 ? "< 1 %" : Math.round(100 * value) + " %";
 }

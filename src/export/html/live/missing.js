@@ -41,6 +41,10 @@ function missing(ask) {
       rest.length ? make("details", {}, [make("summary", {}, rest.length + " less likely"), make("ol", { "class": "hypotheses" }, rest)]) : null,
       make("div", { id: "cause" }),
       (own.next || []).length ? make("div", {}, [make("h3", {}, "What to measure next"), make("ul", {}, own.next.map(function (one) { return make("li", {}, one.words); }))]) : null,
+      isNumber(own.probability_nothing) || isNumber(own.probability_unknown) ? make("p", { "class": "quiet" }, [
+        isNumber(own.probability_nothing) ? "Nothing is missing: " + share(own.probability_nothing) + ". " : null,
+        isNumber(own.probability_unknown) ? "The cause is none of these: " + share(own.probability_unknown) + "." : null
+      ]) : null,
       make("p", { "class": "quiet" }, own.tried + " effects were tried" + (isNumber(own.of) && own.of !== own.tried ? " of " + own.of : "") + "."),
       (own.notes || []).length ? make("details", {}, [make("summary", {}, "Notes"), make("ul", { "class": "quiet" }, own.notes.map(function (text) { return make("li", {}, text); }))]) : null
     ]);

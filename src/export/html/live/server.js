@@ -50,6 +50,7 @@ function server() {
 
   // A change answers the state; what is refused is said at its place.
   function change(path, body, what) {
+    if (/^(set|effect|add|undo|redo|reset)$/.test(path)) begins(what || path, !!body.drag);
     return send(path, body, what).then(function (state) {
       tell("accepted", what || path);
       learnState(state);
@@ -121,7 +122,8 @@ function server() {
     redo: function () { return change("redo", {}); },
     reset: function () { return change("reset", {}); },
     diagnose: function () { return change("diagnose", {}).then(followDiagnosis); },
-    stop: function () { return change("diagnose/stop", {}); },
+    // It does not wait for what it stops.
+    stop: function () { return post("diagnose/stop", {}).then(learnState, function () {}); },
     hypothesis: function (index) { return fetched("hypothesis?index=" + index).catch(function () { return null; }); },
     add: function (index) { return change("add", { hypothesis: index }); },
     save: function () { return send("save", {}); },

@@ -1,7 +1,7 @@
 // What the page knows: the document of the state, the shape that was solved last, and who wants to hear of a change.
 
-var known = { state: null, shape: null, original: {} };
-var hearers = {};
+var known = { state: null, shape: null, original: {}, before: null };
+var hearers = {}, gesture = null;
 
 function hear(what, own) { (hearers[what] = hearers[what] || []).push(own); }
 
@@ -11,7 +11,7 @@ function tell(what, news) {
 
 // An answer that comes late does not bring back what was before.
 function learnState(state) {
-  if (!state || (known.state && state.revision < known.state.revision)) return;
+  if (!state || !state.inputs || (known.state && state.revision < known.state.revision)) return;
   var isOther = !known.state || known.state.name !== state.name || known.state.file !== state.file;
   if (isOther) known.original = {};
   known.state = state;
@@ -25,6 +25,12 @@ function learnShape(shape) {
   if (shape.solved && !known.original[shape.case]) known.original[shape.case] = shape.twist.other || Object.assign({ name: "at first" }, shape.twist);
   tell("waiting", isWaiting());
   soon();
+}
+
+// A change begins: the curve that was there is kept to be seen beside the new one. Moves of one gesture begin once.
+function begins(what, isDrag) {
+  if (gesture !== what && known.shape && known.shape.solved) known.before = { "case": known.shape.case, twist: known.shape.twist };
+  gesture = isDrag ? what : null;
 }
 
 // Whether the shape is of an older state than the sliders.

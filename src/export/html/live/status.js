@@ -15,7 +15,9 @@ function status() {
     else if (shape.interpolated === false) own.push(make("span", { "class": "good" }, "\u2713 a solved point"));
     if (stability) own.push(make("span", { "class": stability.stable ? "good" : "bad" }, [stability.stable ? "\u2713 " : "\u26a0 ", stability.words]));
     if (shape.interpolated === undefined) own.push(make("span", {}, isNumber(shape.mesh_error_deg) ? "mesh error " + withUnit(shape.mesh_error_deg, "deg", 2) : "mesh error not known yet"));
-    if (isNumber(shape.seconds)) own.push(make("span", { "class": "time" }, "solved in " + plain(shape.seconds, 2) + " s"));
+    if (shape.note) own.push(make("span", { "class": "bad" }, "\u26a0 " + shape.note));
+    if (shape.settled === false && shape.solved) own.push(make("span", { "class": "time" }, "from the last shape, being solved from rest \u2026"));
+    else if (isNumber(shape.seconds)) own.push(make("span", { "class": "time" }, "solved in " + plain(shape.seconds, 2) + " s"));
     return own;
   }
 

@@ -1,5 +1,8 @@
 // The wing of the report, for shapes that come one after the other: it keeps its camera.
 
+// Rounder than a rod of some pixels needs to be; it is drawn anew with every move.
+SIDES = 8;
+
 var data = { map: JSON.parse(document.getElementById("wing-map").textContent), wings: [] }, handle = null, last = null, shown = null;
 
 // `shape` as the program gives it. Of another case the wing finds its frame anew.

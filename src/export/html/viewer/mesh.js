@@ -44,26 +44,19 @@ function across(direction) {
   return [u, cross(direction, u)];
 }
 
-// Lines as tubes with flat ends. Where two of a kind meet they share the mean direction, so that they join without a gap, and the ends
-// inside are left out.
+// Lines as tubes with flat ends. Where two of a kind meet they share the mean direction, so that they join without a gap.
 function tubes(points, lines, sides) {
-  var mean = {}, many = {};
+  var mean = {};
   lines.forEach(function (line) {
     var own = unit(minus(points, line.to, line.from));
     [line.from, line.to].forEach(function (node) {
       var key = line.kind + "," + node, sum = mean[key] || [0, 0, 0];
       // A line drawn the other way still goes on.
       var sign = sum[0] * own[0] + sum[1] * own[1] + sum[2] * own[2] < 0 ? -1 : 1;
-      many[key] = many[key] ? [many[key][0] + 1, Math.min(many[key][1], line.radius)] : [1, line.radius];
       mean[key] = [0, 1, 2].map(function (k) { return sum[k] + sign * own[k]; });
     });
   });
-  function isEnd(line, node) {
-    var own = many[line.kind + "," + node];
-    return own[0] !== 2 || own[1] < line.radius;
-  }
-  var ends = lines.reduce(function (sum, line) { return sum + isEnd(line, line.from) + isEnd(line, line.to); }, 0);
-  var out = new Float32Array((6 * lines.length + 3 * ends) * sides * CORNER), at = 0;
+  var out = new Float32Array(lines.length * sides * 12 * CORNER), at = 0;
   function corner(node, normal, radius, share) {
     for (var k = 0; k < 3; k++) {
       out[at + k] = points[3 * node + k];
@@ -92,7 +85,6 @@ function tubes(points, lines, sides) {
       corner(a.node, a.ring[s], r, a.share); corner(b.node, b.ring[s], r, b.share); corner(b.node, b.ring[s + 1], r, b.share);
       corner(a.node, a.ring[s], r, a.share); corner(b.node, b.ring[s + 1], r, b.share); corner(a.node, a.ring[s + 1], r, a.share);
       [a, b].forEach(function (end) {
-        if (!isEnd(line, end.node)) return;
         corner(end.node, end.out, 0, end.share);
         corner(end.node, end.ring[s], r, end.share);
         corner(end.node, end.ring[s + 1], r, end.share);
