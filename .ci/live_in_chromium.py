@@ -162,10 +162,14 @@ def same_files(asked, live, files, commands, faults, name):
     for command in commands:
         done = subprocess.run(re.sub(r"^washout\b", str(asked.washout), command), shell=True, cwd=again, capture_output=True, text=True)
         check(done.returncode == 0, f"{name}: {command}: {done.stderr}", faults)
+    count = 0
     for file in files:
-        mine, other = live.folder / file, again / file
-        if check(mine.exists() and other.exists(), f"{name}: {file} is missing ({mine.exists()}, {other.exists()})", faults) and mine.is_file():
-            check(mine.read_bytes() == other.read_bytes(), f"{name}: {file} differs from that of the commands", faults)
+        for mine in sorted((live.folder / file).rglob("*")) if (live.folder / file).is_dir() else [live.folder / file]:
+            other = again / mine.relative_to(live.folder)
+            if check(mine.exists() and other.exists(), f"{name}: {mine} is missing ({mine.exists()}, {other.exists()})", faults) and mine.is_file():
+                count += 1
+                check(mine.read_bytes() == other.read_bytes(), f"{name}: {mine} differs from that of the commands", faults)
+    print(f"{name}: {count} files as those of {len(commands)} commands")
 
 
 def hover(page, element):

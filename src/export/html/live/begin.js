@@ -6,10 +6,11 @@ function begin() {
   // What is said of the shape stands on it.
   at("wing-stage").appendChild(at("grey"));
   at("wing-stage").appendChild(at("solving"));
-  status();
   history(ask);
   inputs(ask);
   effects(ask);
+  // After those that have a place for a refusal.
+  status();
   curve();
   attack();
   residuals();

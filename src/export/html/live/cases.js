@@ -1,7 +1,7 @@
 // The cases of a study as tabs; a design has one and shows none.
 
 function cases(ask) {
-  var holder = at("cases"), signature = "";
+  var holder = at("cases"), signature = "", shown = null;
 
   function build(state) {
     fill(holder, state.cases.map(function (own, index) {
@@ -35,8 +35,9 @@ function cases(ask) {
     state.cases.forEach(function (own, index) {
       var isShown = index === state["case"], tab = at("case-" + index);
       dress(tab, { "aria-selected": isShown ? "true" : "false", tabindex: isShown ? "0" : "-1" });
-      if (isShown && hadFocus) tab.focus();
-      if (isShown && !holder.hidden) {
+      if (isShown && hadFocus && document.activeElement !== tab) tab.focus();
+      if (isShown && !holder.hidden && shown !== index) {
+        shown = index;
         var left = tab.offsetLeft - holder.offsetLeft;
         if (left < holder.scrollLeft || left + tab.offsetWidth > holder.scrollLeft + holder.clientWidth) holder.scrollLeft = left - 40;
       }

@@ -1,7 +1,7 @@
 // The effects that can be added to the model: a list to search, and a slider for the strength of each that is in.
 
 function effects(ask) {
-  var chosen = at("effects-in"), list = at("effects-list"), search = at("effects-search"), signature = "", inside = "", revision = null, movers = {}, rows = [];
+  var chosen = at("effects-in"), list = at("effects-list"), search = at("effects-search"), signature = "", inside = "", found = "", revision = null, movers = {}, rows = [];
 
   // A strength to begin with: the middle of what is plausible, or its far end where that is none.
   function first(own) {
@@ -33,7 +33,7 @@ function effects(ask) {
     fill(chosen, state.effects.filter(isIn).map(function (own) {
       var mine = mover({
         label: own.title, unit: own.unit, low: own.low, high: own.high, step: own.step, value: own.value, original: null, plausible: own.plausible
-      }, function (value, isDrag) { ask.effect(own.name, value, isDrag); });
+      }, function (value, isDrag) { return ask.effect(own.name, value, isDrag); });
       movers[own.name] = mine;
       var out = make("button", { type: "button", "class": "out", title: "Take it out", onclick: function () { ask.effect(own.name, null, false); } }, "\u00d7");
       out.ariaLabel = "Take out " + own.title;
@@ -63,6 +63,8 @@ function effects(ask) {
     if (now !== inside) buildInside(state);
     signature = words;
     inside = now;
+    var isOther = now !== found;
+    found = now;
     rows.forEach(function (row, k) { row.isIn = isIn(state.effects[k]); });
     var isNew = state.revision !== revision;
     revision = state.revision;
@@ -71,7 +73,7 @@ function effects(ask) {
       movers[own.name].show(own.value);
     });
     say(at("effects-count"), state.effects.filter(isIn).length ? state.effects.filter(isIn).length + " in the model" : "none in the model");
-    find();
+    if (isOther) find();
   });
   search.addEventListener("input", find);
 

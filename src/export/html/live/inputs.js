@@ -15,7 +15,7 @@ function inputs(ask) {
       var group = make("details", { open: isOpen[name], ontoggle: function () { isOpen[name] = group.open; } }, [
         make("summary", {}, [make("span", {}, name), make("span", { "class": "count", "data-group": name })])
       ].concat(own.map(function (one) {
-        var mine = mover(one, function (value, isDrag) { ask.set(one.key, value, isDrag); });
+        var mine = mover(one, function (value, isDrag) { return ask.set(one.key, value, isDrag); });
         mine.group = group;
         movers[one.key] = { own: mine, group: name };
         return mine.box;

@@ -1,7 +1,7 @@
 // The error, step by step: a bar for the readings that are fitted, a diamond for those held out, a line where the noise begins.
 
 function ladder() {
-  var holder = at("ladder-steps");
+  var holder = at("ladder-steps"), signature = "";
 
   function bar(step, most, noise) {
     function place(value) { return 100 * Math.min(1, value / most) + "%"; }
@@ -23,6 +23,9 @@ function ladder() {
   }
 
   hear("state", function (state) {
+    var words = JSON.stringify([state.ladder, state.noise_deg]);
+    if (words === signature) return;
+    signature = words;
     var steps = state.ladder, hasHeld = steps.some(function (step) { return isNumber(step.held_out_rms_deg); });
     at("ladder").hidden = !steps.length;
     if (!steps.length) return;

@@ -3,9 +3,11 @@
 
 var serial = 0;
 
-// `spec`: { label, unit, low, high, step, value, original, plausible }; `move` gets the value and whether the gesture goes on.
+function inField(value) { return String(Number(value.toPrecision(5))).replace("-", "\u2212"); }
+
+// `spec`: { label, unit, low, high, step, value, original, plausible }; `move` gets the value and whether the gesture goes on, and gives a promise of the answer.
 function mover(spec, move) {
-  var name = "move-" + (serial += 1), isHeld = false, isRefused = false, resting = null, sent = spec.value, accepted = spec.value;
+  var name = "move-" + (serial += 1), isHeld = false, isRefused = false, isShown = false, flying = 0, resting = null, sent = spec.value, accepted = spec.value;
   var unit = spec.unit === "1" ? "" : spec.unit;
   var hint = [
     spec.plausible ? "plausible " + plain(spec.plausible[0], 4) + " to " + plain(spec.plausible[1], 4) : null,
@@ -37,7 +39,7 @@ function mover(spec, move) {
   if (isNumber(spec.original)) first.style.left = place(spec.original);
 
   function write(value) {
-    field.value = plain(value, 5);
+    field.value = inField(value);
     range.setAttribute("aria-valuetext", spoken(value, unit));
   }
 
@@ -45,7 +47,7 @@ function mover(spec, move) {
     isHeld = true;
     sent = Number(range.value);
     write(sent);
-    move(sent, true);
+    goOut(sent, true);
     rest(1500);
   }
 
@@ -55,24 +57,34 @@ function mover(spec, move) {
     window.clearTimeout(resting);
     resting = window.setTimeout(function () {
       isHeld = false;
-      move(sent, false);
+      goOut(sent, false);
     }, wait);
   }
 
-  function go(value) {
+  // Until the last move is answered, answers to those before it are old.
+  function goOut(value, isDrag) {
+    flying += 1;
+    Promise.resolve(move(value, isDrag)).then(function () {
+      flying -= 1;
+      show(accepted);
+    });
+  }
+
+  // What was typed stays as it was typed.
+  function go(value, isTyped) {
     isHeld = false;
     window.clearTimeout(resting);
     range.value = value;
     sent = value;
-    write(value);
-    move(value, false);
+    if (!isTyped) write(value);
+    goOut(value, false);
   }
 
   function entered() {
     var value = typed(field.value);
     if (value === null) return refuse("This is not a number.");
     if (spec.integer && value !== Math.round(value)) return refuse("This must be a whole number.");
-    if (plain(value, 5) !== plain(sent, 5)) go(value);
+    if (inField(value) !== inField(sent)) go(value, true);
     else refuse(null);
     return null;
   }
@@ -87,6 +99,7 @@ function mover(spec, move) {
 
   // Said until the value is another one.
   function refuse(words) {
+    if (isRefused && !words) isShown = false;
     isRefused = !!words;
     if (words) range.value = sent = accepted;
     refusal.hidden = !words;
@@ -100,8 +113,10 @@ function mover(spec, move) {
   ]);
 
   function show(value) {
+    var isSame = accepted === value && sent === value && isShown;
     accepted = value;
-    if (isHeld || isRefused) return;
+    if (isHeld || isRefused || isSame || flying) return;
+    isShown = true;
     sent = value;
     range.value = value;
     if (document.activeElement !== field || typed(field.value) === null) write(value);
