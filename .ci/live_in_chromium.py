@@ -126,6 +126,13 @@ def story(asked, faults, by_keys):
     else:
         hover(page, ".hypotheses li")
         page.until("document.querySelector('#curve .plot .curve.tried') !== null", "the curve of the hypothesis under the pointer")
+        if asked.docs:
+            page.window(1200, 750)
+            page.run("new Promise(function (done) { setTimeout(done, 500); })")
+            hover(page, ".hypotheses li")
+            page.run("new Promise(function (done) { setTimeout(done, 3000); })")
+            page.picture(asked.docs / "live.png")
+            page.window(1280, 800)
         do(".hypotheses li button", "a")
     page.until(f"probe.ladder().length > {first}", "the ladder to grow", 120)
     live.rest()
@@ -350,6 +357,7 @@ def main():
     parser.add_argument("--effect", default="root-flexure")
     parser.add_argument("--options", nargs="*", default=[], help="of washout live")
     parser.add_argument("--pictures", type=pathlib.Path, help="folder for the screenshots")
+    parser.add_argument("--docs", type=pathlib.Path, help="folder for the picture of docs/live.md")
     parser.add_argument("--work", type=pathlib.Path, default=ROOT / "target/live")
     parser.add_argument("--moves", type=int, default=60)
     parser.add_argument("--sequences", type=int, default=20)

@@ -16,4 +16,4 @@ fi
 
 cargo build --release --quiet
 mkdir -p target/live/pictures
-python3 .ci/live_in_chromium.py --pictures target/live/pictures "$@"
+python3 .ci/live_in_chromium.py --pictures target/live/pictures --docs docs/pictures "$@"

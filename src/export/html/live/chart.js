@@ -37,11 +37,15 @@ function chart(name, spec) {
       if (spec.isEven) low = -high;
     }
     if (reach && low >= reach[0] && high <= reach[1] && high - low > 0.5 * (reach[1] - reach[0])) return;
-    var step = ticks(low, high, 4).step;
+    var step = ticks(low, high, steps()).step;
     reach = [Math.floor(low / step - 0.05) * step, Math.ceil(high / step + 0.05) * step];
+    reach.step = step;
     if (low === 0) reach[0] = 0;
     if (high === 0) reach[1] = 0;
   }
+
+  // As many as there is room for.
+  function steps() { return Math.max(2, Math.min(5, Math.round(room.tall / 38))); }
 
   function stretch() {
     var most = 1;
@@ -52,8 +56,14 @@ function chart(name, spec) {
   function xAt(x) { return FRAME.left + x / room.most * room.wide; }
   function yAt(y) { return FRAME.top + (reach[1] - y) / (reach[1] - reach[0]) * room.tall; }
 
+  // The steps that the ends were rounded to, unless they have become too narrow.
+  function upward() {
+    var many = (reach[1] - reach[0]) / reach.step;
+    return ticks(reach[0], reach[1], room.tall / many > 20 ? many : steps());
+  }
+
   function frame() {
-    var across = ticks(0, room.most, room.wide / 70), up = ticks(reach[0], reach[1], Math.max(2, room.tall / 38));
+    var across = ticks(0, room.most, room.wide / 70), up = upward();
     up.at.forEach(function (y) {
       draw(svg, "line", { "class": y === 0 ? "zero" : "grid", x1: FRAME.left, x2: FRAME.left + room.wide, y1: yAt(y), y2: yAt(y) });
       draw(svg, "text", { x: FRAME.left - 6, y: yAt(y) + 4, "text-anchor": "end" }, plain(y, 4));
@@ -189,7 +199,7 @@ function chart(name, spec) {
     var words = all.map(function (own) { return own.look + (own.mark || 0) + own.name; }).join();
     if (legend.getAttribute("data-of") === words) return;
     legend.setAttribute("data-of", words);
-    fill(legend, all.map(function (own) { return make("span", { "class": "key" }, [sample(own), make("span", { "class": "name", title: own.name }, own.name)]); }));
+    fill(legend, all.map(function (own) { return make("span", { "class": "key " + own.look }, [sample(own), make("span", { "class": "name", title: own.name }, own.name)]); }));
   }
 
   return {

@@ -19,7 +19,7 @@ function figures() {
       var value = make("span", { "class": "value" }), change = make("span", { "class": "change" });
       shown[one.key] = { value: value, change: change };
       return make("div", { "class": one.key === "tip_twist_deg" ? "main" : null }, [
-        make("dt", {}, one.label), make("dd", {}, [value, make("small", {}, one.unit === "1" ? "" : " " + one.unit), change])
+        make("dt", { title: one.more }, one.label), make("dd", {}, [make("span", {}, [value, make("small", {}, one.unit === "1" ? "" : " " + one.unit)]), change])
       ]);
     }));
   }
@@ -31,7 +31,7 @@ function figures() {
     var before = first[shape.case] = first[shape.case] || {};
     holder.classList.toggle("stale", !shape.solved);
     own.forEach(function (one) {
-      if (!(one.key in before)) before[one.key] = isNumber(one.original) ? one.original : one.value;
+      if (isNumber(one.original) || !(one.key in before)) before[one.key] = isNumber(one.original) ? one.original : one.value;
       var by = one.value - before[one.key];
       say(shown[one.key].value, plain(one.value, 3));
       var isMoved = !one.isOwn && Math.abs(by) > 0.002 * Math.abs(one.value) + 1e-9;
@@ -40,7 +40,7 @@ function figures() {
     });
   });
   hear("state", function (state) {
-    if (holder.getAttribute("data-of") !== state.file) first = {};
+    if (holder.hasAttribute("data-of") && holder.getAttribute("data-of") !== state.file) first = {};
     holder.setAttribute("data-of", state.file);
   });
 }

@@ -20,5 +20,6 @@ function history(ask) {
     say(at("name"), state.name);
     document.title = (state.dirty ? "\u2022 " : "") + state.name + " \u2013 washout";
     at("dirty").hidden = !state.dirty;
+    at("open").hidden = state.takes_files === false;
   });
 }

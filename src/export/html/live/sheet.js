@@ -46,7 +46,7 @@ function sheet(ask) {
 
   // Something is held over the page: it says what may be dropped.
   var depth = 0;
-  function isFile(event) { return event.dataTransfer && Array.from(event.dataTransfer.types).indexOf("Files") >= 0; }
+  function isFile(event) { return known.state && known.state.takes_files !== false && event.dataTransfer && Array.from(event.dataTransfer.types).indexOf("Files") >= 0; }
   window.addEventListener("dragenter", function (event) {
     if (!isFile(event)) return;
     depth += 1;

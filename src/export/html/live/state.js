@@ -12,7 +12,8 @@ function tell(what, news) {
 // An answer that comes late does not bring back what was before.
 function learnState(state) {
   if (!state || !state.inputs || (known.state && state.revision < known.state.revision)) return;
-  var isOther = !known.state || known.state.name !== state.name || known.state.file !== state.file;
+  // The first shape may come before the first state.
+  var isOther = known.state && known.state.file !== state.file;
   if (isOther) known.original = {};
   known.state = state;
   tell("state", state);
@@ -22,7 +23,8 @@ function learnState(state) {
 function learnShape(shape) {
   if (!shape) return;
   known.shape = shape;
-  if (shape.solved && !known.original[shape.case]) known.original[shape.case] = shape.twist.other || Object.assign({ name: "at first" }, shape.twist);
+  if (shape.twist.other) known.original[shape.case] = shape.twist.other;
+  else if (shape.solved && !known.original[shape.case]) known.original[shape.case] = Object.assign({ name: "at first" }, shape.twist);
   tell("waiting", isWaiting());
   soon();
 }
