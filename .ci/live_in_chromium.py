@@ -25,7 +25,7 @@ ACTIONS = {"slide": 6, "type": 3, "back": 2, "add": 2, "out": 2, "strength": 3, 
 class Live:
     """A study with a hidden effect, served and opened."""
 
-    def __init__(self, asked, name, **window):
+    def __init__(self, asked, name, design=None, **window):
         self.folder, self.server = asked.work / name, None
         address = asked.address
         if not address:
@@ -34,10 +34,10 @@ class Live:
             self.folder.mkdir(parents=True)
             for own in ("designs", "measurements"):
                 shutil.copytree(ROOT / own, self.folder / own)
-            subprocess.run([asked.washout, "synthesize", ROOT / asked.study, *asked.hidden, "--seed", "11", "--output", "try", "--quiet"],
-                           cwd=self.folder, check=True)
-            study = next((self.folder / "try").glob("*.toml"))
-            self.study = study.relative_to(self.folder)
+            self.study = design
+            if not design:
+                synthesized(asked, self.folder)
+                self.study = next((self.folder / "try").glob("*.toml")).relative_to(self.folder)
             self.server = subprocess.Popen([asked.washout, "live", self.study, "--no-open", *asked.options], cwd=self.folder,
                                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
             for line in self.server.stdout:
@@ -75,6 +75,12 @@ class Live:
                 faults.append(f"{self.folder.name}: the program ended by itself")
             self.server.terminate()
             self.server.wait(20)
+
+
+def synthesized(asked, folder):
+    """Readings with a hidden effect, in `try`."""
+    subprocess.run([asked.washout, "synthesize", ROOT / asked.study, *asked.hidden, "--seed", "11", "--output", "try", "--quiet"],
+                   cwd=folder, check=True)
 
 
 def check(condition, fault, faults):
@@ -163,8 +169,7 @@ def same_files(asked, live, files, commands, faults, name):
     again.mkdir()
     for own in ("designs", "measurements"):
         shutil.copytree(ROOT / own, again / own)
-    subprocess.run([asked.washout, "synthesize", ROOT / asked.study, *asked.hidden, "--seed", "11", "--output", "try", "--quiet"],
-                   cwd=again, check=True)
+    synthesized(asked, again)
     check(commands, f"{name}: no commands", faults)
     for command in commands:
         done = subprocess.run(re.sub(r"^washout\b", str(asked.washout), command), shell=True, cwd=again, capture_output=True, text=True)
@@ -348,6 +353,76 @@ def wander(asked, faults):
     live.close(faults)
 
 
+DROP = """(function () { var held = new DataTransfer(); held.items.add(new File([%s], %s));
+    ["dragenter", "dragover", "drop"].forEach(function (kind) {
+        window.dispatchEvent(new DragEvent(kind, { dataTransfer: held, bubbles: true, cancelable: true })); }); })()"""
+SHEET = "r (mm),twist (deg),sd\n10,2.0,0.5\n20,4.5,0.5\n35,7.5,0.5\n51,16,0.5\n67,22,0.6\n"
+
+
+def files_in(asked, faults):
+    """A table that is dropped is understood and confirmed; what is no design is refused; another design is opened."""
+    live = Live(asked, "files", "designs/twist-v2.toml")
+    page = live.page
+    page.run(DROP % (json.dumps(SHEET), json.dumps("sheet.csv")))
+    page.until("document.getElementById('sheet-box').open", "what was understood")
+    check("twist" in page.run("probe.text('#sheet-body pre')"), "the table is not understood", faults)
+    page.press("Enter")
+    page.until("document.querySelectorAll('#curve .plot .reading').length === 5", "the readings of the table")
+    page.run(DROP % (json.dumps("nonsense = ["), json.dumps("x.toml")))
+    page.until("!document.getElementById('notice').hidden", "a refusal of what is no design")
+    page.run("document.getElementById('notice-close').click()")
+    page.run(DROP % (json.dumps((live.folder / "designs/rigid.toml").read_text()), json.dumps("rigid.toml")))
+    page.until("probe.text('#name') === 'rigid'", "another design")
+    live.rest()
+    live.close(faults)
+
+
+def alone(asked, faults):
+    """The file for others: at a point of its grid the numbers that were solved, between them what lies between, and it says so."""
+    file = asked.work / "alone.html"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.unlink(missing_ok=True)
+    subprocess.run([asked.washout, "live", "designs/twist-v2.toml", "--set", "mesh.refine=0.5", "--export", file,
+                    "--over", "flapping.frequency_hz,root-flexure", "--quiet"], cwd=ROOT, check=True)
+    check(file.stat().st_size <= 5_000_000, f"the file for others has {file.stat().st_size} bytes", faults)
+    text = file.read_text()
+    grid = json.loads(re.search(r'id="grid">(.*?)</script>', text, re.S).group(1))
+    page = Page(file.as_uri())
+    page.until("document.readyState === 'complete'", "the file")
+    page.run(PROBE)
+    page.until("document.querySelectorAll('.mover').length > 0", "its sliders")
+    many, seen = len(grid["axes"][1]["values"]), []
+    for index, value in enumerate(grid["axes"][0]["values"]):
+        point = grid["points"][index * many + grid["axes"][1]["values"].index(0)]
+        page.run(f"(function () {{ var own = document.querySelector('#inputs-groups .field'); own.value = '{value!r}'; own.dispatchEvent(new Event('change')); }})()")
+        page.run("new Promise(function (done) { setTimeout(done, 150); })")
+        if not point["solved"]:
+            check(not page.run("document.getElementById('grey').hidden"), f"at {value}: not solved, and not grey", faults)
+            continue
+        shown = float(page.run("probe.text('#figures .main .value')").replace("\u2212", "-"))
+        seen.append(shown)
+        check(abs(shown - point["numbers"][0]) <= 0.006 * abs(point["numbers"][0]), f"at {value}: {shown}, solved {point['numbers'][0]}", faults)
+        check("a solved point" in page.run("probe.text('#status')"), f"at {value}: {page.run('probe.text(`#status`)')}", faults)
+    low, high = grid["axes"][0]["values"][:2]
+    page.run(f"(function () {{ var own = document.querySelector('#inputs-groups .field'); own.value = '{(low + high) / 2!r}'; own.dispatchEvent(new Event('change')); }})()")
+    page.run("new Promise(function (done) { setTimeout(done, 150); })")
+    check("interpolated" in page.run("probe.text('#status')"), "between two points it does not say that it is interpolated", faults)
+    middle = float(page.run("probe.text('#figures .main .value')").replace("\u2212", "-"))
+    check(abs(middle - (seen[0] + seen[1]) / 2) <= 0.01 * abs(middle) + 0.01, f"{middle} is not between {seen[0]} and {seen[1]}", faults)
+    page.press("u")
+    names(page, faults)
+    for width, height in ((1280, 800), (390, 844)):
+        for dark in (False, True):
+            page.window(width, height, dark)
+            page.run("new Promise(function (done) { setTimeout(done, 400); })")
+            for what in ("overlaps", "cut", "pale"):
+                found = page.run(f"probe.{what}()")
+                check(not found, f"the file for others, {width} px: {what}: {found}", faults)
+    print(f"the file for others: {file.stat().st_size} bytes, {len(grid['points'])} points")
+    faults += [f"the file for others: {fault}" for fault in page.faults]
+    page.close()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--washout", type=pathlib.Path, default=ROOT / "target/release/washout")
@@ -362,7 +437,7 @@ def main():
     parser.add_argument("--moves", type=int, default=60)
     parser.add_argument("--sequences", type=int, default=20)
     parser.add_argument("--actions", type=int, default=30)
-    parser.add_argument("--only", nargs="*", default=["pointer", "keys", "looks", "random"])
+    parser.add_argument("--only", nargs="*", default=["pointer", "keys", "looks", "files", "alone", "random"])
     asked = parser.parse_args()
     asked.washout, asked.work, faults = asked.washout.resolve(), asked.work.resolve(), []
     if "pointer" in asked.only:
@@ -377,6 +452,10 @@ def main():
         looks(live, asked, faults)
         speed(live, asked, faults)
         live.close(faults)
+    if "files" in asked.only:
+        files_in(asked, faults)
+    if "alone" in asked.only:
+        alone(asked, faults)
     if "random" in asked.only:
         wander(asked, faults)
     for fault in faults:

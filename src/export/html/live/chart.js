@@ -36,7 +36,7 @@ function chart(name, spec) {
       high = low < 0 && spec.isEven ? spec.least / 2 : Math.max(high, low + (spec.least || 1));
       if (spec.isEven) low = -high;
     }
-    if (reach && low >= reach[0] && high <= reach[1] && high - low > 0.5 * (reach[1] - reach[0])) return;
+    if (reach && (low < 0) === (reach[0] < 0) && low >= reach[0] && high <= reach[1] && high - low > 0.5 * (reach[1] - reach[0])) return;
     var step = ticks(low, high, steps()).step;
     reach = [Math.floor(low / step - 0.05) * step, Math.ceil(high / step + 0.05) * step];
     reach.step = step;

@@ -60,7 +60,7 @@ function grid(all) {
     shape.wing.loaded = mix(parts, function (point) { return point.loaded; });
     shape.wing.stroke = null;
     shape.stroke_phases = null;
-    shape.wing.fields = shape.wing.fields.slice(0, all.points[0].fields.length);
+    shape.wing.fields = shape.wing.fields.slice(0, all.points[parts[0].index].fields.length);
     shape.wing.fields.forEach(function (field, k) { field.values = mix(parts, function (point) { return point.fields[k]; }); });
     compare(shape);
     return learnShape(shape);
