@@ -1,12 +1,19 @@
 // What is missing: the diagnosis, how far it is, and its answer in rows.
 
 function missing(ask) {
-  var button = at("ask"), progress = at("asked"), bar = at("asked-bar"), answer = at("answer"), shown = null, answeredAt = null;
+  var button = at("ask"), progress = at("asked"), bar = at("asked-bar"), answer = at("answer"), shown = null, answeredAt = null, file = null;
 
   button.addEventListener("click", ask.diagnose);
   at("stop").addEventListener("click", ask.stop);
 
   hear("state", function (state) {
+    // The answer belongs to what was open.
+    if (file !== null && file !== state.file) {
+      fill(answer, []);
+      answeredAt = null;
+      tell("tried", null);
+    }
+    file = state.file;
     button.disabled = !state.measured;
     at("no-readings").hidden = state.measured;
     at("hint").hidden = !state.measured || answer.children.length > 0 || !progress.hidden;
