@@ -219,6 +219,7 @@ def keys_on_sliders(live, faults):
     check(after > before, f"arrows do not move {key}", faults)
     state = live.api("state")
     check(state["undo"], "a move by keys cannot be undone", faults)
+    page.until("probe.text('#heard').indexOf('tip twist') >= 0", "a screen reader to be told the tip twist", 10)
     page.press("Backspace")
     live.rest()
     check(page.run("Number(document.activeElement.value)") == before, f"Backspace does not bring {key} back", faults)
@@ -240,6 +241,30 @@ def keys_on_sliders(live, faults):
     page.press("z", CTRL)
     page.run("document.activeElement.blur()")
     page.press("Escape")
+
+
+def drags(live, faults):
+    """A drag of the mouse is one step of undo; a double click goes back."""
+    page = live.page
+    was = page.run("document.getElementById('undo').disabled")
+    box = page.run("(function () { var box = probe.ranges()[0].getBoundingClientRect(); return [box.left, box.top, box.width, box.height]; })()")
+    start = page.run("(function () { var own = probe.ranges()[0]; return (own.value - own.min) / (own.max - own.min); })()")
+    at = [box[0] + 8 + (box[2] - 16) * start, box[1] + box[3] / 2]
+    before = page.run("Number(probe.ranges()[0].value)")
+    page.drag(at, [at[0] + 40, at[1]])
+    live.rest()
+    moved = page.run("Number(probe.ranges()[0].value)")
+    check(moved > before, f"the mouse does not drag: {before}, {moved}", faults)
+    page.run("new Promise(function (done) { setTimeout(done, 600); })")
+    page.run("document.getElementById('undo').click()")
+    live.rest()
+    check(page.until("Number(probe.ranges()[0].value)", "a value") == before, "a drag is more than one step of undo", faults)
+    page.run("document.getElementById('redo').click()")
+    live.rest()
+    page.run("probe.ranges()[0].dispatchEvent(new MouseEvent('dblclick', { bubbles: true }))")
+    live.rest()
+    check(page.run("Number(probe.ranges()[0].value)") == before, "a double click does not go back", faults)
+    check(was or not page.run("document.getElementById('undo').disabled"), "undo is lost", faults)
 
 
 def names(page, faults):
@@ -447,6 +472,7 @@ def main():
     if "looks" in asked.only:
         live = Live(asked, "looks")
         names(live.page, faults)
+        drags(live, faults)
         keys_on_sliders(live, faults)
         names(live.page, faults)
         looks(live, asked, faults)
