@@ -25,7 +25,7 @@ function residuals() {
     if (!all.length) return;
     var kinds = [];
     all.forEach(function (one) { if (kinds.indexOf(one.quantity) < 0) kinds.push(one.quantity); });
-    var most = Math.max.apply(null, (known.shape.twist.r_mm || [1]).concat(placed.map(function (one) { return one.r_mm; })));
+    var most = Math.max.apply(null, [1].concat(shape.twist.r_mm, placed.map(function (one) { return one.r_mm; })));
     own.show({
       lines: [],
       points: kinds.map(function (kind, k) {

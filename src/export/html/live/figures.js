@@ -6,7 +6,7 @@ function figures() {
   function rows(shape) {
     var own = shape.numbers.filter(function (one) { return isNumber(one.value); }).slice();
     if (isNumber(shape.chi2)) {
-      own.push({ key: "chi2", label: "chi-square" + (shape.count ? " (" + shape.count + " readings)" : ""), value: shape.chi2, unit: "" });
+      own.push({ key: "chi2", label: "chi-square" + (shape.count ? " (" + shape.count + (shape.count === 1 ? " reading)" : " readings)") : ""), value: shape.chi2, unit: "" });
     }
     if (isNumber(shape.rms_deg)) own.push({ key: "rms_deg", label: "rms error", value: shape.rms_deg, unit: "deg" });
     if (isNumber(shape.mesh_error_deg)) own.push({ key: "mesh_error_deg", label: "mesh error", value: shape.mesh_error_deg, unit: "deg", isOwn: true });
@@ -33,7 +33,7 @@ function figures() {
     own.forEach(function (one) {
       if (isNumber(one.original) || !(one.key in before)) before[one.key] = isNumber(one.original) ? one.original : one.value;
       var by = one.value - before[one.key];
-      say(shown[one.key].value, plain(one.value, 3));
+      say(shown[one.key].value, plain(tidy(one.value), 3));
       var isMoved = !one.isOwn && Math.abs(by) > 0.002 * Math.abs(one.value) + 1e-9;
       say(shown[one.key].change, isMoved ? signed(by, 2) : "");
       shown[one.key].change.title = isMoved ? "as stated: " + withUnit(before[one.key], one.unit) : "";

@@ -39,7 +39,7 @@ function ladder() {
       make("tbody", {}, steps.map(function (step) {
         return make("tr", {}, [
           make("th", { scope: "row" }, step.label), make("td", { "class": "wide" }, bar(step, most, state.noise_deg)),
-          make("td", { "class": "n" }, isNumber(step.rms_deg) ? plain(step.rms_deg, 3) : "\u2026")
+          make("td", { "class": "n" }, isNumber(step.rms_deg) ? plain(step.rms_deg, 3) : isNumber(step.chi2) ? "\u2013" : "\u2026")
         ].concat(hasHeld ? [make("td", { "class": "n" }, isNumber(step.held_out_rms_deg) ? plain(step.held_out_rms_deg, 3) : "")] : [], [
           make("td", { "class": "n" }, isNumber(step.chi2) ? plain(step.chi2, 3) : "")
         ]));

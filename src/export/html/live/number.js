@@ -4,9 +4,12 @@ var plain = wingView.plain;
 
 function isNumber(value) { return typeof value === "number" && isFinite(value); }
 
+// What is left of a sum that is zero is none.
+function tidy(value) { return Math.abs(value) < 1e-9 ? 0 : value; }
+
 // With its unit; degrees as a sign.
 function withUnit(value, unit, digits) {
-  var text = plain(value, digits || 4);
+  var text = plain(tidy(value), digits || 4);
   return unit === "deg" ? text + "\u00b0" : unit && unit !== "1" ? text + " " + unit : text;
 }
 
@@ -15,7 +18,7 @@ function signed(value, digits) { return (value > 0 ? "+" : "") + plain(value, di
 // As it is spoken.
 function spoken(value, unit) {
   var names = { deg: "degrees", mm: "millimetres", Hz: "hertz", mN: "millinewtons", mW: "milliwatts", "1": "" };
-  return (plain(value, 3).replace("\u2212", "minus ") + " " + (unit in names ? names[unit] : unit)).trim();
+  return (plain(tidy(value), 3).replace("\u2212", "minus ") + " " + (unit in names ? names[unit] : unit)).trim();
 }
 
 // What somebody typed: a comma is a point; nothing if it is no number.

@@ -22,6 +22,9 @@ function learnState(state) {
 
 function learnShape(shape) {
   if (!shape) return;
+  // Before the first that is solved there is none at all.
+  shape.twist = shape.twist || { r_mm: [], twist_deg: [], measured: [], other: null };
+  shape.numbers = shape.numbers || [];
   known.shape = shape;
   if (shape.twist.other) known.original[shape.case] = shape.twist.other;
   else if (shape.solved && !known.original[shape.case]) known.original[shape.case] = Object.assign({ name: "at first" }, shape.twist);

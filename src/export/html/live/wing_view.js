@@ -9,6 +9,10 @@ var data = { map: JSON.parse(document.getElementById("wing-map").textContent), w
 function showWing(shape) {
   if (shape === shown) return;
   shown = shape;
+  if (!shape.wing) {
+    document.getElementById("wing-live").hidden = false;
+    return;
+  }
   var isOther = last !== null && last !== shape.case;
   last = shape.case;
   summary = shape.stroke_phases ? { stroke: { phases: shape.stroke_phases } } : {};
