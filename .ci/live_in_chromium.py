@@ -283,7 +283,7 @@ def names(page, faults):
 def looks(live, asked, faults):
     """Wide and narrow, light and dark: nothing overlaps, nothing is cut off, nothing is pale; and pictures of it."""
     page = live.page
-    for width, height in ((1280, 800), (390, 844), (900, 900), (1920, 1080)):
+    for width, height in ((1280, 800), (390, 844), (900, 900), (1100, 700), (1920, 1080)):
         for dark in (False, True):
             page.window(width, height, dark)
             page.run("new Promise(function (done) { setTimeout(done, 500); })")
@@ -335,6 +335,28 @@ def sorted_as_shown(page, state):
     return [own for group in groups for own in state["inputs"] if own["group"] == group]
 
 
+def differences(live):
+    """Where the page shows something else than the program says."""
+    page, found = live.page, []
+    state, shape = live.rest()
+    tip = next((own["value"] for own in shape["numbers"] if own["key"] == "tip_twist_deg"), None)
+    shown = page.run("probe.text('#figures .main .value')")
+    if tip is None or shown is None:
+        check(tip is None and shown is None, f"the page shows {shown} deg, the program says {tip}: {shape['refusal']}", found)
+    else:
+        shown = float(shown.replace("\u2212", "-"))
+        check(abs(shown - tip) <= 0.006 * abs(tip) + 1e-6, f"the page shows {shown} deg, the program says {tip}", found)
+    # What was refused stays in its field, beside the reason.
+    sliders = page.run("""probe.ranges().map(function (own) { var field = own.closest(".mover").querySelector(".field");
+        return field.getAttribute("aria-invalid") === "true" ? null : Number(field.value.replace("\u2212", "-")); })""")
+    wrong = [own["key"] for own, one in zip(sorted_as_shown(page, state), sliders)
+             if one is not None and abs(own["value"] - one) > 1e-4 * abs(own["value"])]
+    check(len(sliders) == len(state["inputs"]) and not wrong, f"the sliders do not show {wrong}: {sliders}, {state['inputs']}", found)
+    grey = page.run("document.getElementById('grey').hidden")
+    check(grey == shape["solved"], f"grey is hidden: {grey}, solved: {shape['solved']}", found)
+    return found
+
+
 def wander(asked, faults):
     """Random sequences of actions: no error on the console, and in the end the page shows what the program says."""
     live, chance = Live(asked, "random"), random.Random(17)
@@ -354,27 +376,14 @@ def wander(asked, faults):
             if chance.random() < 0.3:
                 page.run(f"new Promise(function (done) {{ setTimeout(done, {chance.randrange(150)}); }})")
         page.run("document.getElementById('stop').checkVisibility() && document.getElementById('stop').click()")
-        state, shape = live.rest()
         where = f"sequence {sequence} ({' '.join(done)})"
-        page.run("new Promise(function (done) { setTimeout(done, 1700); })")
-        state, shape = live.rest()
-        page.run("new Promise(function (done) { requestAnimationFrame(function () { setTimeout(done, 50); }); })")
-        tip = next((own["value"] for own in shape["numbers"] if own["key"] == "tip_twist_deg"), None)
-        shown = page.run("probe.text('#figures .main .value')")
-        if tip is None or shown is None:
-            check(tip is None and shown is None, f"{where}: the page shows {shown} deg, the program says {tip}: {shape['refusal']}", faults)
-        else:
-            shown = float(shown.replace("\u2212", "-"))
-            check(abs(shown - tip) <= 0.006 * abs(tip) + 1e-6, f"{where}: the page shows {shown} deg, the program says {tip}", faults)
-        # What was refused stays in its field, beside the reason.
-        sliders = page.run("""probe.ranges().map(function (own) { var field = own.closest(".mover").querySelector(".field");
-            return field.getAttribute("aria-invalid") === "true" ? null : Number(field.value.replace("\u2212", "-")); })""")
-        values = [own["value"] for own in state["inputs"]]
-        wrong = [own["key"] for own, one in zip(sorted_as_shown(page, state), sliders)
-                 if one is not None and abs(own["value"] - one) > 1e-4 * abs(own["value"])]
-        check(len(sliders) == len(values) and not wrong, f"{where}: the sliders do not show {wrong}: {sliders}, {values}", faults)
-        grey = page.run("document.getElementById('grey').hidden")
-        check(grey == shape["solved"], f"{where}: grey is hidden: {grey}, solved: {shape['solved']}", faults)
+        # A gesture ends a while after its last move, an effect is fitted for some seconds.
+        for _ in range(60):
+            page.run("new Promise(function (done) { setTimeout(done, 500); })")
+            wrong = differences(live)
+            if not wrong:
+                break
+        faults += [f"{where}: {fault}" for fault in wrong]
         if page.faults or len(faults) > 20:
             faults.append(f"{where}: {page.faults}")
             break

@@ -56,7 +56,9 @@ window.probe = (function () {
     return texts().filter(function (own) {
       if (own.own.closest(".legend, #cases, .table, pre, main > section, #inputs, dialog, #effects-list")) return false;
       return own.box.right > window.innerWidth + 1 || own.box.left < -1;
-    }).map(function (own) { return own.text; }).concat(all("button, label, dt, dd, summary, h1, h2, h3, th").filter(function (own) {
+    }).map(function (own) { return own.text; }).concat(all("main > section").filter(function (own) {
+      return own.scrollWidth > own.clientWidth + 1;
+    }).map(function (own) { return own.id + " is too wide"; }), all("button, label, dt, dd, summary, h1, h2, h3, th").filter(function (own) {
       return isSeen(own) && own.scrollWidth > own.clientWidth + 1 && own.clientWidth > 0 && getComputedStyle(own).overflowX !== "visible";
     }).map(function (own) { return own.textContent; }));
   }

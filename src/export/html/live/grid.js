@@ -116,6 +116,7 @@ function grid(all) {
   }
 
   function move(list, back) {
+    settle();
     var step = list.pop();
     if (!step) return Promise.resolve(state);
     begins("undo", false);
@@ -156,6 +157,7 @@ function grid(all) {
     undo: function () { return move(done, undone); },
     redo: function () { return move(undone, done); },
     reset: function () {
+      settle();
       return change("reset", "start over", false, function () {
         put(start.inputs.concat(start.effects).map(function (own) { return own.value; }));
       });

@@ -36,10 +36,16 @@ function server() {
     });
   }
 
+  // The move of a slider that waits, unless something else was asked after it.
+  function waiting(what) {
+    for (var k = queue.length - 1; k >= 0 && queue[k].what; k--) if (queue[k].what === what) return queue[k];
+    return null;
+  }
+
   // `what`: moves of the same take each other's place while they wait.
   function send(path, body, what) {
     return new Promise(function (yes, no) {
-      var old = what && queue.filter(function (own) { return own.what === what; })[0];
+      var old = what && waiting(what);
       if (old) {
         old.body = body;
         old.done.push([yes, no]);
@@ -50,6 +56,7 @@ function server() {
 
   // A change answers the state; what is refused is said at its place.
   function change(path, body, what) {
+    if (path !== "set" && path !== "effect") settle();
     if (/^(set|effect|add|undo|redo|reset)$/.test(path)) begins(what || path, !!body.drag);
     return send(path, body, what).then(function (state) {
       tell("accepted", what || path);
@@ -126,7 +133,10 @@ function server() {
     stop: function () { return post("diagnose/stop", {}).then(learnState, function () {}); },
     hypothesis: function (index) { return fetched("hypothesis?index=" + index).catch(function () { return null; }); },
     add: function (index) { return change("add", { hypothesis: index }); },
-    save: function () { return send("save", {}); },
+    save: function () {
+      settle();
+      return send("save", {});
+    },
     table: function (name, base64) { return send("table", { name: name, base64: base64 }); },
     confirm: function (ticket) { return change("table/confirm", { ticket: ticket }); },
     open: function (name, text) { return change("open", { name: name, text: text }); },

@@ -1,7 +1,10 @@
 // One number that can be moved: a slider with its plausible range shaded and its first value marked, a field to type it, a way back,
 // and a place for a refusal.
 
-var serial = 0;
+var serial = 0, held = null;
+
+// Ends a gesture that may still go on, before something else is done.
+function settle() { if (held) held(); }
 
 function inField(value) { return String(Number(value.toPrecision(5))).replace("-", "\u2212"); }
 
@@ -44,6 +47,8 @@ function mover(spec, move) {
   }
 
   function slid() {
+    if (held !== end) settle();
+    held = end;
     isHeld = true;
     sent = Number(range.value);
     write(sent);
@@ -55,10 +60,13 @@ function mover(spec, move) {
   function rested() { rest(400); }
   function rest(wait) {
     window.clearTimeout(resting);
-    resting = window.setTimeout(function () {
-      isHeld = false;
-      goOut(sent, false);
-    }, wait);
+    resting = window.setTimeout(end, wait);
+  }
+  function end() {
+    window.clearTimeout(resting);
+    if (held === end) held = null;
+    isHeld = false;
+    goOut(sent, false);
   }
 
   // Until the last move is answered, answers to those before it are old.
@@ -72,6 +80,7 @@ function mover(spec, move) {
 
   // What was typed stays as it was typed.
   function go(value, isTyped) {
+    if (held === end) held = null;
     isHeld = false;
     window.clearTimeout(resting);
     range.value = value;
@@ -127,5 +136,9 @@ function mover(spec, move) {
   }
   write(spec.value);
   show(spec.value);
-  return { box: box, show: show, refuse: refuse, range: range, release: function () { isHeld = false; } };
+  return { box: box, show: show, refuse: refuse, range: range, release: function () {
+    window.clearTimeout(resting);
+    if (held === end) held = null;
+    isHeld = false;
+  } };
 }
