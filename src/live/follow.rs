@@ -285,3 +285,32 @@ fn rungs(
     }
     Ok(found)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wing::WingModel;
+
+    #[test]
+    fn two_shapes_of_one_wing_are_told_and_rounding_is_not() {
+        let solved = |amplitude_deg: f64| {
+            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/twist-v1.toml");
+            let sets = [
+                "mesh.refine=0.3".to_string(),
+                format!("flapping.half_amplitude_deg={amplitude_deg}"),
+            ];
+            let wing = WingModel::open(path, &[&sets[0], &sets[1]]).expect("a wing");
+            wing.solve(&Progress::quiet()).expect("a shape")
+        };
+        let (own, near, other) = (solved(34.5), solved(34.5001), solved(40.0));
+        assert_eq!(apart(&near, &own), None);
+        let note = apart(&other, &own).expect("two shapes");
+        let tip = |wing: &SolvedWing| {
+            format!(
+                "{:.2} deg",
+                curve("", wing).expect("a curve").twist_deg.last().expect("a tip")
+            )
+        };
+        assert!(note.contains(&tip(&own)) && note.contains(&tip(&other)), "{note}");
+    }
+}

@@ -48,8 +48,11 @@ pub struct MeasuredCurve {
 pub struct Number {
     /// What programs call it.
     pub key: &'static str,
-    /// What people call it.
+    /// What people call it, in a few words.
     pub label: String,
+    /// What it is in full, where that is more.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub more: Option<String>,
     /// Its value.
     pub value: f64,
     /// Its unit; empty for a pure number.
@@ -236,42 +239,53 @@ fn rms_deg(comparison: &Comparison) -> Option<f64> {
 }
 
 fn numbers(wing: &SolvedWing, lift: Option<&LiftReport>) -> Result<Vec<Number>, Refusal> {
-    let number = |key, label: String, value, unit| Number {
+    let number = |key, label: &str, more: Option<String>, value, unit| Number {
         key,
-        label,
+        label: label.to_string(),
+        more,
         value,
         unit,
         original: None,
     };
     let tip = wing.tip_twist_deg()?;
-    let mut numbers: Vec<Number> = tip
-        .map(|tip| number("tip_twist_deg", "tip twist".to_string(), tip, "deg"))
-        .into_iter()
-        .collect();
+    let tip = tip.map(|tip| number("tip_twist_deg", "tip twist", None, tip, "deg"));
+    let mut numbers: Vec<Number> = tip.into_iter().collect();
     if let Some(lift) = lift {
         let forces = &lift.solved;
-        let name = |what: &str| format!("{what}, {}", forces.name);
-        numbers.push(number("lift_mn", name("lift"), forces.lift_mn, "mN"));
-        numbers.push(number("drag_mn", name("drag"), forces.drag_mn, "mN"));
-        numbers.push(number("power_mw", name("power"), forces.power_mw, "mW"));
+        let more = |what: &str| Some(format!("{what}, {}", forces.name));
+        numbers.push(number("lift_mn", "lift", more("lift"), forces.lift_mn, "mN"));
+        numbers.push(number("drag_mn", "drag", more("drag"), forces.drag_mn, "mN"));
+        numbers.push(number("power_mw", "power", more("power"), forces.power_mw, "mW"));
         if let Some(mean) = &lift.stroke_mean {
-            let name = |what: &str| format!("{what}, {}", mean.name);
-            numbers.push(number("mean_lift_mn", name("lift"), mean.lift_mn, "mN"));
-            numbers.push(number("mean_drag_mn", name("drag"), mean.drag_mn, "mN"));
-            numbers.push(number("mean_power_mw", name("power"), mean.power_mw, "mW"));
-            let per_power = mean.lift_per_power_n_per_w;
-            numbers.extend(per_power.map(|value| {
-                number(
-                    "mean_lift_per_power_n_per_w",
-                    name("lift per power"),
-                    value,
-                    "N/W",
-                )
-            }));
+            let more = |what: &str| Some(format!("{what}, {}", mean.name));
+            numbers.push(number(
+                "mean_lift_mn",
+                "mean lift",
+                more("lift"),
+                mean.lift_mn,
+                "mN",
+            ));
+            numbers.push(number(
+                "mean_drag_mn",
+                "mean drag",
+                more("drag"),
+                mean.drag_mn,
+                "mN",
+            ));
+            numbers.push(number(
+                "mean_power_mw",
+                "mean power",
+                more("power"),
+                mean.power_mw,
+                "mW",
+            ));
+            let (key, label) = ("mean_lift_per_power_n_per_w", "lift per power");
+            let ratio = mean.lift_per_power_n_per_w;
+            numbers.extend(ratio.map(|value| number(key, label, more("lift per power"), value, "N/W")));
         }
     }
     let steps = wing.solution.report.newton_steps as f64;
-    numbers.push(number("steps", "Newton steps".to_string(), steps, ""));
+    numbers.push(number("steps", "Newton steps", None, steps, ""));
     Ok(numbers)
 }
 
