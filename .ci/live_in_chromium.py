@@ -133,7 +133,7 @@ def story(asked, faults, by_keys):
         hover(page, ".hypotheses li")
         page.until("document.querySelector('#curve .plot .curve.tried') !== null", "the curve of the hypothesis under the pointer")
         if asked.docs:
-            page.window(1200, 750)
+            page.window(1160, 720)
             page.run("new Promise(function (done) { setTimeout(done, 500); })")
             hover(page, ".hypotheses li")
             page.run("new Promise(function (done) { setTimeout(done, 3000); })")
