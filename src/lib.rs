@@ -105,4 +105,7 @@ pub mod add;
 pub mod export;
 
 #[cfg(feature = "cli")]
+pub mod live;
+
+#[cfg(feature = "cli")]
 pub mod cli;

@@ -15,6 +15,8 @@ pub(super) struct EffectEntry<'a> {
     pub(super) study: &'a Path,
     pub(super) effect: &'a str,
     pub(super) is_removed: bool,
+    /// Whether its strength is held: one that was fitted is not fitted any more.
+    pub(super) is_held: bool,
     /// Sigma of the prior of its strength; none where that is not fitted.
     pub(super) sigma: Option<f64>,
     /// Its numbers besides the strength.
@@ -67,6 +69,9 @@ impl EffectEntry<'_> {
         // one that stands there already takes what is given now, and keeps the rest
         if let Some(table) = tables.iter_mut().find(|table| self.is_in(table)) {
             table["strength"] = value(written(strength));
+            if self.is_held {
+                table.remove("sigma");
+            }
             if let Some(sigma) = self.sigma {
                 table.entry("sigma").or_insert(value(written(sigma)));
             }
@@ -102,7 +107,7 @@ fn fault(reason: String) -> AddError {
     }
 }
 
-fn not_toml(error: TomlError) -> AddError {
+pub(super) fn not_toml(error: TomlError) -> AddError {
     fault(error.to_string())
 }
 

@@ -10,9 +10,10 @@ use crate::origin::InputFile;
 use crate::progress::Progress;
 
 use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths};
-use super::effect_tables::{EffectEntry, is_added, without};
+use super::effect_tables::EffectEntry;
 use super::error::AddError;
 use super::joining;
+use super::moved::{added_effects, stages};
 use super::own::own_effects;
 
 /// Prior standard deviation of a strength that is fitted, over the size that is plausible.
@@ -29,6 +30,8 @@ pub struct Joining {
     pub numbers: Vec<String>,
     /// The wings that have it, by the names of their designs; those that the study tries effects on, or all, where none is named.
     pub on: Vec<String>,
+    /// The strength at which it is held, so that neither it nor another is fitted for good; none: it is fitted.
+    pub strength: Option<f64>,
     /// Whether it leaves.
     pub is_removed: bool,
 }
@@ -92,11 +95,12 @@ impl Joining {
         };
         // what is all or none is written as it is, and not fitted
         let whole = named(&self.effect).filter(|effect| effect.is_all_or_none());
-        let whole = whole.map(|_| known.scale);
+        let whole = self.strength.or(whole.map(|_| known.scale));
         let entry = EffectEntry {
             study: &study.path,
             effect: &self.effect,
             is_removed: self.is_removed,
+            is_held: self.strength.is_some(),
             sigma: whole.is_none().then_some(PRIOR * known.scale),
             numbers: &known.numbers,
             on,
@@ -104,7 +108,7 @@ impl Joining {
         };
         let changed = entry.changed(text, whole.unwrap_or(0.0))?;
         let added = added_effects(study);
-        let mut steps = steps_before(study, &added, text, progress)?;
+        let mut steps = steps_before(study, text, progress)?;
         let stands = study.study.effect.iter().any(|effect| effect.name == self.effect);
         let change = self.change(added.contains(&self.effect), stands);
         progress.say(&change);
@@ -113,7 +117,10 @@ impl Joining {
         let found = after.unknowns.iter().find(|unknown| unknown.unknown.name == key);
         let whole = whole.filter(|_| !self.is_removed).map(|scale| [scale, 0.0]);
         let strength = whole.or(found.map(|unknown| [unknown.value, unknown.standard_error]));
-        let others = others(study, &after, &self.effect);
+        let others = match self.strength {
+            Some(_) => Vec::new(),
+            None => others(study, &after, &self.effect),
+        };
         let mut notes = implausible(&after);
         notes.extend(elsewhere(study, &self.effect, &self.on));
         steps.push((change, after));
@@ -149,6 +156,7 @@ impl Joining {
     /// Checks what is asked for, before anything is solved.
     fn known(&self, study: &LoadedStudy) -> Result<Known, AddError> {
         self.check_name()?;
+        self.check_strength()?;
         joining::wings(study, &self.on)?;
         if self.is_removed {
             joining::present(study, &self.effect)?;
@@ -196,6 +204,24 @@ impl Joining {
         })
     }
 
+    /// Refuses a strength that the effect does not take.
+    fn check_strength(&self) -> Result<(), AddError> {
+        let (Some(strength), Some(effect)) = (self.strength, named(&self.effect)) else {
+            return Ok(());
+        };
+        let [low, high] = effect.card().parameters[0].range;
+        match (low..=high).contains(&strength) {
+            true => Ok(()),
+            false => Err(AddError::Question {
+                question: "--strength",
+                reason: format!(
+                    "{strength}: {} takes {low} … {high} (washout effects {})",
+                    self.effect, self.effect
+                ),
+            }),
+        }
+    }
+
     /// The effect's numbers besides its strength.
     fn card_numbers(&self, card: &Card) -> Result<toml::Table, AddError> {
         let mut numbers = toml::Table::new();
@@ -215,19 +241,13 @@ impl Joining {
 /// The study without any effect that was added, and with one after the other of them.
 fn steps_before(
     study: &LoadedStudy,
-    added: &[String],
     text: &str,
     progress: &Progress,
 ) -> Result<Vec<(String, StudyComparison)>, AddError> {
     let mut steps = Vec::new();
-    for count in 0..=added.len() {
-        let step = match count {
-            0 => "calibrated".to_string(),
-            _ => format!("+ {}", added[count - 1]),
-        };
+    for (step, text) in stages(study, text)? {
         progress.say(&step);
-        let without = without(text, &added[count..])?;
-        steps.push((step, compared(&study.path, &without, progress)?));
+        steps.push((step, compared(&study.path, &text, progress)?));
     }
     Ok(steps)
 }
@@ -240,15 +260,4 @@ fn compared(path: &Path, text: &str, progress: &Progress) -> Result<StudyCompari
         source,
     })?;
     Ok(compared.comparison)
-}
-
-/// Names of the effects of a study that were added, in its order.
-fn added_effects(study: &LoadedStudy) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for effect in &study.study.effect {
-        if is_added(&effect.name, effect.sigma.is_some()) && !names.contains(&effect.name) {
-            names.push(effect.name.clone());
-        }
-    }
-    names
 }

@@ -10,8 +10,11 @@ mod fit;
 
 pub mod joining;
 
+mod moved;
+
 pub mod own;
 
 pub use added::Other;
 pub use error::AddError;
 pub use fit::{Fit, Joining};
+pub use moved::{stages, with_sets, with_strength};

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::add::{Fit, Joining};
+use crate::add::{Fit, Joining, with_sets};
 use crate::export::added::{AddReport, page};
 use crate::export::html::{self, Document};
 use crate::export::pictures::ladder::Fall;
@@ -46,6 +46,17 @@ pub struct Add {
     /// The wing that has it, by the name of its design; can be given many times [default: candidates_on of the study, or all on which it can act]
     #[arg(long, value_name = "WING", conflicts_with = "remove")]
     pub on: Vec<String>,
+    /// Hold the effect at this strength instead of fitting it; the others stay as they are
+    #[arg(
+        long,
+        value_name = "S",
+        conflicts_with = "remove",
+        allow_negative_numbers = true
+    )]
+    pub strength: Option<f64>,
+    /// Change a key in every design of the study, and write that into its cases; can be given many times
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
     /// Take the effect out instead
     #[arg(long)]
     pub remove: bool,
@@ -68,15 +79,18 @@ impl Add {
             own: self.own.clone(),
             numbers: self.number.clone(),
             on: self.on.clone(),
+            strength: self.strength,
             is_removed: self.remove,
         };
         joining.check_name()?;
         let study = LoadedStudy::load(&self.to, &[])?;
         let file = StudyFile::read(&self.to, self.output.as_ref())?;
-        joining.check(&study)?;
+        let text = with_sets(&file.text, &self.set)?;
+        let changed = LoadedStudy::from_text(&self.to, &text, &[])?;
+        joining.check(&changed)?;
         let target = target_of(self.ladder.as_ref(), &study.study.name, "ladder");
         let folder = RunFolder::listed_by(&target, "add", LADDER)?;
-        let fit = joining.fitted(&study, &file.text, console.progress())?;
+        let fit = joining.fitted(&changed, &text, console.progress())?;
         self.write(fit, &study, &file, folder, console)
     }
 

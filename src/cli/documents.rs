@@ -75,6 +75,8 @@ documents! {
     Study "study" StudyReport,
     /// `washout diagnose --json`
     Diagnose "diagnose" DiagnosisReport,
+    /// `washout live --json`
+    Live "live" super::live::LiveReport,
     /// `washout add --json`
     Add "add" crate::export::added::AddReport,
     /// `washout diagnose --plan --json`

@@ -89,6 +89,10 @@ pub mod verify;
 
 pub mod doctor;
 
+pub mod live;
+
+mod live_verbs;
+
 pub mod completions;
 
 pub mod man;
@@ -156,6 +160,8 @@ pub enum Verb {
     Diagnose(diagnose::Diagnose),
     /// Add an effect to the model of a study, and see the error fall
     Add(add::Add),
+    /// Move the inputs of a design or a study on a page in the browser, and see the wing follow
+    Live(live::Live),
     /// Make measurements with a hidden effect, to try a campaign before trusting it
     Synthesize(synthesize::Synthesize),
     /// Diagnose many cases whose answer is known, and print the scoreboard
@@ -206,6 +212,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     run_on(&Console::new(&arguments.common), arguments)
 }
 
+/// Runs the words of a command line behind `washout` on a console.
+fn run_words(words: &[String], console: &Console) -> Result<(), Failure> {
+    let words = std::iter::once("washout").chain(words.iter().map(String::as_str));
+    let arguments = Arguments::try_parse_from(words).map_err(|error| Failure::Option {
+        option: "washout",
+        reason: error.to_string(),
+    })?;
+    run_on(console, &arguments)
+}
+
 /// Runs one verb on a console.
 pub fn run_on(console: &Console, arguments: &Arguments) -> Result<(), Failure> {
     if let Some(threads) = arguments.common.threads {
@@ -228,6 +244,7 @@ pub fn run_on(console: &Console, arguments: &Arguments) -> Result<(), Failure> {
         Verb::Schema(verb) => verb.run(Arguments::command(), console),
         Verb::Diagnose(verb) => verb.run(console),
         Verb::Add(verb) => verb.run(console),
+        Verb::Live(verb) => verb.run(run_words, console),
         Verb::Synthesize(verb) => verb.run(console),
         Verb::Blind(verb) => verb.run(console),
         Verb::Effects(verb) => verb.run(console),

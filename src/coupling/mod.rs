@@ -114,13 +114,28 @@ pub fn solve_from(
     nearby: Option<&Solution>,
     progress: &Progress,
 ) -> Result<Solution, CouplingError> {
-    progress.check()?;
-    let motion = motion_needed(design, mesh, air_table, nearby, progress)?;
-    let wing = Wing::with_motion(design, mesh, air_table, motion)?;
     let near = nearby.map(|solution| Near {
         solution,
         step: None,
         care: Care::Full,
     });
-    Ok(solve_wing(design, &wing, mesh, near.as_ref(), progress)?.0)
+    solve_near(design, mesh, air_table, near.as_ref(), progress)
+}
+
+/// As [`solve_from`], with as much care as is asked for: a trial is given up where Newton's method does not settle.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_near(
+    design: &Design,
+    mesh: &Mesh,
+    air_table: Option<&[[f64; 3]]>,
+    near: Option<&Near>,
+    progress: &Progress,
+) -> Result<Solution, CouplingError> {
+    progress.check()?;
+    let nearby = near.map(|near| near.solution);
+    let motion = motion_needed(design, mesh, air_table, nearby, progress)?;
+    let wing = Wing::with_motion(design, mesh, air_table, motion)?;
+    Ok(solve_wing(design, &wing, mesh, near, progress)?.0)
 }

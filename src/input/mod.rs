@@ -55,6 +55,8 @@ mod keys;
 
 mod nearest;
 
+mod numbers;
+
 mod path;
 
 mod polar;
@@ -69,6 +71,7 @@ pub use expression::{Expression, ExpressionError};
 pub use load::Loaded;
 pub(crate) use nearest::nearest;
 pub(crate) use nearest::nearest as nearest_word;
+pub use numbers::DesignNumber;
 pub use seen_from::seen_from;
 pub use twist_table::TwistTable;
 pub use unit::unit_symbol;

@@ -67,6 +67,16 @@ impl Meshes {
         Ok(Meshes { wing, coarser })
     }
 
+    /// A wing that was solved, and the same on a mesh half as fine.
+    ///
+    /// # Errors
+    /// If the user asked to stop.
+    pub fn of_solved(wing: SolvedWing, progress: &Progress) -> Result<Meshes, WingError> {
+        let coarser = wing.model.solve_coarser(progress);
+        progress.check()?;
+        Ok(Meshes { wing, coarser })
+    }
+
     /// The wing on the first mesh, each twice as fine as the one before, that leaves no more than this share of the tip's twist.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use crate::aero::Flow;
 use crate::coupling::balance::{Balance, at_shape};
 use crate::coupling::engineering::engineering;
 use crate::coupling::solution::Solution;
-use crate::coupling::{CouplingError, Engineering};
+use crate::coupling::{Care, CouplingError, Engineering, Near, solve_near};
 use crate::lift::{LiftError, LiftReport, Stroke, StrokeMeans, TwistAlongSpan, TwistHistory, stroke_means};
 use crate::observation::{Observer, TwistProfile, twist_at};
 use crate::progress::Progress;
@@ -155,6 +155,25 @@ impl WingModel {
     pub fn solve_from(&self, nearby: &Solution, progress: &Progress) -> Result<SolvedWing, WingError> {
         let solution = self.shape(Some(nearby), progress);
         let solution = solution.map_err(|source| self.unsolved(source))?;
+        Ok(SolvedWing::new(self.clone(), solution))
+    }
+
+    /// As [`WingModel::solve_from`], given up where Newton's method does not settle: for who asks again at once, as after a slider
+    /// moved. Of several shapes that the wing can rest in it finds the one that is nearest, not always the one that
+    /// [`WingModel::solve`] finds.
+    ///
+    /// # Errors
+    /// As [`WingModel::solve`], and where it is given up.
+    pub fn follow(&self, nearby: &Solution, progress: &Progress) -> Result<SolvedWing, WingError> {
+        let near = Near {
+            solution: nearby,
+            step: None,
+            care: Care::Trial,
+        };
+        let found = solve_near(self.design(), &self.mesh, self.air_table(), Some(&near), progress);
+        let solution = found.map_err(|source| self.unsolved(source))?;
+        let pulls = solution.refuse_pull_of_stop(self.design());
+        pulls.map_err(|source| self.unsolved(source))?;
         Ok(SolvedWing::new(self.clone(), solution))
     }
 

@@ -3,7 +3,7 @@
 use crate::{folder, washout};
 
 /// Every verb of the program.
-pub const VERBS: [&str; 25] = [
+pub const VERBS: [&str; 26] = [
     "solve",
     "compare",
     "lift",
@@ -18,6 +18,7 @@ pub const VERBS: [&str; 25] = [
     "schema",
     "diagnose",
     "add",
+    "live",
     "synthesize",
     "blind",
     "effects",

@@ -28,6 +28,8 @@ mod ladder;
 
 mod lift;
 
+mod live;
+
 mod measure;
 
 mod mesh;

@@ -217,6 +217,23 @@ const ROOMS: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "live",
+        &[
+            "progress",
+            "input",
+            "lift",
+            "observation",
+            "effects",
+            "wing",
+            "study",
+            "compare",
+            "diagnose",
+            "page",
+            "add",
+            "export",
+        ],
+    ),
+    (
         "cli",
         &[
             "progress",
@@ -245,6 +262,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "add",
             "blind",
             "export",
+            "live",
         ],
     ),
 ];

@@ -43,6 +43,8 @@ pub mod diagnosis;
 
 pub mod folder;
 
+pub mod live;
+
 pub use document::{Digits, Document};
 pub use page::{Page, Section};
 pub use wing::Wing;

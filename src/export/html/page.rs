@@ -6,10 +6,9 @@ use super::GENERATOR;
 use super::document::{Document, Shown};
 use crate::plot::pen::escaped;
 
-const STYLE: &str = include_str!("style.css");
-/// The viewer, one function of what stands in its files; the last one starts it.
-const VIEWER: &str = concat!(
-    "(function () {\n\"use strict\";\n",
+pub(super) const STYLE: &str = include_str!("style.css");
+/// What draws and turns the wing.
+pub(super) const VIEWER_FILES: &str = concat!(
     include_str!("viewer/wing.js"),
     include_str!("viewer/measured.js"),
     include_str!("viewer/camera.js"),
@@ -21,8 +20,9 @@ const VIEWER: &str = concat!(
     include_str!("viewer/controls.js"),
     include_str!("viewer/hands.js"),
     include_str!("viewer/start.js"),
-    "})();\n"
 );
+/// What starts it in a report.
+const BEGIN: &str = include_str!("viewer/begin.js");
 
 /// A part of the page.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,7 +85,10 @@ impl Page {
             html.push_str(&document.element());
         }
         if html.contains("id=\"wing-data\"") {
-            let _ = writeln!(html, "<script>\n{VIEWER}</script>");
+            let _ = writeln!(
+                html,
+                "<script>\n(function () {{\n\"use strict\";\n{VIEWER_FILES}{BEGIN}}})();\n</script>"
+            );
         }
         html.push_str("</body>\n</html>\n");
         html
@@ -139,6 +142,8 @@ mod tests {
         for outside in ["src=", "href=\"http", "url(", "@import", "fetch(", "import("] {
             assert!(!html.contains(outside), "{outside}");
         }
-        assert!(!VIEWER.contains("</"), "the viewer would end its own script");
+        for code in [VIEWER_FILES, BEGIN] {
+            assert!(!code.contains("</"), "the viewer would end its own script");
+        }
     }
 }

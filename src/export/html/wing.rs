@@ -148,7 +148,10 @@ impl Wing {
     }
 
     /// As the viewer reads it: lengths in whole micrometres.
-    pub(super) fn json(&self) -> Result<String, ExportError> {
+    ///
+    /// # Errors
+    /// If a value is not finite.
+    pub fn json(&self) -> Result<String, ExportError> {
         let points = |points: &[[f64; 3]]| micrometres(points.as_flattened());
         let lines = self
             .lines

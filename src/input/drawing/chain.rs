@@ -1,5 +1,8 @@
 //! Open lines whose ends meet, joined to closed ones.
 
+/// Closed lines, mm, x to the right and y upward, and what a unit of the drawing was taken for, in words.
+pub(super) type Lines = (Vec<Vec<[f64; 2]>>, String);
+
 /// Distance of two ends that are one point, over the size of the drawing.
 const TOUCH: f64 = 1e-3;
 

@@ -2,8 +2,7 @@
 //!
 //! The crate `dxf` 0.6.2 reads all of the format, but brings 34 crates (images, calendars, big numbers) for these few pairs of lines.
 
-use super::Lines;
-use super::chain::closed;
+use super::chain::{Lines, closed};
 use super::curve::{arc, bulged, spline};
 use crate::input::error::{InputError, Place, Problem};
 

@@ -14,9 +14,6 @@ use super::error::InputError;
 use super::file::{read_input, shown};
 use crate::origin::InputFile;
 
-/// Closed lines, mm, x to the right and y upward, and what a unit of the drawing was taken for, in words.
-type Lines = (Vec<Vec<[f64; 2]>>, String);
-
 /// A closed line that was drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawing {

@@ -3,8 +3,7 @@
 use resvg::usvg::tiny_skia_path::{PathSegment, Point};
 use resvg::usvg::{Group, Node, Options, Path, Tree};
 
-use super::Lines;
-use super::chain::closed;
+use super::chain::{Lines, closed};
 use super::curve::bezier;
 use crate::input::error::InputError;
 

@@ -42,6 +42,12 @@ function bounds(clouds) {
   };
 }
 
+// Whether one room lies within another, and takes most of it.
+function isWithin(own, other) {
+  var apart = Math.hypot.apply(null, own.centre.map(function (at, k) { return at - other.centre[k]; }));
+  return own.radius + 0.5 * apart < 1.02 * other.radius && own.radius > 0.6 * other.radius;
+}
+
 // Pixels per mm at which all of it is within the canvas, and its middle on the screen (mm), seen from here.
 function fitting(box, width, height) {
   var screen = axes(), low = [Infinity, Infinity], high = [-Infinity, -Infinity];

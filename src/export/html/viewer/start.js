@@ -2,11 +2,15 @@
 
 function start(canvas) {
   var pen = webgl(canvas) || painter(canvas);
-  if (!pen) return;
+  if (!pen) return null;
   // `load`: share of the way from the unloaded to the loaded shape; `phase`: index into the stroke while that is shown.
-  var state = { wing: 0, field: "twist", ghost: "rest", times: 1, mode: "load", load: 1, phase: 0, isPlaying: null };
+  var state = { wing: 0, field: "twist", ghost: "rest", times: 1, mode: "load", load: 1, phase: 0, isPlaying: null, isStale: false };
   var part = function (name) { return document.getElementById("wing-" + name); };
   var waiting = false, playing = null, cursor = null;
+  // Ends of the colours of what was shown first, where one wing takes the place of another.
+  var kept = { isOn: false };
+  // What is shown once the stroke is left.
+  var coming = null;
   // Made when they are needed: what is drawn, the room that it takes, the ends of the colours; and where it lies on the screen.
   var layers = null, box = null, range = null, screen = null, seen = null, points = null;
   var isStill = function () { return !!window.matchMedia && matchMedia("(prefers-reduced-motion: reduce)").matches; };
@@ -75,10 +79,10 @@ function start(canvas) {
   function layersOf(own) {
     points = now();
     function shareOf(node, triangle) {
-      return Math.max(0, (own.values[own.on === "cells" ? triangle : node] - range[0]) / (range[1] - range[0]));
+      return state.isStale ? -1 : Math.max(0, (own.values[own.on === "cells" ? triangle : node] - range[0]) / (range[1] - range[0]));
     }
     return [
-      layer(film(points, wing().triangles, shareOf), ink("--ink", 1), 0, { isLit: true }),
+      layer(film(points, wing().triangles, shareOf), ink(state.isStale ? "--stale" : "--ink", 1), 0, { isLit: true }),
       layer(rods(wing(), points, own.on === "points" && shareOf), ink("--rod", 1), 0.8, { isLit: true })
     ].concat(ghost());
   }
@@ -95,7 +99,7 @@ function start(canvas) {
     var isOnTheWay = approach();
     box = box || frame();
     var own = field();
-    range = range || reach(own.name, phase() && wing().stroke);
+    range = range || widened(own.name, reach(own.name, phase() && wing().stroke));
     layers = layers || layersOf(own);
     screen = projection(box, width, height);
     seen = project(screen, points);
@@ -135,7 +139,18 @@ function start(canvas) {
     return names;
   }
 
+  // What was shown first of a wing keeps its colours: a wing that twists less becomes darker.
+  function widened(name, own) {
+    var first = kept[state.mode + name] = kept[state.mode + name] || own;
+    return kept.isOn ? [Math.min(first[0], own[0]), Math.max(first[1], own[1])] : own;
+  }
+
   function build() {
+    buildLists();
+    anew(true);
+  }
+
+  function buildLists() {
     var lists = part("controls");
     lists.textContent = "";
     if (data.wings.length > 1) {
@@ -161,7 +176,6 @@ function start(canvas) {
     });
     buildViews();
     buildMotion();
-    anew(true);
   }
 
   function buildViews() {
@@ -195,6 +209,7 @@ function start(canvas) {
     state.load = 1;
     state.phase = 0;
     goTo(HOME[name], true);
+    if (coming) show.apply(null, coming);
     build();
   }
 
@@ -245,6 +260,40 @@ function start(canvas) {
     showValue(part("value"), field(), at, cursor && cursor[0], cursor && cursor[1], screen);
   }
 
+  // What the lists offer.
+  function offer() {
+    return JSON.stringify([
+      data.wings.map(function (own) { return own.name; }), fieldsOf(wing(), phase()).map(function (own) { return own.name; }),
+      ghosts(), !!wing().stroke, wing().stroke && wing().stroke.length
+    ]);
+  }
+
+  // Other shapes in the place of those shown, seen from the same side and as large while they fit. `isStale`: none of them is the
+  // answer, and they are drawn grey; `isOther`: they are of another wing, and it finds its frame anew. A stroke that is watched
+  // stays, in grey, until the one that follows has been solved.
+  function show(wings, isStale, isOther) {
+    var offered = offer(), old = box;
+    if (state.mode === "stroke" && !wings[0].stroke) {
+      coming = [wings, isStale, isOther];
+      state.isStale = true;
+      anew(false);
+      return;
+    }
+    coming = null;
+    wings.forEach(prepare);
+    data.wings = wings;
+    if (isOther) kept = {};
+    kept.isOn = true;
+    state.isStale = isStale;
+    state.wing = Math.min(state.wing, wings.length - 1);
+    state.phase = Math.min(state.phase, (wing().stroke || [0]).length - 1);
+    if (offer() !== offered) buildLists();
+    range = layers = box = null;
+    if (isOther) eye.fit = 0;
+    else if (old && isWithin(frame(), old)) box = old;
+    soon();
+  }
+
   build();
   canvas.addEventListener("webglcontextlost", function (event) { event.preventDefault(); });
   canvas.addEventListener("webglcontextrestored", function () { pen.again(); soon(); });
@@ -253,6 +302,7 @@ function start(canvas) {
     if (seen) point();
   });
   window.addEventListener("resize", soon);
+  if (window.ResizeObserver) new ResizeObserver(soon).observe(canvas);
   // Printing does not wait for the next frame.
   window.addEventListener("beforeprint", function () { layers = null; arrive(); draw(); });
   if (window.matchMedia) {
@@ -264,8 +314,5 @@ function start(canvas) {
   part("live").hidden = false;
   part("still").hidden = true;
   draw();
+  return { show: show };
 }
-
-var holder = document.getElementById("wing-data"), place = document.getElementById("wing-canvas");
-var data = holder && JSON.parse(holder.textContent);
-if (data && place && place.getContext) start(place);

@@ -34,7 +34,8 @@ var FRAGMENT = "precision highp float;" +
 function webgl(canvas) {
   var gl = canvas.getContext("webgl", { antialias: true, preserveDrawingBuffer: true });
   if (!gl) return null;
-  var place = {}, buffer;
+  // Layers that are drawn again, turned or moved, are on the card already.
+  var place = {}, attributes = [], buffers = [], uploaded = null;
 
   function compiled(kind, source) {
     var shader = gl.createShader(kind);
@@ -53,12 +54,12 @@ function webgl(canvas) {
     ["right", "up", "away", "centre", "frame", "least", "depth", "map", "ink", "lit"].forEach(function (name) {
       place[name] = gl.getUniformLocation(program, name);
     });
-    buffer = gl.createBuffer();
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    [["place", 3, 0], ["normal", 3, 12], ["look", 2, 24]].forEach(function (own) {
+    buffers = [];
+    uploaded = null;
+    attributes = [["place", 3, 0], ["normal", 3, 12], ["look", 2, 24]].map(function (own) {
       var at = gl.getAttribLocation(program, own[0]);
       gl.enableVertexAttribArray(at);
-      gl.vertexAttribPointer(at, own[1], gl.FLOAT, false, 4 * CORNER, own[2]);
+      return [at, own[1], own[2]];
     });
     gl.uniform3fv(place.map, [].concat.apply([], data.map).map(function (part) { return part / 255; }));
     gl.enable(gl.DEPTH_TEST);
@@ -66,6 +67,18 @@ function webgl(canvas) {
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     return true;
+  }
+
+  function upload(layers) {
+    if (uploaded === layers) return;
+    uploaded = layers;
+    buffers.forEach(function (own) { gl.deleteBuffer(own); });
+    buffers = layers.map(function (layer) {
+      var own = gl.createBuffer();
+      gl.bindBuffer(gl.ARRAY_BUFFER, own);
+      gl.bufferData(gl.ARRAY_BUFFER, layer.corners, gl.STATIC_DRAW);
+      return own;
+    });
   }
 
   if (!prepare()) return null;
@@ -82,8 +95,10 @@ function webgl(canvas) {
       gl.uniform4f(place.frame, screen.scale / half[0], screen.scale / half[1],
         screen.shift[0] / half[0] - 1, 1 - screen.shift[1] / half[1]);
       gl.uniform1f(place.depth, 0.4 / screen.radius);
-      layers.forEach(function (layer) {
-        gl.bufferData(gl.ARRAY_BUFFER, layer.corners, gl.DYNAMIC_DRAW);
+      upload(layers);
+      layers.forEach(function (layer, index) {
+        gl.bindBuffer(gl.ARRAY_BUFFER, buffers[index]);
+        attributes.forEach(function (own) { gl.vertexAttribPointer(own[0], own[1], gl.FLOAT, false, 4 * CORNER, own[2]); });
         gl.uniform1f(place.least, layer.least / screen.scale);
         gl.uniform4fv(place.ink, layer.ink);
         gl.uniform1f(place.lit, layer.isLit ? 1 : 0);

@@ -1,7 +1,8 @@
 // The wings of the page: shapes in mm, what they are coloured by, their outlines.
 
-// Micrometres are stored as whole numbers.
+// Micrometres are stored as whole numbers. Done once for a wing.
 function prepare(wing) {
+  if (wing.outline) return;
   ["rest", "loaded", "diameters"].forEach(function (name) {
     wing[name] = Float64Array.from(wing[name], function (um) { return um / 1000; });
   });

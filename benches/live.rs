@@ -1,0 +1,95 @@
+//! From a move on the page of `washout live` to the new curve: 200 random moves of one input each, on the half mesh and on the default one.
+//!
+//! `RAYON_NUM_THREADS=1 cargo bench --bench live`
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use washout::live::follow::follow;
+use washout::live::verbs::{Save, Saved, Verbs};
+use washout::live::{Desk, Refusal, Session};
+use washout::progress::Progress;
+
+const MOVES: usize = 200;
+
+/// Saves nothing.
+struct Nobody;
+
+impl Verbs for Nobody {
+    fn commands(&self, _save: &Save) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn save(&self, _save: &Save, _progress: &Progress) -> Result<Saved, Refusal> {
+        Ok(Saved::default())
+    }
+}
+
+fn main() {
+    fastrand::seed(20);
+    println!(
+        "{:10} {:>6} {:>9} {:>9} {:>9} {:>9}  refused",
+        "design", "refine", "median s", "90 % s", "most s", "rest s"
+    );
+    for design in ["twist-v1", "twist-v2"] {
+        for refine in [0.5, 1.0] {
+            measure(design, refine);
+        }
+    }
+}
+
+fn measure(design: &str, refine: f64) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("designs/{design}.toml"));
+    let session = Session::open(&path, &[format!("mesh.refine={refine}")], Arc::new(Nobody));
+    let desk = Desk::new(session.expect("a design"));
+    let thread = desk.start(follow).expect("a thread");
+    wait(&desk, 1, true);
+    let inputs = desk.state().inputs;
+    let (mut followed, mut settled, mut refused) = (Vec::new(), Vec::new(), 0);
+    while followed.len() < MOVES {
+        let input = &inputs[fastrand::usize(0..inputs.len())];
+        let value = input.low + (input.high - input.low) * fastrand::f64();
+        let moves = BTreeMap::from([(input.key.clone(), value)]);
+        let start = Instant::now();
+        let Ok(state) = desk.change(|session| session.set(&moves, false)) else {
+            refused += 1;
+            continue;
+        };
+        let (found, after) = wait(&desk, state.revision, false);
+        followed.push(start.elapsed().as_secs_f64());
+        let is_settled = wait(&desk, state.revision, true).0;
+        settled.push(start.elapsed().as_secs_f64());
+        if !(found && is_settled) {
+            refused += 1;
+            desk.change(|session| session.undo()).expect("a step");
+        }
+        let _ = after;
+    }
+    desk.close();
+    thread.join().expect("no panic");
+    followed.sort_by(f64::total_cmp);
+    settled.sort_by(f64::total_cmp);
+    let at = |share: f64| followed[(share * (MOVES - 1) as f64) as usize];
+    println!(
+        "{design:10} {refine:6} {:9.3} {:9.3} {:9.3} {:9.3}  {refused}",
+        at(0.5),
+        at(0.9),
+        at(1.0),
+        settled[MOVES / 2]
+    );
+}
+
+/// Waits for the shape of a revision, or for the one from rest; whether there is one, and the number of the shape.
+fn wait(desk: &Desk, revision: u64, is_settled: bool) -> (bool, u64) {
+    let mut after = 0;
+    loop {
+        let _ = desk.shape(Some(after), Duration::from_secs(10));
+        let about = desk.shown().about;
+        after = about.shape_revision;
+        if about.revision == revision && (about.settled || !is_settled) {
+            return (about.solved, after);
+        }
+    }
+}

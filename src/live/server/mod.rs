@@ -1,0 +1,64 @@
+//! The page of a desk for a browser on the same machine: HTTP on 127.0.0.1, behind a token, guarded against other hosts and pages.
+
+mod answer;
+
+mod door;
+
+mod guard;
+
+mod request;
+
+mod routes;
+
+mod token;
+
+use std::io;
+use std::net::{Ipv4Addr, TcpListener};
+use std::sync::Arc;
+
+use crate::progress::Progress;
+
+use super::desk::Desk;
+use door::Door;
+use guard::Guard;
+pub use routes::Page;
+use routes::Routes;
+use token::Token;
+
+/// A server that listens, and serves nobody yet.
+pub struct Server {
+    listener: TcpListener,
+    guard: Guard,
+    port: u16,
+}
+
+impl Server {
+    /// Listens on a port of 127.0.0.1; 0: any that is free.
+    ///
+    /// # Errors
+    /// If the port is taken, or the system gives no random numbers.
+    pub fn bind(port: u16) -> io::Result<Server> {
+        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
+        let port = listener.local_addr()?.port();
+        let guard = Guard::new(Token::random()?, port);
+        Ok(Server {
+            listener,
+            guard,
+            port,
+        })
+    }
+
+    /// The address of the page.
+    pub fn address(&self) -> String {
+        format!("http://127.0.0.1:{}/{}/", self.port, self.guard.token().text())
+    }
+
+    /// Serves until `stop` is cancelled.
+    ///
+    /// # Errors
+    /// If the listener fails.
+    pub fn serve(self, desk: &Arc<Desk>, page: Page, stop: &Progress) -> io::Result<()> {
+        let routes = Routes::new(Arc::clone(desk), self.guard, page);
+        Door::new(self.listener)?.serve(Arc::new(routes), stop)
+    }
+}
