@@ -5,6 +5,7 @@ use crate::diagnose::Plan;
 use crate::effects::card::Card;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::difference::Difference;
+use crate::export::explanation::ExplanationReport;
 use crate::export::modes::ModesSummary;
 use crate::export::study::StudyReport;
 use crate::export::summary::RunSummary;
@@ -75,6 +76,8 @@ documents! {
     Study "study" StudyReport,
     /// `washout diagnose --json`
     Diagnose "diagnose" DiagnosisReport,
+    /// `washout explain --json`
+    Explain "explain" ExplanationReport,
     /// `washout add --json`
     Add "add" super::add::AddReport,
     /// `washout diagnose --plan --json`

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::diagnose::table::Table;
 use crate::diagnose::{DiagnoseError, Settings};
+use crate::explain::{Answers, ExplainError, Model};
 use crate::export::json;
 use crate::input::study::LoadedStudy;
 use crate::origin::{program_sha256, sha256};
@@ -106,6 +107,27 @@ pub fn prepared(
     })
 }
 
+/// How a model answers to every change alone, or that from an earlier run.
+///
+/// # Errors
+/// As [`Answers::new`].
+pub fn answers(model: &Model, progress: &Progress) -> Result<Answers, ExplainError> {
+    let made_of = format!("{}{}explain", program_sha256(), model.campaign().made_of());
+    let file = folder().map(|folder| folder.join(format!("{}.json", sha256(made_of.as_bytes()))));
+    let bytes = file.as_ref().and_then(|file| fs::read(file).ok());
+    let known: Option<Answers> = bytes.and_then(|bytes| json::read(&bytes).ok());
+    if let (Some(known), Some(file)) = (known.filter(|known| known.is_of(model)), &file) {
+        used(file);
+        return Ok(known);
+    }
+    let answers = Answers::new(model, progress)?;
+    if let Some(file) = &file {
+        // to keep it is a convenience: what cannot be written is made anew
+        let _ = write(file, &answers);
+    }
+    Ok(answers)
+}
+
 /// A campaign, and the study on the mesh that corrects it.
 struct Meshed {
     campaign: Campaign,
@@ -177,15 +199,19 @@ fn read(file: &PathBuf, campaign: &Campaign) -> Option<Kept> {
         .mesh
         .as_ref()
         .is_none_or(|mesh| mesh.correction.len() == rows && mesh.deviation.len() == rows);
-    // used just now
+    used(file);
+    (is_whole && kept.table.observables() == Some(rows)).then_some(kept)
+}
+
+/// Marks a table as used just now.
+fn used(file: &PathBuf) {
     let _ = fs::File::options()
         .append(true)
         .open(file)
         .and_then(|file| file.set_modified(std::time::SystemTime::now()));
-    (is_whole && kept.table.observables() == Some(rows)).then_some(kept)
 }
 
-fn write(file: &std::path::Path, kept: &Kept) -> std::io::Result<()> {
+fn write(file: &std::path::Path, kept: &impl Serialize) -> std::io::Result<()> {
     let folder = file.parent().unwrap_or(file);
     fs::create_dir_all(folder)?;
     let mut whole = tempfile::NamedTempFile::new_in(folder)?;

@@ -73,6 +73,8 @@ pub mod effects;
 
 pub mod diagnose;
 
+pub mod explain;
+
 pub mod candidates;
 
 pub mod kept;
@@ -168,6 +170,8 @@ pub enum Verb {
     Schema(schema::Schema),
     /// Find which physics the model of a study lacks, and how sure that is
     Diagnose(diagnose::Diagnose),
+    /// Find what it would take to explain a few readings: the least implausible sets of changes
+    Explain(explain::Explain),
     /// Add an effect to the model of a study, and see the error fall
     Add(add::Add),
     /// Make measurements with a hidden effect, to try a campaign before trusting it
@@ -241,6 +245,7 @@ pub fn run_on(console: &Console, arguments: &Arguments) -> Result<(), Failure> {
         Verb::Init(verb) => verb.run(console),
         Verb::Schema(verb) => verb.run(Arguments::command(), console),
         Verb::Diagnose(verb) => verb.run(console),
+        Verb::Explain(verb) => verb.run(console),
         Verb::Add(verb) => verb.run(console),
         Verb::Synthesize(verb) => verb.run(console),
         Verb::Blind(verb) => verb.run(console),

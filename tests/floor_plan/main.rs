@@ -153,6 +153,10 @@ const ROOMS: &[(&str, &[&str])] = &[
             "compare",
         ],
     ),
+    (
+        "explain",
+        &["progress", "input", "effects", "observation", "study", "diagnose"],
+    ),
     ("plot", &[]),
     ("page", &["plot"]),
     (
@@ -182,6 +186,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "compare",
             "sweep",
             "diagnose",
+            "explain",
             "plot",
             "page",
             "blind",
@@ -210,6 +215,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "compare",
             "sweep",
             "diagnose",
+            "explain",
             "plot",
             "page",
             "blind",
