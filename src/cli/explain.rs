@@ -8,6 +8,7 @@ use serde_json::Value;
 use crate::explain::{Choice, ExplainError, Explanation, Model, Prepared, Settings, choices, explain};
 use crate::export::explanation::{ExplanationReport, page};
 use crate::export::json;
+use crate::export::pictures::write::add_explained;
 use crate::export::run::RunFolder;
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
@@ -56,6 +57,7 @@ impl Explain {
         let mut report = self.report(&study, console)?;
         let answer = page(&study.study.name, &report.explanation);
         folder.add("explain.txt", answer.text().as_bytes())?;
+        add_explained(&mut folder, &study.study.name, &report.explanation)?;
         report.files = folder.listed_with(false);
         folder.add_summary(&report)?;
         console.progress().check()?;

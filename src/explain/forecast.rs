@@ -17,7 +17,7 @@ const TWIST_DEG: f64 = 1.0;
 const DEFLECTION_MM: f64 = 0.5;
 const SHARE_OF_FORCE: f64 = 0.05;
 /// Stations at which twist in flight is told, over the length; the tip station of the design besides.
-const STATIONS: [f64; 2] = [0.25, 0.6];
+const STATIONS: [f64; 7] = [0.1, 0.25, 0.4, 0.55, 0.7, 0.8, 0.9];
 
 /// How dear a reading is: one more picture, a ruler in flight, a bench, a balance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -69,6 +69,8 @@ pub fn searched(
             .map(|(own, solver)| weighed(size, own.len(), solver))
             .sum::<usize>();
         let chosen = chosen(solvers, found, settings.solved);
+        progress.say(format_args!("sets of {size}: {} solved", chosen.len()));
+        let chosen = tried(solvers, chosen, settings.fitted, progress)?;
         let solve = |(choice, found): &(usize, Found)| -> Result<Option<InChoice>, ExplainError> {
             progress.check()?;
             let solved = solvers[*choice].solve(found)?;
@@ -77,11 +79,32 @@ pub fn searched(
                 solved,
             }))
         };
-        progress.say(format_args!("sets of {size}: {} solved in full", chosen.len()));
+        progress.say(format_args!("sets of {size}: {} fitted", chosen.len()));
         let solved: Result<Vec<Option<InChoice>>, ExplainError> = chosen.par_iter().map(solve).collect();
         searched.sets.extend(solved?.into_iter().flatten());
     }
     Ok(searched)
+}
+
+/// The `most` that cost least in the full model as they were found.
+fn tried(
+    solvers: &[Solver],
+    chosen: Vec<(usize, Found)>,
+    most: usize,
+    progress: &Progress,
+) -> Result<Vec<(usize, Found)>, ExplainError> {
+    let try_one = |(choice, found): &(usize, Found)| -> Result<Option<f64>, ExplainError> {
+        progress.check()?;
+        solvers[*choice].tried(found)
+    };
+    let costs: Result<Vec<Option<f64>>, ExplainError> = chosen.par_iter().map(try_one).collect();
+    let mut solved: Vec<(f64, (usize, Found))> = Vec::new();
+    for (cost, own) in costs?.into_iter().zip(chosen) {
+        solved.extend(cost.map(|cost| (cost, own)));
+    }
+    // in the order in which they were chosen where they cost the same
+    solved.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(solved.into_iter().take(most).map(|own| own.1).collect())
 }
 
 /// How many sets were weighed for a size.

@@ -18,6 +18,8 @@ mod inputs;
 
 mod model;
 
+mod prepared;
+
 mod price;
 
 mod ratios;
@@ -29,6 +31,8 @@ mod refute;
 pub mod report;
 
 mod scatter;
+
+mod sets;
 
 mod search;
 
@@ -42,6 +46,7 @@ pub use answers::Answers;
 pub use choices::{Choice, choices};
 pub use error::ExplainError;
 pub use model::Model;
+pub use prepared::Prepared;
 pub use report::Explanation;
 pub use settings::Settings;
-pub use told::{Prepared, explain};
+pub use told::explain;

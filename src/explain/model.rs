@@ -1,5 +1,7 @@
 //! The model of a study as an explanation moves it: strengths of effects within what is plausible, ratios among the readings.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::input::measurement::{Channel, SigmaKind};
@@ -13,9 +15,9 @@ use super::inputs::widened;
 use super::ratios::{Ratio, apart};
 
 /// The model of a study.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Model {
-    campaign: Campaign,
+    campaign: Arc<Campaign>,
     unknowns: Vec<Unknown>,
     observables: Vec<Observable>,
     /// By observable: where its standard deviation comes from.
@@ -40,7 +42,7 @@ impl Model {
             kinds: Vec::new(),
             recipes: Vec::new(),
             needs: (0..campaign.conditions().len()).map(|own| vec![own]).collect(),
-            campaign,
+            campaign: Arc::new(campaign),
         };
         for index in 0..study.cases.len() {
             model.add_rows(index);
@@ -51,10 +53,20 @@ impl Model {
         Ok(model)
     }
 
+    /// The same model with these values of all readings.
+    pub fn with_values(&self, values: &DVector<f64>) -> Model {
+        let mut told = self.clone();
+        for (observable, value) in told.observables.iter_mut().zip(values.iter()) {
+            observable.value = *value;
+        }
+        told
+    }
+
     /// The readings of a case that the campaign has as they are.
     fn add_rows(&mut self, case: usize) {
-        let rows = &self.campaign.cases()[case].rows;
-        let inner = self.campaign.observables();
+        let campaign = Arc::clone(&self.campaign);
+        let rows = &campaign.cases()[case].rows;
+        let inner = campaign.observables();
         let own = (0..inner.len()).filter(|&row| inner[row].condition == case);
         for (row, measured) in own.zip(rows) {
             if measured.line > 0 {

@@ -108,7 +108,32 @@ impl<'a> Solver<'a> {
         self.weighed(Vec::new(), self.model.start(), self.base.clone())
     }
 
-    /// A set fitted in the full model; nothing where no fit settles.
+    /// Values of all unknowns with a set as it was found.
+    fn values(&self, found: &Found) -> Vec<f64> {
+        let mut at = self.model.start();
+        for &(change, size) in &found.members {
+            let own = &self.changes[change];
+            at[own.unknown] = own.sizes[size].value;
+        }
+        at
+    }
+
+    /// What a set costs in the full model as it was found, not fitted; nothing where there is no solution.
+    ///
+    /// # Errors
+    /// If the user asked to stop.
+    pub fn tried(&self, found: &Found) -> Result<Option<f64>, ExplainError> {
+        let at = self.values(found);
+        let read = where_solved(
+            self.model
+                .linearize_from(self.warm_start.as_ref(), &at, &|_| false),
+        )?;
+        let read = read.filter(|(read, _)| read.value.iter().all(|own| own.is_finite()));
+        let changes = found.members.iter().map(|own| own.0).collect();
+        Ok(read.map(|(read, _)| self.weighed(changes, at, read.value).cost()))
+    }
+
+    /// A set fitted in the full model; nothing where no fit settles, or where it stays far above what it cost as it was found.
     ///
     /// # Errors
     /// If the user asked to stop.
@@ -119,10 +144,7 @@ impl<'a> Solver<'a> {
             .iter()
             .map(|own| self.changes[own.0].unknown)
             .collect();
-        let mut start = self.model.start();
-        for (&(change, size), &i) in found.members.iter().zip(&members) {
-            start[i] = self.changes[change].sizes[size].value;
-        }
+        let start = self.values(found);
         let moving = members
             .iter()
             .filter(|&&i| whole_strength(&unknowns[i]).is_none());

@@ -7,10 +7,14 @@ pub struct Settings {
     pub most_changes: usize,
     /// Most sets that are shown.
     pub shown: usize,
-    /// Sets of each size, of all choices together, that are solved in full.
+    /// Sets of each size, of all choices together, that are solved in the full model as they were found.
     pub solved: usize,
+    /// Of these the least costly, which are fitted in it.
+    pub fitted: usize,
     /// Sets of each size and choice from which larger ones grow.
     pub grown: usize,
+    /// Whether it is told what the sets foretell and what would refute them.
+    pub foretells: bool,
 }
 
 impl Default for Settings {
@@ -18,8 +22,10 @@ impl Default for Settings {
         Settings {
             most_changes: 4,
             shown: 8,
-            solved: 120,
-            grown: 60,
+            solved: 160,
+            fitted: 40,
+            grown: 40,
+            foretells: true,
         }
     }
 }

@@ -1,44 +1,21 @@
-//! From a search to an answer: which sets are told, in which order, and what is said of each.
+//! From a search to an answer: which sets are told.
 
-use std::collections::BTreeMap;
-
-use crate::diagnose::screening::{effect_of, place_of};
-use crate::input::measurement::SigmaKind;
 use crate::progress::Progress;
-use crate::study::{Forward, UnknownKind};
 
-use super::answers::Answers;
 use super::changes::changes;
-use super::choices::Choice;
 use super::error::ExplainError;
-use super::forecast::{Dearness, Forecasts};
 use super::grow::{InChoice, searched};
-use super::model::Model;
-use super::price::{of_alternative, of_value};
-use super::refit::Solver;
-use super::refute::refuting;
-use super::report::{
-    ChangeMade, ExplainedSet, Explanation, Forecast, Otherwise, ReadingOfSet, Status, Tried,
-};
+use super::prepared::Prepared;
+use super::price::{Prices, of_alternative};
+use super::refit::{Solver, fitted};
+use super::report::{Explanation, Status, Tried};
 use super::scatter::reach;
+use super::sets::Told;
 use super::settings::Settings;
 use super::words;
 
-/// Standard deviations by which a number that was held out contradicts a set.
-const CONTRADICTS: f64 = 3.0;
 /// Sets that are shown of those that are refuted, and of those that fall short, where others reach.
 const SHOWN_OF_OTHERS: usize = 3;
-
-/// A choice of words and alternatives, its model, and how that answers.
-#[derive(Debug)]
-pub struct Prepared {
-    /// The choice.
-    pub choice: Choice,
-    /// Its model.
-    pub model: Model,
-    /// How it answers to every change alone.
-    pub answers: Answers,
-}
 
 /// The least implausible sets of changes; `names`: the effects that may act.
 ///
@@ -50,15 +27,7 @@ pub fn explain(
     settings: &Settings,
     progress: &Progress,
 ) -> Result<Explanation, ExplainError> {
-    let mut solvers: Vec<Solver> = Vec::new();
-    let mut prices = Vec::new();
-    for own in prepared {
-        let rows = super::refit::fitted(&own.model);
-        let (changes, price) = changes(&own.model, &own.answers, &rows);
-        let flips = own.choice.flipped.iter().map(of_alternative).sum();
-        solvers.push(Solver::new(&own.model, changes, flips)?);
-        prices.push(price);
-    }
+    let (solvers, prices) = solvers(prepared)?;
     let flipped: Vec<usize> = prepared.iter().map(|own| own.choice.flipped.len()).collect();
     let found = searched(&solvers, &flipped, settings, progress)?;
     let told = Told {
@@ -68,72 +37,50 @@ pub fn explain(
     let now = told.ordered(&found.sets, 1.0);
     let doubled = told.ordered(&found.sets, 2.0);
     let is_assumed = told.is_assumed();
-    let all: f64 = found
-        .sets
-        .iter()
-        .map(|own| (-0.5 * own.solved.cost()).exp())
-        .sum();
+    let weights = found.sets.iter().map(|own| (-0.5 * own.solved.cost()).exp());
+    let all: f64 = weights.sum();
     let shown = shown(&told, &now, settings);
-    let mut sets: Vec<ExplainedSet> = Vec::new();
+    let mut sets = Vec::new();
     for own in &shown {
         let mut set = told.set(own);
-        set.rank_at_twice_sigma = doubled
-            .iter()
-            .position(|other| told.key(other) == told.key(own))
-            .map(|rank| rank + 1);
+        let is_it = |other: &InChoice| told.key(other) == told.key(own);
+        set.rank_at_twice_sigma = doubled.iter().position(is_it).map(|rank| rank + 1);
         set.probability = (!is_assumed).then(|| (-0.5 * set.cost).exp() / all);
         sets.push(set);
     }
     progress.say("what the sets foretell");
-    let left_out = told.foretell(&shown, &mut sets, names, progress)?;
+    let left_out = match settings.foretells {
+        true => told.foretell(&shown, &mut sets, names, progress)?,
+        false => Vec::new(),
+    };
     let numbers = solvers.first().map_or(0, |solver| solver.rows.len());
-    let mut alternatives: Vec<String> = Vec::new();
-    for name in prepared
-        .iter()
-        .flat_map(|own| &own.choice.flipped)
-        .map(|own| &own.name)
-    {
-        if !alternatives.contains(name) {
-            alternatives.push(name.clone());
-        }
-    }
     let empty = InChoice {
         choice: 0,
         solved: solvers[0].empty(),
     };
-    let mut explanation = Explanation {
+    let first = doubled.first().map_or(String::new(), |own| told.set(own).name);
+    let best = shown.first().map_or(0.0, |own| told.mean_square(own));
+    let mut notes = words::notes(numbers, is_assumed);
+    notes.extend(left_out);
+    let not_compared = prepared[0].model.not_compared().into_iter();
+    notes.extend(not_compared.map(|own| format!("Not compared: {own}")));
+    Ok(Explanation {
         sentence: words::sentence(&sets, numbers),
         numbers,
         reach_sigma: reach(numbers),
         tried: Tried {
-            families: prices[0].families(),
-            strengths: solvers[0].changes.len() - prices[0].numbers(),
-            inputs: prices[0].numbers(),
-            alternatives,
+            families: prices.families(),
+            strengths: solvers[0].changes.len() - prices.numbers(),
+            inputs: prices.numbers(),
+            alternatives: alternatives(prepared),
             weighed: found.weighed,
             solved: found.sets.len(),
         },
-        chi_square_per_number: [
-            told.mean_square(&empty),
-            shown.first().map_or(0.0, |own| told.mean_square(own)),
-        ],
-        at_twice_sigma: words::at_twice_sigma(
-            &sets,
-            &doubled.first().map_or(String::new(), |own| told.set(own).name),
-        ),
+        chi_square_per_number: [told.mean_square(&empty), best],
+        at_twice_sigma: words::at_twice_sigma(&sets, &first),
         sets,
-        notes: Vec::new(),
-    };
-    explanation.notes = words::notes(&explanation, is_assumed);
-    explanation.notes.extend(left_out);
-    explanation.notes.extend(
-        prepared[0]
-            .model
-            .not_compared()
-            .into_iter()
-            .map(|own| format!("Not compared: {own}")),
-    );
-    Ok(explanation)
+        notes,
+    })
 }
 
 /// The sets that are shown.
@@ -155,315 +102,30 @@ fn shown(told: &Told, ordered: &[InChoice], settings: &Settings) -> Vec<InChoice
     reach.into_iter().chain(refuted).chain(short).collect()
 }
 
-/// What is needed to tell of sets.
-struct Told<'a> {
-    prepared: &'a [Prepared],
-    solvers: &'a [Solver<'a>],
+/// The model of each choice, ready to be fitted; prices of the study as it stands.
+fn solvers(prepared: &[Prepared]) -> Result<(Vec<Solver<'_>>, Prices), ExplainError> {
+    let mut solvers: Vec<Solver> = Vec::new();
+    let mut first: Option<Prices> = None;
+    for own in prepared {
+        let (changes, prices) = changes(&own.model, &own.answers, &fitted(&own.model));
+        let flips = own.choice.flipped.iter().map(of_alternative).sum();
+        solvers.push(Solver::new(&own.model, changes, flips)?);
+        first.get_or_insert(prices);
+    }
+    first.map(|prices| (solvers, prices)).ok_or(ExplainError::NoData)
 }
 
-impl Told<'_> {
-    /// Whether some standard deviation is assumed.
-    fn is_assumed(&self) -> bool {
-        let solver = &self.solvers[0];
-        solver
-            .rows
-            .iter()
-            .any(|&row| solver.model.kinds()[row] == SigmaKind::Assumed)
-    }
-
-    /// What a set is told as: words and alternatives, keys of its changes.
-    fn key(&self, set: &InChoice) -> Vec<String> {
-        let flipped = self.prepared[set.choice]
-            .choice
-            .flipped
-            .iter()
-            .map(|own| own.name.clone());
-        let changes = set.solved.changes.iter();
-        let mut keys: Vec<String> = flipped
-            .chain(changes.map(|&own| self.solvers[set.choice].changes[own].key.clone()))
-            .collect();
-        keys.sort();
-        keys
-    }
-
-    fn cost(&self, set: &InChoice, factor: f64) -> f64 {
-        let fit = self.solvers[set.choice].fit(&set.solved.read, factor);
-        fit + set.solved.values + set.solved.price
-    }
-
-    fn status(&self, set: &InChoice, factor: f64) -> Status {
-        let solver = &self.solvers[set.choice];
-        let far = reach(solver.rows.len()) * factor;
-        let misfits = solver.misfits(&set.solved.read);
-        if misfits.iter().any(|misfit| misfit.abs() > far) {
-            return Status::FallsShort;
-        }
-        let observables = solver.model.observables();
-        let is_against = |row: usize| {
-            let own = &observables[row];
-            let misfit = own.misfit(set.solved.read[row]) / own.sigma;
-            !solver.rows.contains(&row) && misfit.abs() > CONTRADICTS * factor
-        };
-        match (0..observables.len()).any(is_against) {
-            true => Status::Refuted,
-            false => Status::Reaches,
+/// Names of words and alternatives, each once.
+fn alternatives(prepared: &[Prepared]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for name in prepared
+        .iter()
+        .flat_map(|own| &own.choice.flipped)
+        .map(|own| &own.name)
+    {
+        if !names.contains(name) {
+            names.push(name.clone());
         }
     }
-
-    /// One set of each families, of which none is better with one change less; those that reach first, then by cost.
-    fn ordered(&self, sets: &[InChoice], factor: f64) -> Vec<InChoice> {
-        let mut best: BTreeMap<Vec<String>, (Status, f64, &InChoice)> = BTreeMap::new();
-        for set in sets {
-            let own = (self.status(set, factor), self.cost(set, factor), set);
-            let known = best.entry(self.key(set)).or_insert(own);
-            if (own.0, own.1) < (known.0, known.1) {
-                *known = own;
-            }
-        }
-        let all: Vec<(&Vec<String>, &(Status, f64, &InChoice))> = best.iter().collect();
-        let is_minimal = |(key, own): &&(&Vec<String>, &(Status, f64, &InChoice))| {
-            !all.iter().any(|(smaller, other)| {
-                let is_part = smaller.len() < key.len() && smaller.iter().all(|part| key.contains(part));
-                is_part && other.0 <= own.0 && other.1 <= own.1
-            })
-        };
-        let mut minimal: Vec<(Status, f64, &InChoice)> =
-            all.iter().filter(is_minimal).map(|own| *own.1).collect();
-        minimal.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        minimal.into_iter().map(|own| own.2.clone()).collect()
-    }
-
-    /// Mean square of all misfits, fitted or held out, in standard deviations.
-    fn mean_square(&self, set: &InChoice) -> f64 {
-        let observables = self.solvers[set.choice].model.observables();
-        let square = |(row, own): (usize, &crate::study::Observable)| {
-            (own.misfit(set.solved.read[row]) / own.sigma).powi(2)
-        };
-        observables.iter().enumerate().map(square).sum::<f64>() / observables.len().max(1) as f64
-    }
-
-    fn set(&self, set: &InChoice) -> ExplainedSet {
-        let solver = &self.solvers[set.choice];
-        let otherwise: Vec<Otherwise> = self.prepared[set.choice]
-            .choice
-            .flipped
-            .iter()
-            .map(|own| Otherwise {
-                name: own.name.clone(),
-                probability: own.probability,
-                why: own.why.clone(),
-            })
-            .collect();
-        let changes: Vec<ChangeMade> = set
-            .solved
-            .changes
-            .iter()
-            .map(|&own| self.change(set, own))
-            .collect();
-        let misfits = solver.misfits(&set.solved.read);
-        ExplainedSet {
-            name: words::name(&otherwise, &changes),
-            status: self.status(set, 1.0),
-            cost: set.solved.cost(),
-            fit: set.solved.fit,
-            values: set.solved.values,
-            price: set.solved.price,
-            chi_square: misfits.iter().map(|misfit| misfit * misfit).sum(),
-            within_one_sigma: misfits.iter().filter(|misfit| misfit.abs() <= 1.0).count(),
-            worst_sigma: misfits.iter().fold(0.0, |worst, misfit| misfit.abs().max(worst)),
-            probability: None,
-            rank_at_twice_sigma: None,
-            otherwise,
-            changes,
-            readings: self.readings(set),
-            forecasts: Vec::new(),
-            refute: Vec::new(),
-            by_hand: self.by_hand(set),
-        }
-    }
-
-    fn change(&self, set: &InChoice, position: usize) -> ChangeMade {
-        let solver = &self.solvers[set.choice];
-        let unknowns = solver.model.unknowns();
-        let own = &solver.changes[position];
-        let unknown = &unknowns[own.unknown];
-        let (value, stated) = (set.solved.at[own.unknown], solver.model.start()[own.unknown]);
-        let place = place_of(unknowns, own.unknown);
-        let mut numbers: BTreeMap<String, f64> = BTreeMap::new();
-        let mut wings: Vec<String> = Vec::new();
-        let mut place_cost = 0.0;
-        if let Some(place) = place
-            && let UnknownKind::Place {
-                parameter,
-                numbers: others,
-                wing,
-                ..
-            } = &unknowns[place].kind
-        {
-            numbers.insert(parameter.clone(), set.solved.at[place]);
-            numbers.extend(others.iter().map(|(name, value)| (name.clone(), *value)));
-            wings.extend(wing.clone());
-            place_cost = of_value(&unknowns[place], set.solved.at[place]);
-        }
-        let effect = effect_of(unknown).map(|own| own.0.to_string());
-        if effect.is_none() {
-            wings = self.wings_of(set.choice, own.unknown);
-        }
-        let end = if value < stated {
-            unknown.range[0]
-        } else {
-            unknown.range[1]
-        };
-        ChangeMade {
-            name: effect.clone().unwrap_or_else(|| unknown.name.clone()),
-            unknown: unknown.name.clone(),
-            is_effect: effect.is_some(),
-            wings,
-            numbers,
-            value,
-            stated,
-            unit: unknown.unit.clone(),
-            range: unknown.range,
-            into_range: if end == stated {
-                1.0
-            } else {
-                (value - stated) / (end - stated)
-            },
-            cost: of_value(unknown, value) + place_cost,
-            price: own.price,
-        }
-    }
-
-    /// The wings whose design a number changes, if not all.
-    fn wings_of(&self, choice: usize, unknown: usize) -> Vec<String> {
-        let model = self.solvers[choice].model;
-        let mut at = model.start();
-        let [low, high] = model.unknowns()[unknown].range;
-        at[unknown] = if at[unknown] == low { high } else { low };
-        let campaign = model.campaign();
-        let (mut touched, mut all): (Vec<String>, Vec<String>) = (Vec::new(), Vec::new());
-        for (case, condition) in campaign.conditions().iter().enumerate() {
-            if !all.contains(&condition.wing) {
-                all.push(condition.wing.clone());
-            }
-            if !campaign.changes_at(case, &at).is_empty() && !touched.contains(&condition.wing) {
-                touched.push(condition.wing.clone());
-            }
-        }
-        if touched.len() == all.len() {
-            Vec::new()
-        } else {
-            touched
-        }
-    }
-
-    fn readings(&self, set: &InChoice) -> Vec<ReadingOfSet> {
-        let solver = &self.solvers[set.choice];
-        let conditions = solver.model.conditions();
-        let reading = |(row, own): (usize, &crate::study::Observable)| ReadingOfSet {
-            case: conditions[own.condition].name.clone(),
-            channel: own.channel,
-            r_mm: own.r_mm,
-            r_to_mm: own.r_to_mm,
-            measured: own.value,
-            sigma: own.sigma,
-            bound: own.bound,
-            is_held_out: conditions[own.condition].is_held_out,
-            stated: solver.base[row],
-            with_set: set.solved.read[row],
-            misfit_sigma: own.misfit(set.solved.read[row]) / own.sigma,
-        };
-        solver
-            .model
-            .observables()
-            .iter()
-            .enumerate()
-            .map(reading)
-            .collect()
-    }
-
-    /// For each case that was fitted, the command that runs the set again.
-    fn by_hand(&self, set: &InChoice) -> Vec<String> {
-        let study = &self.prepared[set.choice].choice.study;
-        let campaign = self.solvers[set.choice].model.campaign();
-        let mut commands: Vec<String> = Vec::new();
-        for (index, case) in study
-            .cases
-            .iter()
-            .enumerate()
-            .filter(|(_, case)| !case.is_held_out)
-        {
-            let mut command = format!("washout compare {}", case.loaded.path.display());
-            let changes = campaign.changes_at(index, &set.solved.at);
-            let sets = case.sets.iter().cloned();
-            for set in sets.chain(changes.into_iter().map(|(key, value)| format!("{key}={value}"))) {
-                command.push_str(&match set.contains('"') {
-                    true => format!(" --set '{set}'"),
-                    false => format!(" --set {set}"),
-                });
-            }
-            command.push_str(&format!(" --with {} --case {}", case.measurement, case.name));
-            if !commands.contains(&command) {
-                commands.push(command);
-            }
-        }
-        commands
-    }
-
-    /// What the shown sets foretell, and what would refute each; gives what no model has an answer to.
-    fn foretell(
-        &self,
-        shown: &[InChoice],
-        sets: &mut [ExplainedSet],
-        names: &[&str],
-        progress: &Progress,
-    ) -> Result<Vec<String>, ExplainError> {
-        let mut of_choice: BTreeMap<usize, Forecasts> = BTreeMap::new();
-        let mut left_out: Vec<String> = Vec::new();
-        for own in shown {
-            if !of_choice.contains_key(&own.choice) {
-                progress.check()?;
-                let forecasts = Forecasts::new(&self.prepared[own.choice].choice.study, names, progress)?;
-                for words in forecasts
-                    .left_out
-                    .iter()
-                    .map(|own| format!("Not foretold: {own}"))
-                {
-                    if !left_out.contains(&words) {
-                        left_out.push(words);
-                    }
-                }
-                of_choice.insert(own.choice, forecasts);
-            }
-        }
-        let Some(first) = shown.first().map(|own| &of_choice[&own.choice]) else {
-            return Ok(left_out);
-        };
-        let dearness: Vec<Dearness> = first.possible.iter().map(|own| own.dearness).collect();
-        let mut told: Vec<Vec<Forecast>> = Vec::new();
-        for own in shown {
-            progress.check()?;
-            let forecasts = of_choice[&own.choice].told(self.solvers[own.choice].model, &own.solved.at);
-            let alike = first.possible.iter().map(|possible| {
-                let is_it = |forecast: &&Forecast| {
-                    (&forecast.condition, forecast.channel, forecast.r_mm)
-                        == (&possible.condition, possible.row.channel, possible.row.r_mm)
-                };
-                forecasts.iter().find(is_it).cloned().unwrap_or_else(|| Forecast {
-                    condition: possible.condition.clone(),
-                    channel: possible.row.channel,
-                    r_mm: possible.row.r_mm,
-                    sigma: possible.row.sigma,
-                    stated: None,
-                    with_set: None,
-                })
-            });
-            told.push(alike.collect());
-        }
-        for (place, set) in sets.iter_mut().enumerate() {
-            set.refute = refuting(place, &told, &dearness);
-            set.forecasts.clone_from(&told[place]);
-        }
-        Ok(left_out)
-    }
+    names
 }

@@ -1,6 +1,6 @@
 //! Sets in words.
 
-use super::report::{ChangeMade, ExplainedSet, Explanation, Otherwise, Status};
+use super::report::{ChangeMade, ExplainedSet, Otherwise, Status};
 
 /// A number with so many digits from the first that is not zero.
 pub fn short(value: f64, digits: usize) -> String {
@@ -92,7 +92,7 @@ pub fn at_twice_sigma(sets: &[ExplainedSet], first: &str) -> String {
 }
 
 /// What must be kept in mind.
-pub fn notes(explanation: &Explanation, is_assumed: bool) -> Vec<String> {
+pub fn notes(numbers: usize, is_assumed: bool) -> Vec<String> {
     let mut notes = Vec::new();
     if is_assumed {
         notes.push(
@@ -101,10 +101,10 @@ pub fn notes(explanation: &Explanation, is_assumed: bool) -> Vec<String> {
                 .to_string(),
         );
     }
-    if explanation.numbers < 24 {
+    if numbers < 24 {
         notes.push(format!(
             "{} numbers cannot prove which set it is: sets that are not listed may reach them too, with other effects or more changes.",
-            explanation.numbers
+            numbers
         ));
     }
     notes
