@@ -1,6 +1,7 @@
 //! Sets as they are told: in which order, what their changes and readings are, what they foretell, how they are run by hand.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use crate::diagnose::screening::{effect_of, place_of};
 use crate::input::measurement::SigmaKind;
@@ -27,6 +28,14 @@ pub struct Told<'a> {
     pub prepared: &'a [Prepared],
     /// Their models, ready to be fitted.
     pub solvers: &'a [Solver<'a>],
+}
+
+/// A set with what it is ranked by.
+#[derive(Clone, Copy)]
+struct Ranked<'a> {
+    status: Status,
+    cost: f64,
+    set: &'a InChoice,
 }
 
 impl Told<'_> {
@@ -80,25 +89,27 @@ impl Told<'_> {
 
     /// One set of each families, of which none is better with one change less; those that reach first, then by cost.
     pub fn ordered(&self, sets: &[InChoice], factor: f64) -> Vec<InChoice> {
-        let mut best: BTreeMap<Vec<String>, (Status, f64, &InChoice)> = BTreeMap::new();
+        let mut best: BTreeMap<Vec<String>, Ranked> = BTreeMap::new();
         for set in sets {
-            let own = (self.status(set, factor), self.cost(set, factor), set);
+            let own = Ranked {
+                status: self.status(set, factor),
+                cost: self.cost(set, factor),
+                set,
+            };
             let known = best.entry(self.key(set)).or_insert(own);
-            if (own.0, own.1) < (known.0, known.1) {
+            if (own.status, own.cost) < (known.status, known.cost) {
                 *known = own;
             }
         }
-        let all: Vec<(&Vec<String>, &(Status, f64, &InChoice))> = best.iter().collect();
-        let is_minimal = |(key, own): &&(&Vec<String>, &(Status, f64, &InChoice))| {
-            !all.iter().any(|(smaller, other)| {
+        let is_minimal = |(key, own): &(&Vec<String>, &Ranked)| {
+            !best.iter().any(|(smaller, other)| {
                 let is_part = smaller.len() < key.len() && smaller.iter().all(|part| key.contains(part));
-                is_part && other.0 <= own.0 && other.1 <= own.1
+                is_part && other.status <= own.status && other.cost <= own.cost
             })
         };
-        let mut minimal: Vec<(Status, f64, &InChoice)> =
-            all.iter().filter(is_minimal).map(|own| *own.1).collect();
-        minimal.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        minimal.into_iter().map(|own| own.2.clone()).collect()
+        let mut minimal: Vec<Ranked> = best.iter().filter(is_minimal).map(|own| *own.1).collect();
+        minimal.sort_by(|a, b| a.status.cmp(&b.status).then(a.cost.total_cmp(&b.cost)));
+        minimal.into_iter().map(|own| own.set.clone()).collect()
     }
 
     /// Mean square of all misfits, fitted or held out, in standard deviations.
@@ -289,19 +300,17 @@ impl Told<'_> {
         let mut of_choice: BTreeMap<usize, Forecasts> = BTreeMap::new();
         let mut left_out: Vec<String> = Vec::new();
         for own in shown {
-            if !of_choice.contains_key(&own.choice) {
-                progress.check()?;
-                let forecasts = Forecasts::new(&self.prepared[own.choice].choice.study, names, progress)?;
-                for words in forecasts
-                    .left_out
-                    .iter()
-                    .map(|own| format!("Not foretold: {own}"))
-                {
-                    if !left_out.contains(&words) {
-                        left_out.push(words);
-                    }
+            let Entry::Vacant(vacant) = of_choice.entry(own.choice) else {
+                continue;
+            };
+            progress.check()?;
+            let study = &self.prepared[own.choice].choice.study;
+            let forecasts = vacant.insert(Forecasts::new(study, names, progress)?);
+            for reason in &forecasts.left_out {
+                let words = format!("Not foretold: {reason}");
+                if !left_out.contains(&words) {
+                    left_out.push(words);
                 }
-                of_choice.insert(own.choice, forecasts);
             }
         }
         let Some(first) = shown.first().map(|own| &of_choice[&own.choice]) else {

@@ -62,6 +62,11 @@ pub fn studies_page() -> String {
         ("`[[uncertain]]`", &schema["$defs"]["Uncertain"]),
         ("`[[ruler]]`", &schema["$defs"]["Ruler"]),
         ("`[[effect]]`", &schema["$defs"]["StudyEffect"]),
+        ("`[[alternative]]`", &schema["$defs"]["Alternative"]),
+        (
+            "`case` of an `[[alternative]]`",
+            &schema["$defs"]["CaseOfAlternative"],
+        ),
     ];
     for (title, table) in tables {
         let _ = write!(text, "\n### {title}\n\n| key | | what it is |\n|---|---|---|\n");

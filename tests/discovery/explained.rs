@@ -223,12 +223,19 @@ fn a_hidden_pair_is_among_the_first_three_sets_and_nothing_is_told_of_nothing() 
 }
 
 #[test]
-#[ignore = "minutes: 20 draws with a hidden pair, 20 with nothing"]
-fn in_fifteen_of_twenty_draws_the_hidden_pair_is_among_the_first_three_and_in_eighteen_of_twenty_nothing_is_first()
- {
-    let (pairs, nothing) = (hits(100..120), quiet(200..220));
-    println!("pairs: {pairs} of 20; nothing: {nothing} of 20");
-    assert!(pairs >= 15 && nothing >= 18, "{pairs}, {nothing}");
+#[ignore = "an hour: 20 draws with a hidden pair; the aim is 15"]
+fn of_twenty_hidden_pairs_fifteen_are_among_the_first_three_sets() {
+    let pairs = hits(100..120);
+    println!("{pairs} of 20");
+    assert!(pairs >= 15, "{pairs}");
+}
+
+#[test]
+#[ignore = "an hour: 20 draws with nothing hidden"]
+fn of_twenty_draws_with_nothing_hidden_eighteen_have_the_empty_set_first() {
+    let nothing = quiet(200..220);
+    println!("{nothing} of 20");
+    assert!(nothing >= 18, "{nothing}");
 }
 
 #[test]

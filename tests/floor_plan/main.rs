@@ -153,10 +153,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "compare",
         ],
     ),
-    (
-        "explain",
-        &["progress", "input", "effects", "observation", "study", "diagnose"],
-    ),
+    ("explain", &["progress", "input", "study", "diagnose"]),
     ("plot", &[]),
     ("page", &["plot"]),
     (
