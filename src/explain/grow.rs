@@ -140,8 +140,8 @@ fn candidates(
             .map(|own| &own.solved)
             .collect();
         from.sort_by(|a, b| {
-            a.cost()
-                .total_cmp(&b.cost())
+            a.as_stated()
+                .total_cmp(&b.as_stated())
                 .then_with(|| a.changes.cmp(&b.changes))
         });
         from.truncate(settings.grown);

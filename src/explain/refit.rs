@@ -46,6 +46,8 @@ pub struct Solved {
     pub read: DVector<f64>,
     /// Cost of the fit.
     pub fit: f64,
+    /// Sum of the squares of the misfits, in standard deviations as they are stated.
+    pub chi_square: f64,
     /// What the values cost.
     pub values: f64,
     /// What it takes to say which changes these are, words and alternatives among them.
@@ -56,6 +58,11 @@ impl Solved {
     /// What it costs.
     pub fn cost(&self) -> f64 {
         self.fit + self.values + self.price
+    }
+
+    /// The same with standard deviations as they are stated: by this it is found.
+    pub fn as_stated(&self) -> f64 {
+        self.chi_square + self.values + self.price
     }
 }
 
@@ -84,7 +91,7 @@ impl<'a> Solver<'a> {
     }
 
     /// What the search is to meet.
-    pub fn target(&self) -> Target<'_> {
+    pub fn target(&self) -> Target {
         let observables = self.model.observables();
         let residual = self.rows.iter().map(|&row| {
             let own = &observables[row];
@@ -99,7 +106,6 @@ impl<'a> Solver<'a> {
         Target {
             residual: DVector::from_iterator(self.rows.len(), residual),
             bounds: self.rows.iter().map(bound).collect(),
-            scatter: &self.scatter,
         }
     }
 
@@ -118,7 +124,7 @@ impl<'a> Solver<'a> {
         at
     }
 
-    /// What a set costs in the full model as it was found, not fitted; nothing where there is no solution.
+    /// What a set costs in the full model as it was found, not fitted, with standard deviations as they are stated; nothing where there is no solution.
     ///
     /// # Errors
     /// If the user asked to stop.
@@ -130,7 +136,7 @@ impl<'a> Solver<'a> {
         )?;
         let read = read.filter(|(read, _)| read.value.iter().all(|own| own.is_finite()));
         let changes = found.members.iter().map(|own| own.0).collect();
-        Ok(read.map(|(read, _)| self.weighed(changes, at, read.value).cost()))
+        Ok(read.map(|(read, _)| self.weighed(changes, at, read.value).as_stated()))
     }
 
     /// A set fitted in the full model; nothing where no fit settles, or where it stays far above what it cost as it was found.
@@ -191,8 +197,10 @@ impl<'a> Solver<'a> {
         };
         Solved {
             fit: self.fit(&read, 1.0),
-            values: changes.iter().map(value).sum(),
-            price: self.flips + changes.iter().map(|&own| self.changes[own].price).sum::<f64>(),
+            chi_square: self.misfits(&read).iter().map(|misfit| misfit * misfit).sum(),
+            // a sum of nothing is −0
+            values: 0.0 + changes.iter().map(value).sum::<f64>(),
+            price: 0.0 + self.flips + changes.iter().map(|&own| self.changes[own].price).sum::<f64>(),
             changes,
             at,
             read,

@@ -4,20 +4,17 @@ use nalgebra::DVector;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::changes::Change;
-use super::scatter::Scatter;
 
 /// Sweeps over the members of a set in which the size of each is chosen anew.
 const SWEEPS: usize = 3;
 
 /// What the fitted readings say, in their standard deviations.
 #[derive(Debug)]
-pub struct Target<'a> {
+pub struct Target {
     /// Measured minus modelled as the model stands.
     pub residual: DVector<f64>,
     /// By reading: −1 for an upper bound, 1 for a lower one, 0 for a number.
     pub bounds: Vec<i8>,
-    /// Their scatter.
-    pub scatter: &'a Scatter,
 }
 
 /// A set of changes with their sizes.
@@ -25,18 +22,11 @@ pub struct Target<'a> {
 pub struct Found {
     /// Positions of the changes and of their sizes, in ascending order.
     pub members: Vec<(usize, usize)>,
-    /// What it costs: fit, values, prices.
+    /// What it costs, with standard deviations as they are stated: chi-square, values, prices.
     pub cost: f64,
 }
 
-impl Target<'_> {
-    /// Misfits with this change of all readings.
-    pub fn misfits(&self, change: &DVector<f64>) -> Vec<f64> {
-        let each = self.residual.iter().zip(change.iter()).zip(&self.bounds);
-        each.map(|((residual, change), bound)| one_sided(residual - change, *bound))
-            .collect()
-    }
-
+impl Target {
     /// Chi-square with two changes of all readings.
     fn chi_square(&self, rest: &DVector<f64>, change: &DVector<f64>) -> f64 {
         let each = self
@@ -49,14 +39,15 @@ impl Target<'_> {
             .sum()
     }
 
-    /// What a set costs, `offset` being what its full solution differs by from the sum of its members.
+    /// What a set costs with standard deviations as they are stated, `offset` being what its full solution differs by from the sum of its
+    /// members. A search by what is forgiven where they are assumed would see little of what is far off.
     pub fn cost(&self, changes: &[Change], members: &[(usize, usize)], offset: Option<&DVector<f64>>) -> f64 {
         let sum = self.sum(changes, members, offset);
         let own: f64 = members
             .iter()
             .map(|&(change, size)| changes[change].price + changes[change].sizes[size].cost)
             .sum();
-        own + self.scatter.cost(&self.misfits(&sum), 1.0)
+        own + self.chi_square(&sum, &DVector::zeros(self.residual.len()))
     }
 
     fn sum(
@@ -196,8 +187,6 @@ fn one_sided(misfit: f64, bound: i8) -> f64 {
 mod tests {
     use super::*;
     use crate::explain::changes::Size;
-    use crate::input::measurement::{Bound, Channel, SigmaKind};
-    use crate::study::Observable;
 
     fn change(key: &str, direction: [f64; 3], price: f64) -> Change {
         let sizes = (1..=10).map(|step| {
@@ -216,21 +205,6 @@ mod tests {
         }
     }
 
-    fn scatter() -> Scatter {
-        let reading = Observable {
-            condition: 0,
-            line: 1,
-            channel: Channel::Twist,
-            run: String::new(),
-            r_mm: None,
-            r_to_mm: None,
-            value: 0.0,
-            sigma: 1.0,
-            bound: Bound::None,
-        };
-        Scatter::new(&[&reading; 3], &[SigmaKind::Stated; 3])
-    }
-
     #[test]
     fn a_pair_that_made_the_residual_is_found_before_all_others() {
         let changes = [
@@ -239,11 +213,9 @@ mod tests {
             change("c", [0.0, 0.0, 20.0], 5.0),
             change("d", [5.0, 5.0, 5.0], 5.0),
         ];
-        let scatter = scatter();
         let target = Target {
             residual: DVector::from_column_slice(&[10.0, 12.0, 3.0]),
             bounds: vec![0; 3],
-            scatter: &scatter,
         };
         let pairs = target.pairs(&changes, 10);
         assert_eq!(pairs[0].members, [(0, 4), (1, 5)]);
@@ -259,12 +231,11 @@ mod tests {
 
     #[test]
     fn a_bound_that_is_kept_asks_for_nothing() {
-        let scatter = scatter();
         let target = Target {
             residual: DVector::from_column_slice(&[-2.0, 2.0, 2.0]),
             bounds: vec![-1, -1, 0],
-            scatter: &scatter,
         };
-        assert_eq!(target.misfits(&DVector::zeros(3)), [-2.0, 0.0, 2.0]);
+        let none = DVector::zeros(3);
+        assert_eq!(target.chi_square(&none, &none), 8.0);
     }
 }

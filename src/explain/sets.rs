@@ -91,9 +91,15 @@ impl Told<'_> {
     pub fn ordered(&self, sets: &[InChoice], factor: f64) -> Vec<InChoice> {
         let mut best: BTreeMap<Vec<String>, Ranked> = BTreeMap::new();
         for set in sets {
+            let status = self.status(set, factor);
+            let solved = &set.solved;
             let own = Ranked {
-                status: self.status(set, factor),
-                cost: self.cost(set, factor),
+                status,
+                cost: match status {
+                    // how near it comes: with standard deviations that forgive, nothing would seem far
+                    Status::FallsShort => solved.as_stated() + solved.chi_square * (factor.powi(-2) - 1.0),
+                    _ => self.cost(set, factor),
+                },
                 set,
             };
             let known = best.entry(self.key(set)).or_insert(own);
@@ -147,7 +153,7 @@ impl Told<'_> {
             fit: set.solved.fit,
             values: set.solved.values,
             price: set.solved.price,
-            chi_square: misfits.iter().map(|misfit| misfit * misfit).sum(),
+            chi_square: set.solved.chi_square,
             within_one_sigma: misfits.iter().filter(|misfit| misfit.abs() <= 1.0).count(),
             worst_sigma: misfits.iter().fold(0.0, |worst, misfit| misfit.abs().max(worst)),
             probability: None,

@@ -65,7 +65,7 @@ pub fn explain(
     let not_compared = prepared[0].model.not_compared().into_iter();
     notes.extend(not_compared.map(|own| format!("Not compared: {own}")));
     Ok(Explanation {
-        sentence: words::sentence(&sets, numbers),
+        sentence: words::sentence(&sets, numbers, settings.most_changes),
         numbers,
         reach_sigma: reach(numbers),
         tried: Tried {

@@ -54,7 +54,7 @@ pub fn name(otherwise: &[Otherwise], changes: &[ChangeMade]) -> String {
 }
 
 /// The answer in plain words.
-pub fn sentence(sets: &[ExplainedSet], numbers: usize) -> String {
+pub fn sentence(sets: &[ExplainedSet], numbers: usize, most: usize) -> String {
     let Some(first) = sets.first() else {
         return "No set of changes could be solved.".to_string();
     };
@@ -75,7 +75,7 @@ pub fn sentence(sets: &[ExplainedSet], numbers: usize) -> String {
             "Every set that reaches all {numbers} numbers is contradicted by a number that was held out. The least of them: {name}. {rank}"
         ),
         (Status::FallsShort, name) => format!(
-            "No set of up to four plausible changes reaches all {numbers} numbers. The nearest: {name}; its worst reading is {:.1} σ off. {rank}",
+            "No set of up to {most} plausible changes that was found reaches all {numbers} numbers. The nearest: {name}; its worst reading is {:.1} σ off. {rank}",
             first.worst_sigma
         ),
     }

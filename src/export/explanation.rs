@@ -96,6 +96,7 @@ fn sets(found: &Explanation) -> Table {
         .words("", status)
         .number(["cost", "cost", ""], After(1), |set| set.cost)
         .number(["fit", "fit", ""], After(1), |set| set.fit)
+        .number(["chi_square", "χ²", ""], Significant(3), |set| set.chi_square)
         .number(["within_one_sigma", "within 1 σ", ""], After(0), |set| set.within_one_sigma as f64)
         .number(["worst_sigma", "worst", "σ"], After(1), |set| set.worst_sigma)
         .number(["rank_at_twice_sigma", "rank at 2 σ", ""], After(0), |set| {
