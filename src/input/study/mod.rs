@@ -16,6 +16,8 @@ mod known;
 
 mod load;
 
+mod otherwise;
+
 mod unused;
 
 pub use alternative::{Alternative, CaseOfAlternative};
