@@ -38,6 +38,7 @@
 //! explore: fronts over twist profiles, rods for a wanted twist ←─ wing, study
 //!
 //! diagnose: which effect a model lacks, or an unknown cause ←─ study
+//! explain: what it would take, where there are few numbers ←─ diagnose, study
 //!
 //! export: any result into bytes ←─ page: what a person reads ←─ plot: pictures from numbers
 //! cli: one file per verb   progress: for every room   origin: what results are made of   task: parts of long work
@@ -90,6 +91,8 @@ pub mod solve;
 pub mod sweep;
 
 pub mod diagnose;
+
+pub mod explain;
 
 pub mod blind;
 

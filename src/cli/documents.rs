@@ -5,6 +5,7 @@ use crate::diagnose::Plan;
 use crate::effects::card::Card;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::difference::Difference;
+use crate::export::explanation::ExplanationReport;
 use crate::export::modes::ModesSummary;
 use crate::export::study::StudyReport;
 use crate::export::summary::RunSummary;
@@ -77,6 +78,8 @@ documents! {
     Diagnose "diagnose" DiagnosisReport,
     /// `washout live --json`
     Live "live" super::live::LiveReport,
+    /// `washout explain --json`
+    Explain "explain" ExplanationReport,
     /// `washout add --json`
     Add "add" crate::export::added::AddReport,
     /// `washout diagnose --plan --json`

@@ -7,6 +7,7 @@ use crate::add::AddError;
 use crate::blind::BlindError;
 use crate::coupling::CouplingError;
 use crate::diagnose::DiagnoseError;
+use crate::explain::ExplainError;
 use crate::explore::ExploreError;
 use crate::export::ExportError;
 use crate::input::InputError;
@@ -71,6 +72,14 @@ pub enum Failure {
         study: PathBuf,
         /// Why.
         source: DiagnoseError,
+    },
+    /// A study that gives no explanation.
+    #[error("{}: {source}", study.display())]
+    Explanation {
+        /// The study file.
+        study: PathBuf,
+        /// Why.
+        source: ExplainError,
     },
     /// Measurements that cannot be made.
     #[error("{}: {source}", study.display())]
@@ -262,6 +271,11 @@ impl Failure {
             Failure::Diagnosis { source, .. } => match source {
                 DiagnoseError::Study(source) => source.exit_code(),
                 DiagnoseError::Cancelled(_) => 130,
+                _ => 2,
+            },
+            Failure::Explanation { source, .. } => match source {
+                ExplainError::Diagnose(DiagnoseError::Study(source)) => source.exit_code(),
+                ExplainError::Cancelled(_) => 130,
                 _ => 2,
             },
             Failure::Synthesis { source, .. } => match source {

@@ -69,6 +69,8 @@ pub mod effects;
 
 pub mod diagnose;
 
+pub mod explain;
+
 pub mod add;
 
 pub mod report;
@@ -158,6 +160,8 @@ pub enum Verb {
     Schema(schema::Schema),
     /// Find which physics the model of a study lacks, and how sure that is
     Diagnose(diagnose::Diagnose),
+    /// Find what it would take to explain a few readings: the least implausible sets of changes
+    Explain(explain::Explain),
     /// Add an effect to the model of a study, and see the error fall
     Add(add::Add),
     /// Move the inputs of a design or a study on a page in the browser, and see the wing follow
@@ -243,6 +247,7 @@ pub fn run_on(console: &Console, arguments: &Arguments) -> Result<(), Failure> {
         Verb::Init(verb) => verb.run(console),
         Verb::Schema(verb) => verb.run(Arguments::command(), console),
         Verb::Diagnose(verb) => verb.run(console),
+        Verb::Explain(verb) => verb.run(console),
         Verb::Add(verb) => verb.run(console),
         Verb::Live(verb) => verb.run(run_words, console),
         Verb::Synthesize(verb) => verb.run(console),

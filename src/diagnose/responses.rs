@@ -196,6 +196,11 @@ impl Response {
             && (slope.is_empty() || slope.len() == observables)
     }
 
+    /// The smallest and the largest strength that was solved, none among them; nothing if none was.
+    pub fn reach(&self) -> Option<[f64; 2]> {
+        Some([self.curve.knots.first()?.0, self.curve.knots.last()?.0])
+    }
+
     /// Whether the model was asked at a strength, or beyond.
     pub fn has(&self, strength: f64) -> bool {
         let ends = (self.curve.knots.first(), self.curve.knots.last());

@@ -24,6 +24,9 @@ pub mod reference;
 pub mod measurement;
 
 #[cfg(feature = "cli")]
+pub mod explanation;
+
+#[cfg(feature = "cli")]
 pub mod modes;
 
 #[cfg(feature = "cli")]

@@ -19,6 +19,7 @@ docs/studies.md`.
 |---|---|
 | `washout init NAME --study` | a study to start from, with its wing and made-up readings |
 | `washout compare STUDY` | errors by case, channel and station: uncalibrated, and calibrated within the priors; what the data tell of each uncertain input; what the known uncertainty explains |
+| `washout explain STUDY` | what it would take, where there are few numbers ([how](what-would-explain-it.md)) |
 | `washout diagnose STUDY` | which physics the model lacks, what else it could be, or that nothing detectable is missing |
 | `washout add EFFECT --to STUDY` | takes an effect into the model, fitted |
 | `washout measure VIDEO` | readings from video frames, with the offsets and scales of the instrument that they need ([from a video to twist](from-video-to-twist.md)) |
@@ -61,6 +62,11 @@ pub fn studies_page() -> String {
         ("`[[uncertain]]`", &schema["$defs"]["Uncertain"]),
         ("`[[ruler]]`", &schema["$defs"]["Ruler"]),
         ("`[[effect]]`", &schema["$defs"]["StudyEffect"]),
+        ("`[[alternative]]`", &schema["$defs"]["Alternative"]),
+        (
+            "`case` of an `[[alternative]]`",
+            &schema["$defs"]["CaseOfAlternative"],
+        ),
     ];
     for (title, table) in tables {
         let _ = write!(text, "\n### {title}\n\n| key | | what it is |\n|---|---|---|\n");

@@ -16,6 +16,8 @@ pub mod campaign;
 
 pub mod case;
 
+mod changes;
+
 pub mod columns;
 
 pub mod draws;

@@ -68,6 +68,11 @@ pub struct Proposal {
 }
 
 impl Proposal {
+    /// The wing in its condition, with rows whose values are yet to come.
+    pub fn case(&self) -> &LoadedCase {
+        &self.case
+    }
+
     /// What is to be measured, in plain words; `readings`: which of its readings, where each is a proposal of its own.
     pub fn words(&self, readings: &[&Observable]) -> String {
         match (self.cost, readings) {

@@ -12,6 +12,8 @@ mod compare;
 
 mod divergence;
 
+mod explain;
+
 mod export;
 mod foreign;
 

@@ -2,6 +2,7 @@
 
 mod cases;
 mod effects;
+mod explained;
 mod lessons;
 mod pages;
 mod rod;

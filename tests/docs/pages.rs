@@ -10,7 +10,7 @@ use crate::workshop::{run, workshop};
 use crate::{all_pages, root, text_of};
 
 /// Commands that take more than some seconds, by page and beginning: the ignored test runs them.
-const SLOW: [(&str, &str); 10] = [
+const SLOW: [(&str, &str); 12] = [
     ("find-a-hidden-effect.md", ""),
     ("front.md", "washout pareto"),
     (
@@ -19,6 +19,8 @@ const SLOW: [(&str, &str); 10] = [
     ),
     ("many-cases.md", "washout sweep studies/paper-wings.toml"),
     ("paper-wings.md", "washout compare studies/paper-wings.toml"),
+    ("paper-wings.md", "washout explain"),
+    ("what-would-explain-it.md", "washout explain"),
     ("real-data.md", "washout diagnose"),
     ("real-data.md", "washout add"),
     ("report.md", "washout report studies/paper-wings.toml"),

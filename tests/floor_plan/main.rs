@@ -174,6 +174,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "compare",
         ],
     ),
+    ("explain", &["progress", "origin", "input", "study", "diagnose"]),
     ("plot", &[]),
     ("page", &["plot"]),
     (
@@ -210,6 +211,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "solve",
             "sweep",
             "diagnose",
+            "explain",
             "plot",
             "page",
             "add",
@@ -257,6 +259,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "solve",
             "sweep",
             "diagnose",
+            "explain",
             "plot",
             "page",
             "add",

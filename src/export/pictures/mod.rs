@@ -4,6 +4,8 @@ pub mod compared;
 
 pub mod diagnosis;
 
+pub mod explained;
+
 pub mod folder;
 
 pub mod in_sigma;

@@ -2,6 +2,7 @@
 
 use crate::compare::{Comparison, StudyComparison};
 use crate::diagnose::Diagnosis;
+use crate::explain::Explanation;
 use crate::export::ExportError;
 use crate::export::run::RunFolder;
 use crate::observation::TwistProfile;
@@ -9,7 +10,7 @@ use crate::plot::{Figure, Panel};
 
 use super::ladder::Fall;
 use super::panels::{Compared, distinct};
-use super::{compared, diagnosis, in_sigma, ladder, residuals, tables, wing};
+use super::{compared, diagnosis, explained, in_sigma, ladder, residuals, tables, wing};
 
 /// Charts of one picture; more go into another.
 const PANELS: usize = 12;
@@ -106,6 +107,17 @@ pub fn add_diagnosis(folder: &mut RunFolder, study: &str, found: &Diagnosis) -> 
         folder.add("missing-field.csv", &tables::field(missing)?)?;
     }
     add_falls(folder, study, &Fall::of_diagnosis(&found.ladder))
+}
+
+/// Adds `explained.svg`: the first sets beside the data, where twist is foretold.
+///
+/// # Errors
+/// As [`add_study`].
+pub fn add_explained(folder: &mut RunFolder, study: &str, found: &Explanation) -> Result<(), ExportError> {
+    match explained::figure(study, found) {
+        Some(figure) => add_picture(folder, "explained", &figure),
+        None => Ok(()),
+    }
 }
 
 /// Adds `ladder.svg`: the error falling step by step.

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
+use super::alternative::{self, Alternative, Tables};
 use super::expand::{CaseNumber, Form, case_numbers, put_in};
 use super::known::{known_designs, known_inputs, known_runs};
 use super::unused::{UnusedRows, unused};
@@ -37,6 +38,8 @@ pub struct LoadedStudy {
 /// A design at one operating point, with its measured rows.
 #[derive(Debug, Clone)]
 pub struct LoadedCase {
+    /// Its table among those of the study, from 0.
+    pub table: usize,
     /// Name: that of the measured case.
     pub name: String,
     /// The form of its family, such as `bending-{mass}`; its name, if it stands alone.
@@ -55,6 +58,8 @@ pub struct LoadedCase {
     pub rows: Vec<Row>,
     /// Whether it is kept out of every fit.
     pub is_held_out: bool,
+    /// The measured case to which its ratios refer.
+    pub reference: Option<String>,
 }
 
 impl LoadedStudy {
@@ -139,6 +144,30 @@ impl LoadedStudy {
         input: InputFile,
         readings: Option<&Measurement>,
     ) -> Result<LoadedStudy, InputError> {
+        LoadedStudy::of_tables(path, text, sets, input, (readings, None))
+    }
+
+    /// The study with these alternatives of it; `sets` change every design, as they did when it was read.
+    ///
+    /// # Errors
+    /// As [`LoadedStudy::load`].
+    pub fn with_alternatives(
+        &self,
+        chosen: &[&Alternative],
+        sets: &[String],
+    ) -> Result<LoadedStudy, InputError> {
+        let (text, input) = file::read_input(&self.path, "study file")?;
+        let tables = self.tables_with(chosen);
+        LoadedStudy::of_tables(&self.path, &text, sets, input, (None, Some(tables)))
+    }
+
+    fn of_tables(
+        path: &Path,
+        text: &str,
+        sets: &[String],
+        input: InputFile,
+        (readings, tables): (Option<&Measurement>, Option<Tables>),
+    ) -> Result<LoadedStudy, InputError> {
         let mut root = Node::parse_file(&file::shown(path), text)?;
         root.rename("slop", "discrepancy");
         if root.get("planform").is_some() && root.get("case").is_none() {
@@ -151,11 +180,14 @@ impl LoadedStudy {
         }
         format_is_one(&root)?;
         form::check(&root, keys::study())?;
-        let study = Study::deserialize(&root.to_json()).map_err(|error| {
+        let mut study = Study::deserialize(&root.to_json()).map_err(|error| {
             let message = format!("cannot be read: {error}");
             InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
         })?;
         check(&study, &root)?;
+        if let Some((cases, experiments)) = tables {
+            (study.case, study.experiment) = (cases, experiments);
+        }
         let mut measured: Vec<Measurement> = Vec::new();
         let mut families = |tables: &[Case], word: &str| {
             let mut cases = Vec::new();
@@ -167,7 +199,7 @@ impl LoadedStudy {
                     sets,
                     readings,
                 };
-                measured.push(family(case, &table, &from, &mut cases)?);
+                measured.push(family(case, (&table, index), &from, &mut cases)?);
             }
             Ok(cases)
         };
@@ -253,7 +285,7 @@ fn check(study: &Study, root: &Node) -> Result<(), InputError> {
             }
         }
     }
-    Ok(())
+    alternative::check(study, root)
 }
 
 /// What the tables of a study are read from.
@@ -282,7 +314,7 @@ impl Origin<'_> {
 /// Adds the cases of one table; gives all that its measurement file holds.
 fn family(
     case: &Case,
-    table: &str,
+    (table, number): (&str, usize),
     from: &Origin,
     cases: &mut Vec<LoadedCase>,
 ) -> Result<Measurement, InputError> {
@@ -309,6 +341,7 @@ fn family(
                 .is_none_or(|channels| channels.contains(&row.channel))
         };
         cases.push(LoadedCase {
+            table: number,
             name: name.to_string(),
             family: case.measured.clone(),
             numbers: case_numbers(&case.set, &numbers),
@@ -318,6 +351,7 @@ fn family(
             made: measurement.made,
             rows: measurement.rows.into_iter().filter(counts).collect(),
             is_held_out: case.purpose == Purpose::HeldOut || case.held_out.iter().any(|held| held == name),
+            reference: case.reference.clone(),
         });
     }
     Ok(all)

@@ -8,14 +8,19 @@ use serde::{Deserialize, Serialize};
 
 use super::measurement::Channel;
 
+mod alternative;
+
 mod expand;
 
 mod known;
 
 mod load;
 
+mod otherwise;
+
 mod unused;
 
+pub use alternative::{Alternative, CaseOfAlternative};
 pub use expand::CaseNumber;
 pub use load::{LoadedCase, LoadedStudy};
 pub use unused::UnusedRows;
@@ -63,6 +68,10 @@ pub struct Study {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = [["twist-v2"]]))]
     pub candidates_on: Option<Vec<String>>,
+    /// What may be otherwise than the cases say, one `[[alternative]]` table each: another statement of the readings, labels exchanged,
+    /// a construction. `washout explain` tries them; nothing else does.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub alternative: Vec<Alternative>,
 }
 
 impl Study {
@@ -96,6 +105,10 @@ pub struct Case {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = [["twist"]]))]
     pub channels: Option<Vec<Channel>>,
+    /// The measured case, one of this study, to which measured ratios of these cases refer. `washout explain` needs it to compare ratios.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("examples" = ["rigid"]))]
+    pub reference: Option<String>,
     /// Whether these cases are fitted or kept for a test.
     #[serde(default, rename = "use")]
     #[schemars(extend("examples" = ["fit"]))]
