@@ -136,6 +136,7 @@ pages! {
     rods "docs/rods.md"
     second_opinion "docs/second-opinion.md"
     tang_dowell "docs/tang-dowell.md"
+    what_would_explain_it "docs/what-would-explain-it.md"
     your_own_wing "docs/your-own-wing.md"
 }
 
