@@ -140,9 +140,10 @@ mod tests {
 
     #[test]
     fn the_cutting_template_of_a_wing_gives_its_outline_back() {
-        let formats: [(&str, fn(&Template) -> String); 2] =
-            [("dxf", Template::to_dxf), ("svg", Template::to_svg)];
-        for (ending, of) in formats {
+        for (ending, of) in [
+            ("dxf", Template::to_dxf as fn(&Template) -> String),
+            ("svg", Template::to_svg),
+        ] {
             let (planform, drawn) = read_back(ending, of);
             let design = Design::from_toml(
                 &drawn.design(include_str!("../cli/init_design.toml")),
