@@ -122,8 +122,8 @@ fn the_text_of_the_new_study_is_in_step_with_the_schema() {
             .any(|line| line.starts_with(&format!("{key} = ")) || *line == format!("[[{key}]]"))
     };
     let schema = schema(&["--study"]);
-    let defined =
-        ["Case", "Uncertain", "Ruler", "StudyEffect"].map(|name| &schema["$defs"][name]["properties"]);
+    let defined = ["Case", "Uncertain", "Ruler", "StudyEffect", "Alternative"]
+        .map(|name| &schema["$defs"][name]["properties"]);
     for table in defined.into_iter().chain([&schema["properties"]]) {
         for key in table.as_object().expect("keys").keys() {
             assert!(stands(key), "{key} is not explained");
