@@ -242,14 +242,14 @@ fn ladder(desk: &Desk, job: &Job, progress: &Progress, known: &mut Known) -> Res
             let now = desk.shown().read.filter(|_| !job.values.sets().is_empty());
             Ladder::of_design(first, now.as_deref())
         }
-        What::Study(_) => Ladder::of_study(&rungs(job, progress, known)?),
+        What::Study(_) => Ladder::of_study(&steps(job, progress, known)?),
     };
     desk.climb(job.revision, ladder);
     Ok(())
 }
 
 /// The study calibrated without any effect that was added, and with one after the other.
-fn rungs(
+fn steps(
     job: &Job,
     progress: &Progress,
     known: &mut Known,

@@ -1,4 +1,4 @@
-//! The error falling rung by rung: in degrees of twist, and as chi-square.
+//! The error falling step by step: in degrees of twist, and as chi-square.
 
 use serde::Serialize;
 
@@ -11,17 +11,17 @@ use super::shape::Read;
 /// The ladder of a state.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Ladder {
-    /// Its rungs, from the model as stated.
-    pub rungs: Vec<Rung>,
+    /// Its steps, from the uncalibrated model.
+    pub steps: Vec<LadderStep>,
     /// Root mean square of the stated standard deviations of twist, deg.
     pub noise_deg: Option<f64>,
-    /// Error of each case as the model stands on the last rung, in the order of the study.
+    /// Error of each case as the model stands on the last step, in the order of the study.
     pub cases: Vec<CaseError>,
 }
 
 /// A model and its error.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Rung {
+pub struct LadderStep {
     /// What the model is.
     pub label: String,
     /// Root mean square error of the twists that are fitted, deg; none where no twist was measured.
@@ -51,10 +51,10 @@ impl Ladder {
         let Some((_, first)) = calibrated.first() else {
             return Ladder::default();
         };
-        let mut rungs = vec![rung("as stated", first, 0)];
+        let mut steps = vec![step("uncalibrated", first, 0)];
         let is_fitted = |model: &StudyComparison| !model.unknowns.is_empty();
         let models = calibrated.iter().filter(|(_, model)| is_fitted(model));
-        rungs.extend(models.map(|(name, model)| rung(name, model, 1)));
+        steps.extend(models.map(|(name, model)| step(name, model, 1)));
         let last = calibrated.last().map_or(first, |(_, model)| model);
         let twists = first.rows.iter().filter(|row| row.channel == Channel::Twist);
         let cases = last.cases.iter().map(|case| {
@@ -70,13 +70,13 @@ impl Ladder {
         Ladder {
             noise_deg: rms(twists.map(|row| row.sigma)),
             cases: cases.collect(),
-            rungs,
+            steps,
         }
     }
 
     /// Of a measured design: as opened, and as it stands, if that is another.
     pub fn of_design(first: &Read, now: Option<&Read>) -> Ladder {
-        let rung = |label: &str, read: &Read| Rung {
+        let step = |label: &str, read: &Read| LadderStep {
             label: label.to_string(),
             rms_deg: read.rms_deg,
             chi2: read.chi2.unwrap_or(0.0),
@@ -84,18 +84,18 @@ impl Ladder {
             count: read.count,
         };
         let sigmas = first.twist.measured.iter().flat_map(|run| &run.sigma_deg);
-        let mut rungs = vec![rung("as stated", first)];
-        rungs.extend(now.map(|now| rung("as moved", now)));
+        let mut steps = vec![step("uncalibrated", first)];
+        steps.extend(now.map(|now| step("as moved", now)));
         Ladder {
-            rungs,
+            steps,
             noise_deg: rms(sigmas.copied()),
             cases: Vec::new(),
         }
     }
 }
 
-/// `which`: 0 as stated, 1 as calibrated.
-fn rung(label: &str, model: &StudyComparison, which: usize) -> Rung {
+/// `which`: 0 uncalibrated, 1 calibrated.
+fn step(label: &str, model: &StudyComparison, which: usize) -> LadderStep {
     let of = |is_held_out: bool| {
         model
             .rows
@@ -107,7 +107,7 @@ fn rung(label: &str, model: &StudyComparison, which: usize) -> Rung {
         rms(twists.map(|row| row.errors()[which]))
     };
     let square = |row: &StudyRow| (row.errors()[which] / row.sigma).powi(2);
-    Rung {
+    LadderStep {
         label: label.to_string(),
         rms_deg: twists(false),
         chi2: of(false).map(square).sum(),

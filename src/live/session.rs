@@ -360,7 +360,7 @@ impl Session {
             effects: strengths(designs.iter().copied(), |name| self.strength(name)),
             undo: self.history.undo_words().map(str::to_string),
             redo: self.history.redo_words().map(str::to_string),
-            ladder: self.ladder.rungs.clone(),
+            ladder: self.ladder.steps.clone(),
             noise_deg: self.ladder.noise_deg,
             measured: self.opened.is_measured(),
             dirty: self.values != self.saved,
@@ -370,7 +370,7 @@ impl Session {
         }
     }
 
-    /// The cases with their errors on the last rung of the ladder, as far as that is known.
+    /// The cases with their errors on the last step of the ladder, as far as that is known.
     fn cases(&self) -> Vec<Case> {
         let mut cases = self.opened.cases();
         for case in &mut cases {
