@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -60,15 +61,17 @@ def test_a_table_becomes_a_study_an_effect_joins_it_and_the_calibrated_wing_can_
     sets = {"mesh.refine": 0.4}
     compared = washout.compare(DESIGN, COLUMNS, sets, sigma=0.3)
     assert isinstance(compared, washout.StudyComparison)
-    design = tmp_path / "wing.toml"
-    text = Path(DESIGN).read_text().replace('materials = "', 'materials = "' + str(Path("designs").absolute()) + "/")
-    design.write_text(text)
+    for folder in ("designs", "measurements"):
+        shutil.copytree(folder, tmp_path / folder)
+    design = tmp_path / DESIGN
+    assert "[mesh]" not in design.read_text()
+    design.write_text(design.read_text() + "\n[mesh]\nrefine = 0.4\n")
     study = washout.init_study("mine", design, COLUMNS, sigma=0.3, folder=tmp_path)
     assert study == tmp_path / "mine.toml" and (tmp_path / "mine-measured.csv").exists()
     added = washout.add("coefficient-scale", study, ladder=tmp_path / "ladder")
     assert len(added["strength"]) == 2 and added["ladder"][0]["name"] == "raw"
     washout.compare(study, output=tmp_path / "compared")
-    wing = washout.Wing.open(next((tmp_path / "compared").glob("calibrated-*.toml")), sets)
+    wing = washout.Wing.open(next((tmp_path / "compared").glob("calibrated-*.toml")))
     assert "coefficient-scale" in wing.design["effects"]
     assert wing.with_value("flapping.frequency_hz", 24).solve().tip_twist_deg is not None
 
