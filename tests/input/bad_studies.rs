@@ -90,7 +90,7 @@ fn bad_studies_are_refused_with_place_value_and_cure() {
         (
             &format!("{CASE}measured = 'twist-v2'\nmesured = 1\n"),
             "s.toml:7:1: case[0].mesured = 1: unknown key.\n  Did you mean measured? Allowed in case[0]: design, set, measurement, \
-             measured, channels, use, held_out",
+             measured, channels, reference, use, held_out",
         ),
         (
             &format!(
