@@ -72,5 +72,5 @@ case $what in
     all) program && wheel ;;
     *) echo "usage: .ci/release.sh [program|wheel]" && exit 2 ;;
 esac
-(cd "$dist" && sha256sum ./*.tar.gz ./*.whl 2>/dev/null | tee SHA256SUMS)
+(cd "$dist" && shopt -s nullglob && sha256sum ./*.tar.gz ./*.whl | tee SHA256SUMS)
 step "all good"
