@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use serde_json::Value;
 
 use crate::diagnose::Cache;
 use crate::diagnose::candidates::known;
@@ -11,7 +10,6 @@ use crate::explain::{
     Answers, Choice, ExplainError, Explanation, Model, Prepared, Settings, choices, explain,
 };
 use crate::export::explanation::{ExplanationReport, page};
-use crate::export::json;
 use crate::export::pictures::write::add_explained;
 use crate::export::run::RunFolder;
 use crate::input::study::LoadedStudy;
@@ -34,7 +32,7 @@ pub const EXPLANATION: &str = "explain.json";
   washout explain my-study.toml --most 2
   washout explain my-study.toml --json | jq '.sets[0].name'
 
-For a handful of numbers that the model misses: the least implausible sets of changes, within what is plausible for each, that bring every reading within its scatter. Changes are effects of the library, numbers that designs assume or the study holds uncertain, nuisances of the ruler, words that designs assume, and the tables [[alternative]] of the study. For each set: what it says of every reading, how far each number is into its range, what it foretells, and the cheapest readings that would refute it. No set is a proof. docs/what-would-explain-it.md says what a set costs and how they are found. Writes output/NAME-explain/: explain.txt, all that is said, and explain.json. How the model answers to every change alone is kept in the cache folder of the user, as for diagnose.")]
+For a handful of numbers that the model misses: the least implausible sets of changes, within what is plausible for each, that bring every reading within its scatter. Changes are effects of the library, numbers that designs assume or the study holds uncertain, nuisances of the ruler, words that designs assume, and the tables [[alternative]] of the study. For each set: what it says of every reading, how far each number is into its range, what it predicts, and the cheapest readings that would refute it. No set is a proof. docs/what-would-explain-it.md says what a set costs and how they are found. Writes output/NAME-explain/: explain.txt, all that is said, and explain.json. How the model answers to every change alone is kept in the cache folder of the user, as for diagnose.")]
 pub struct Explain {
     /// The study
     pub study: PathBuf,
@@ -69,14 +67,6 @@ impl Explain {
         console.answer(&answer, &listed(&written, &report.files), &report)
     }
 
-    /// The document that `--json` prints; no files are written and none are named.
-    ///
-    /// # Errors
-    /// As [`Explain::run`], but for those of writing.
-    pub fn document(&self, console: &Console) -> Result<Value, Failure> {
-        Ok(json::document(&self.report(&self.subject()?, console)?)?)
-    }
-
     fn subject(&self) -> Result<LoadedStudy, Failure> {
         known(&self.effect).map_err(|error| Failure::of_diagnosis(&self.study, error))?;
         Ok(LoadedStudy::load(&self.study, &self.set)?)
@@ -105,7 +95,7 @@ impl Explain {
     ) -> Result<Explanation, ExplainError> {
         let progress = console.progress();
         let count = all.len();
-        let mut prepared: Vec<Prepared> = Vec::new();
+        let (mut prepared, mut left_out): (Vec<Prepared>, Vec<String>) = (Vec::new(), Vec::new());
         for (place, choice) in all.into_iter().enumerate() {
             progress.say(format_args!(
                 "choice {} of {count} of words and alternatives",
@@ -114,7 +104,12 @@ impl Explain {
             let model = match Model::new(&choice.study, names, &progress.unseen()) {
                 Ok(model) => model,
                 // another word may leave the wing without an equilibrium: then it explains nothing
-                Err(error) if place > 0 && error.exit_code() == 3 => continue,
+                Err(error) if place > 0 && error.exit_code() == 3 => {
+                    let names = choice.flipped.iter().map(|own| own.name.as_str());
+                    let names = names.collect::<Vec<_>>().join(" + ");
+                    left_out.push(format!("Left out: {names}: {error}"));
+                    continue;
+                }
                 Err(error) => return Err(error.into()),
             };
             let answers = Answers::kept(&model, &Cache::of_user(), &progress.unseen())?;
@@ -128,6 +123,8 @@ impl Explain {
             most_changes: usize::from(self.most),
             ..Settings::default()
         };
-        explain(&prepared, names, &settings, progress)
+        let mut found = explain(&prepared, names, &settings, progress)?;
+        found.notes.extend(left_out);
+        Ok(found)
     }
 }

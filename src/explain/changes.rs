@@ -20,7 +20,7 @@ const VISIBLE: f64 = 0.2;
 pub struct Change {
     /// Index of its unknown.
     pub unknown: usize,
-    /// What it is to be told as: the family of an effect, with its wing if it is on one; the number itself.
+    /// By what it is known: the family of an effect, with its wing if it is on one; the number itself.
     pub key: String,
     /// What it takes to say that it is this one.
     pub price: f64,
@@ -114,7 +114,7 @@ fn between(least: f64, most: f64, measure: Measure) -> Vec<f64> {
     values
 }
 
-/// What a change is to be told as.
+/// By what a change is known.
 fn key(unknowns: &[Unknown], i: usize) -> String {
     let unknown = &unknowns[i];
     match &unknown.kind {

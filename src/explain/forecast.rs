@@ -16,12 +16,12 @@ use super::report::Forecast;
 const TWIST_DEG: f64 = 1.0;
 const DEFLECTION_MM: f64 = 0.5;
 const SHARE_OF_FORCE: f64 = 0.05;
-/// Stations at which twist in flight is told, over the length; the tip station of the design besides.
+/// Stations at which twist in flight is predicted, over the length; the tip station of the design besides.
 const STATIONS: [f64; 7] = [0.1, 0.25, 0.4, 0.55, 0.7, 0.8, 0.9];
 
-/// How dear a reading is: one more picture, a ruler in flight, a bench, a balance.
+/// What a reading costs: one more picture, a ruler in flight, a bench, a balance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Dearness {
+pub enum Effort {
     /// Twist in a condition that was measured.
     Picture,
     /// Deflection in a condition that was measured.
@@ -39,8 +39,8 @@ pub struct Possible {
     pub condition: String,
     /// What would be measured.
     pub row: Row,
-    /// How dear it is.
-    pub dearness: Dearness,
+    /// What it costs.
+    pub effort: Effort,
     case: usize,
     place: usize,
 }
@@ -67,7 +67,7 @@ impl Forecasts {
         }
         let base = wide.cases.len();
         let mut left_out: Vec<String> = Vec::new();
-        let mut kept: Vec<(LoadedCase, Option<Dearness>)> = Vec::new();
+        let mut kept: Vec<(LoadedCase, Option<Effort>)> = Vec::new();
         for extra in in_flight(study).into_iter().chain(experiments(study, names)) {
             let mut alone = wide.clone();
             alone.cases.truncate(base);
@@ -81,13 +81,13 @@ impl Forecasts {
         wide.cases.extend(kept.iter().map(|own| own.0.clone()));
         let campaign = Campaign::new(&wide, names, &progress.unseen())?;
         let mut possible: Vec<Possible> = Vec::new();
-        for (number, (extra, dearness)) in kept.iter().enumerate() {
+        for (number, (extra, effort)) in kept.iter().enumerate() {
             let case = base + number;
             for (place, row) in campaign.cases()[case].rows.iter().enumerate() {
                 possible.push(Possible {
                     condition: extra.name.clone(),
                     row: row.clone(),
-                    dearness: dearness.unwrap_or_else(|| dearness_of(row.channel)),
+                    effort: effort.unwrap_or_else(|| effort_of(row.channel)),
                     case,
                     place,
                 });
@@ -108,7 +108,7 @@ impl Forecasts {
     }
 
     /// What every reading would be with these values of the unknowns of the model of the same choice.
-    pub fn told(&self, model: &Model, at: &[f64]) -> Vec<Forecast> {
+    pub fn at(&self, model: &Model, at: &[f64]) -> Vec<Forecast> {
         let mut there = self.campaign.start();
         let own = numbered(self.campaign.unknowns());
         for (key, i) in numbered(model.campaign().unknowns()) {
@@ -118,16 +118,17 @@ impl Forecasts {
         }
         let stated = self.read(&self.campaign.start());
         let with_set = self.read(&there);
-        let told = self.possible.iter().zip(stated).zip(with_set);
-        told.map(|((own, stated), with_set)| Forecast {
-            condition: own.condition.clone(),
-            channel: own.row.channel,
-            r_mm: own.row.r_mm,
-            sigma: own.row.sigma,
-            stated,
-            with_set,
-        })
-        .collect()
+        let forecasts = self.possible.iter().zip(stated).zip(with_set);
+        forecasts
+            .map(|((own, stated), with_set)| Forecast {
+                condition: own.condition.clone(),
+                channel: own.row.channel,
+                r_mm: own.row.r_mm,
+                sigma: own.row.sigma,
+                stated,
+                with_set,
+            })
+            .collect()
     }
 
     fn read(&self, at: &[f64]) -> Vec<Option<f64>> {
@@ -158,17 +159,17 @@ fn numbered(unknowns: &[Unknown]) -> BTreeMap<(&str, usize), usize> {
     found
 }
 
-fn dearness_of(channel: Channel) -> Dearness {
+fn effort_of(channel: Channel) -> Effort {
     match channel {
-        Channel::Twist | Channel::TwistRate => Dearness::Picture,
-        Channel::Lift | Channel::Drag | Channel::Power => Dearness::Balance,
-        _ => Dearness::Deflection,
+        Channel::Twist | Channel::TwistRate => Effort::Picture,
+        Channel::Lift | Channel::Drag | Channel::Power => Effort::Balance,
+        _ => Effort::Deflection,
     }
 }
 
 /// Every wing that was fitted, in its first condition: twist along it, deflection of its tip, lift and power.
-fn in_flight(study: &LoadedStudy) -> Vec<(LoadedCase, Option<Dearness>)> {
-    let mut found: Vec<(LoadedCase, Option<Dearness>)> = Vec::new();
+fn in_flight(study: &LoadedStudy) -> Vec<(LoadedCase, Option<Effort>)> {
+    let mut found: Vec<(LoadedCase, Option<Effort>)> = Vec::new();
     let mut seen: Vec<&str> = Vec::new();
     for case in study
         .cases
@@ -201,7 +202,7 @@ fn in_flight(study: &LoadedStudy) -> Vec<(LoadedCase, Option<Dearness>)> {
 }
 
 /// The experiments that the study lists, or those on the bench and slower that any study can add.
-fn experiments(study: &LoadedStudy, names: &[&str]) -> Vec<(LoadedCase, Option<Dearness>)> {
+fn experiments(study: &LoadedStudy, names: &[&str]) -> Vec<(LoadedCase, Option<Effort>)> {
     let listed = study.experiments.iter().cloned();
     let mut found: Vec<LoadedCase> = listed.collect();
     if found.is_empty() {
@@ -211,7 +212,7 @@ fn experiments(study: &LoadedStudy, names: &[&str]) -> Vec<(LoadedCase, Option<D
     }
     found
         .into_iter()
-        .map(|case| (case, Some(Dearness::Experiment)))
+        .map(|case| (case, Some(Effort::Experiment)))
         .collect()
 }
 

@@ -30,6 +30,8 @@ pub struct Searched {
     pub sets: Vec<InChoice>,
     /// Sets that were weighed by adding up.
     pub weighed: usize,
+    /// Sets of which the full model has no solution.
+    pub unsolved: usize,
 }
 
 /// All sets of up to so many changes; `flipped`: by choice, words and alternatives that are otherwise in it.
@@ -52,6 +54,7 @@ pub fn searched(
             })
             .collect(),
         weighed: solvers.len(),
+        unsolved: 0,
     };
     for size in 1..=settings.most_changes {
         progress.check()?;
@@ -70,7 +73,8 @@ pub fn searched(
             .sum::<usize>();
         let chosen = chosen(solvers, found, settings.solved);
         progress.say(format_args!("sets of {size}: {} solved", chosen.len()));
-        let chosen = tried(solvers, chosen, settings.fitted, progress)?;
+        let (chosen, unsolved) = tried(solvers, chosen, settings.fitted, progress)?;
+        searched.unsolved += unsolved;
         let solve = |(choice, found): &(usize, Found)| -> Result<Option<InChoice>, ExplainError> {
             progress.check()?;
             let solved = solvers[*choice].solve(found)?;
@@ -86,25 +90,27 @@ pub fn searched(
     Ok(searched)
 }
 
-/// The `most` that cost least in the full model as they were found.
+/// The `most` that cost least in the full model as they were found, and how many have no solution in it.
 fn tried(
     solvers: &[Solver],
     chosen: Vec<(usize, Found)>,
     most: usize,
     progress: &Progress,
-) -> Result<Vec<(usize, Found)>, ExplainError> {
+) -> Result<(Vec<(usize, Found)>, usize), ExplainError> {
     let try_one = |(choice, found): &(usize, Found)| -> Result<Option<f64>, ExplainError> {
         progress.check()?;
         solvers[*choice].tried(found)
     };
     let costs: Result<Vec<Option<f64>>, ExplainError> = chosen.par_iter().map(try_one).collect();
+    let count = chosen.len();
     let mut solved: Vec<(f64, (usize, Found))> = Vec::new();
     for (cost, own) in costs?.into_iter().zip(chosen) {
         solved.extend(cost.map(|cost| (cost, own)));
     }
     // in the order in which they were chosen where they cost the same
     solved.sort_by(|a, b| a.0.total_cmp(&b.0));
-    Ok(solved.into_iter().take(most).map(|own| own.1).collect())
+    let unsolved = count - solved.len();
+    Ok((solved.into_iter().take(most).map(|own| own.1).collect(), unsolved))
 }
 
 /// How many sets were weighed for a size.

@@ -2,6 +2,8 @@
 //!
 //! The definition is in `docs/what-would-explain-it.md`.
 
+mod answer;
+
 mod answers;
 
 mod changes;
@@ -38,10 +40,9 @@ mod search;
 
 mod settings;
 
-mod told;
-
 mod words;
 
+pub use answer::explain;
 pub use answers::Answers;
 pub use choices::{Choice, choices};
 pub use error::ExplainError;
@@ -49,4 +50,3 @@ pub use model::Model;
 pub use prepared::Prepared;
 pub use report::Explanation;
 pub use settings::Settings;
-pub use told::explain;

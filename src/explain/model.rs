@@ -26,6 +26,8 @@ pub struct Model {
     recipes: Vec<Vec<(usize, i32)>>,
     /// By condition: the conditions without which its readings cannot be had.
     needs: Vec<Vec<usize>>,
+    /// Measured ratios that cannot be compared, and why.
+    without: Vec<String>,
 }
 
 impl Model {
@@ -42,6 +44,7 @@ impl Model {
             kinds: Vec::new(),
             recipes: Vec::new(),
             needs: (0..campaign.conditions().len()).map(|own| vec![own]).collect(),
+            without: Vec::new(),
             campaign: Arc::new(campaign),
         };
         for index in 0..study.cases.len() {
@@ -55,11 +58,11 @@ impl Model {
 
     /// The same model with these values of all readings.
     pub fn with_values(&self, values: &DVector<f64>) -> Model {
-        let mut told = self.clone();
-        for (observable, value) in told.observables.iter_mut().zip(values.iter()) {
+        let mut other = self.clone();
+        for (observable, value) in other.observables.iter_mut().zip(values.iter()) {
             observable.value = *value;
         }
-        told
+        other
     }
 
     /// The readings of a case that the campaign has as they are.
@@ -88,6 +91,12 @@ impl Model {
         let parts = ratio.factors.iter();
         let recipe = parts.map(|&(case, channel, power)| Some((find(case, channel)?, power)));
         let Some(recipe) = recipe.collect::<Option<Vec<(usize, i32)>>>() else {
+            self.without.push(format!(
+                "{} of {}, line {}: lift or power of one of the two wings cannot be read",
+                ratio.row.channel.name(),
+                self.campaign.conditions()[ratio.case].name,
+                ratio.row.line
+            ));
             return;
         };
         for &(case, _, _) in &ratio.factors {
@@ -117,7 +126,11 @@ impl Model {
 
     /// Measured rows that take no part, and why.
     pub fn not_compared(&self) -> Vec<String> {
-        self.campaign.not_compared()
+        let of_campaign = self.campaign.not_compared();
+        of_campaign
+            .into_iter()
+            .chain(self.without.iter().cloned())
+            .collect()
     }
 
     /// Readings and their derivatives from those of the campaign.

@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use crate::diagnose::error::where_solved;
 use crate::diagnose::screening::{place_of, whole_strength};
+use crate::input::measurement::Bound;
 use crate::study::{Discrepancy, Forward, Noise, Task, WarmStart, calibrate};
 
 use super::changes::Change;
@@ -52,6 +53,8 @@ pub struct Solved {
     pub values: f64,
     /// What it takes to say which changes these are, words and alternatives among them.
     pub price: f64,
+    /// Whether its fit settled; else its values are those at which it was found.
+    pub is_fitted: bool,
 }
 
 impl Solved {
@@ -97,7 +100,6 @@ impl<'a> Solver<'a> {
             let own = &observables[row];
             (own.value - self.base[row]) / own.sigma
         });
-        use crate::input::measurement::Bound;
         let bound = |&row: &usize| match observables[row].bound {
             Bound::None => 0,
             Bound::Upper => -1,
@@ -139,7 +141,8 @@ impl<'a> Solver<'a> {
         Ok(read.map(|(read, _)| self.weighed(changes, at, read.value).as_stated()))
     }
 
-    /// A set fitted in the full model; nothing where no fit settles, or where it stays far above what it cost as it was found.
+    /// A set fitted in the full model, or as it was found where no fit settles; nothing where it has no solution, or where a strength is
+    /// fitted away.
     ///
     /// # Errors
     /// If the user asked to stop.
@@ -168,6 +171,7 @@ impl<'a> Solver<'a> {
             true => None,
             false => where_solved(calibrate(self.model, &task))?,
         };
+        let is_fitted = free.is_empty() || fitted.is_some();
         let mut at = fitted.map_or(start, |fit| fit.at);
         for &i in &free {
             let [low, high] = unknowns[i].range;
@@ -185,7 +189,10 @@ impl<'a> Solver<'a> {
         let read = where_solved(self.model.predict(&at))?;
         let read = read.filter(|read| read.iter().all(|own| own.is_finite()));
         let changes = found.members.iter().map(|own| own.0).collect();
-        Ok(read.map(|read| self.weighed(changes, at, read)))
+        Ok(read.map(|read| Solved {
+            is_fitted,
+            ..self.weighed(changes, at, read)
+        }))
     }
 
     fn weighed(&self, changes: Vec<usize>, at: Vec<f64>, read: DVector<f64>) -> Solved {
@@ -204,6 +211,7 @@ impl<'a> Solver<'a> {
             changes,
             at,
             read,
+            is_fitted: true,
         }
     }
 

@@ -2,23 +2,23 @@
 
 use crate::study::quantile::quantile;
 
-use super::forecast::Dearness;
+use super::forecast::Effort;
 use super::report::{Forecast, Refuting};
 
-/// Standard deviations by which a reading tells two sets apart.
+/// Standard deviations by which a reading separates two sets.
 const APART: f64 = 3.0;
-/// Readings that are told of one set.
-const TOLD: usize = 2;
+/// Readings that are named for one set.
+const NAMED: usize = 2;
 
 /// For the set at `own`, the cheapest readings of which it says otherwise than at least half of the other sets; where there are none, the one
-/// that comes nearest. `told`: by set, what it says of the readings, alike in all sets.
-pub fn refuting(own: usize, told: &[Vec<Forecast>], dearness: &[Dearness]) -> Vec<Refuting> {
-    let mut found: Vec<(Dearness, Refuting)> = Vec::new();
-    for (place, forecast) in told[own].iter().enumerate() {
+/// that comes nearest. `forecasts`: by set, what it says of the readings, alike in all sets.
+pub fn refuting(own: usize, forecasts: &[Vec<Forecast>], effort: &[Effort]) -> Vec<Refuting> {
+    let mut found: Vec<(Effort, Refuting)> = Vec::new();
+    for (place, forecast) in forecasts[own].iter().enumerate() {
         let Some(with_set) = forecast.with_set else {
             continue;
         };
-        let mut others: Vec<f64> = told
+        let mut others: Vec<f64> = forecasts
             .iter()
             .enumerate()
             .filter(|(set, _)| *set != own)
@@ -33,7 +33,7 @@ pub fn refuting(own: usize, told: &[Vec<Forecast>], dearness: &[Dearness]) -> Ve
             continue;
         };
         found.push((
-            dearness[place],
+            effort[place],
             Refuting {
                 condition: forecast.condition.clone(),
                 channel: forecast.channel,
@@ -47,30 +47,30 @@ pub fn refuting(own: usize, told: &[Vec<Forecast>], dearness: &[Dearness]) -> Ve
         ));
     }
     let decides = |own: &Refuting| 2 * own.against >= own.others && own.against > 0;
-    let mut best: Vec<(Dearness, Refuting)> = found.iter().filter(|own| decides(&own.1)).cloned().collect();
+    let mut best: Vec<(Effort, Refuting)> = found.iter().filter(|own| decides(&own.1)).cloned().collect();
     best.sort_by(|a, b| {
         let more = b.1.against.cmp(&a.1.against);
         a.0.cmp(&b.0)
             .then(more)
             .then_with(|| b.1.apart_sigma.total_cmp(&a.1.apart_sigma))
     });
-    // the second is of another kind, or it would tell the same again
-    let mut told: Vec<(Dearness, Refuting)> = Vec::new();
+    // the second is of another kind, or it would say the same again
+    let mut named: Vec<(Effort, Refuting)> = Vec::new();
     for own in best {
-        if told.iter().all(|known| known.0 != own.0) && told.len() < TOLD {
-            told.push(own);
+        if named.iter().all(|known| known.0 != own.0) && named.len() < NAMED {
+            named.push(own);
         }
     }
-    if told.is_empty() {
+    if named.is_empty() {
         found.retain(|own| own.1.against > 0);
         found.sort_by(|a, b| {
             b.1.against
                 .cmp(&a.1.against)
                 .then_with(|| b.1.apart_sigma.total_cmp(&a.1.apart_sigma))
         });
-        told.extend(found.into_iter().take(1));
+        named.extend(found.into_iter().take(1));
     }
-    told.into_iter().map(|own| own.1).collect()
+    named.into_iter().map(|own| own.1).collect()
 }
 
 #[cfg(test)]
@@ -78,7 +78,7 @@ mod tests {
     use super::*;
     use crate::input::measurement::Channel;
 
-    fn told(values: [f64; 2]) -> Vec<Forecast> {
+    fn says(values: [f64; 2]) -> Vec<Forecast> {
         let of = |with_set: f64| Forecast {
             condition: "c".into(),
             channel: Channel::Twist,
@@ -91,9 +91,9 @@ mod tests {
     }
 
     #[test]
-    fn the_cheapest_reading_that_sets_a_set_apart_from_half_of_the_others_is_told_first() {
-        let all = [told([0.0, 0.0]), told([1.0, 9.0]), told([5.0, 9.0])];
-        let kinds = [Dearness::Picture, Dearness::Experiment];
+    fn the_cheapest_reading_that_sets_a_set_apart_from_half_of_the_others_is_named_first() {
+        let all = [says([0.0, 0.0]), says([1.0, 9.0]), says([5.0, 9.0])];
+        let kinds = [Effort::Picture, Effort::Experiment];
         let found = refuting(0, &all, &kinds);
         assert_eq!([found[0].against, found[0].others, found[1].against], [1, 2, 2]);
         // nothing sets the second apart from half of the others by the cheap reading, but from both by none

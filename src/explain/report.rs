@@ -43,6 +43,8 @@ pub struct Tried {
     pub weighed: usize,
     /// Sets that were solved in the full model.
     pub solved: usize,
+    /// Sets of which the full model has no solution.
+    pub unsolved: usize,
 }
 
 /// Whether a set explains the readings.

@@ -1,4 +1,4 @@
-//! Sets as they are told: in which order, what their changes and readings are, what they foretell, how they are run by hand.
+//! Sets as they are shown: in which order, what their changes and readings are, what they predict, how they are run by hand.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -9,7 +9,7 @@ use crate::progress::Progress;
 use crate::study::{Forward, Observable, UnknownKind};
 
 use super::error::ExplainError;
-use super::forecast::{Dearness, Forecasts};
+use super::forecast::{Effort, Forecasts};
 use super::grow::InChoice;
 use super::prepared::Prepared;
 use super::price::of_value;
@@ -22,8 +22,8 @@ use super::words;
 /// Standard deviations by which a number that was held out contradicts a set.
 const CONTRADICTS: f64 = 3.0;
 
-/// What is needed to tell of sets.
-pub struct Told<'a> {
+/// What is needed to describe sets.
+pub struct Sets<'a> {
     /// The choices.
     pub prepared: &'a [Prepared],
     /// Their models, ready to be fitted.
@@ -38,7 +38,7 @@ struct Ranked<'a> {
     set: &'a InChoice,
 }
 
-impl Told<'_> {
+impl Sets<'_> {
     /// Whether some standard deviation is assumed.
     pub fn is_assumed(&self) -> bool {
         let solver = &self.solvers[0];
@@ -48,7 +48,7 @@ impl Told<'_> {
             .any(|&row| solver.model.kinds()[row] == SigmaKind::Assumed)
     }
 
-    /// What a set is told as: words and alternatives, keys of its changes.
+    /// By what a set is known: words and alternatives, keys of its changes.
     pub fn key(&self, set: &InChoice) -> Vec<String> {
         let flipped = self.prepared[set.choice]
             .choice
@@ -126,7 +126,7 @@ impl Told<'_> {
         observables.iter().enumerate().map(square).sum::<f64>() / observables.len().max(1) as f64
     }
 
-    /// A set with all that is said of it but what it foretells.
+    /// A set with all that is said of it but what it predicts.
     pub fn set(&self, set: &InChoice) -> ExplainedSet {
         let solver = &self.solvers[set.choice];
         let otherwise: Vec<Otherwise> = self.prepared[set.choice]
@@ -295,8 +295,8 @@ impl Told<'_> {
         commands
     }
 
-    /// What the shown sets foretell, and what would refute each; gives what no model has an answer to.
-    pub fn foretell(
+    /// What the shown sets predict, and what would refute each; gives what no model has an answer to.
+    pub fn predict(
         &self,
         shown: &[InChoice],
         sets: &mut [ExplainedSet],
@@ -313,7 +313,7 @@ impl Told<'_> {
             let study = &self.prepared[own.choice].choice.study;
             let forecasts = vacant.insert(Forecasts::new(study, names, progress)?);
             for reason in &forecasts.left_out {
-                let words = format!("Not foretold: {reason}");
+                let words = format!("Not predicted: {reason}");
                 if !left_out.contains(&words) {
                     left_out.push(words);
                 }
@@ -322,11 +322,11 @@ impl Told<'_> {
         let Some(first) = shown.first().map(|own| &of_choice[&own.choice]) else {
             return Ok(left_out);
         };
-        let dearness: Vec<Dearness> = first.possible.iter().map(|own| own.dearness).collect();
-        let mut told: Vec<Vec<Forecast>> = Vec::new();
+        let effort: Vec<Effort> = first.possible.iter().map(|own| own.effort).collect();
+        let mut predicted: Vec<Vec<Forecast>> = Vec::new();
         for own in shown {
             progress.check()?;
-            let forecasts = of_choice[&own.choice].told(self.solvers[own.choice].model, &own.solved.at);
+            let forecasts = of_choice[&own.choice].at(self.solvers[own.choice].model, &own.solved.at);
             let alike = first.possible.iter().map(|possible| {
                 let is_it = |forecast: &&Forecast| {
                     (&forecast.condition, forecast.channel, forecast.r_mm)
@@ -341,11 +341,11 @@ impl Told<'_> {
                     with_set: None,
                 })
             });
-            told.push(alike.collect());
+            predicted.push(alike.collect());
         }
         for (place, set) in sets.iter_mut().enumerate() {
-            set.refute = refuting(place, &told, &dearness);
-            set.forecasts.clone_from(&told[place]);
+            set.refute = refuting(place, &predicted, &effort);
+            set.forecasts.clone_from(&predicted[place]);
         }
         Ok(left_out)
     }

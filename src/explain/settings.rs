@@ -13,8 +13,8 @@ pub struct Settings {
     pub fitted: usize,
     /// Sets of each size and choice from which larger ones grow.
     pub grown: usize,
-    /// Whether it is told what the sets foretell and what would refute them.
-    pub foretells: bool,
+    /// Whether it is told what the sets predict and what would refute them.
+    pub predicts: bool,
 }
 
 impl Default for Settings {
@@ -25,7 +25,7 @@ impl Default for Settings {
             solved: 160,
             fitted: 40,
             grown: 40,
-            foretells: true,
+            predicts: true,
         }
     }
 }

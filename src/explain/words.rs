@@ -91,7 +91,17 @@ pub fn at_twice_sigma(sets: &[ExplainedSet], first: &str) -> String {
     }
 }
 
-/// What must be kept in mind.
+/// That fits of shown sets did not settle.
+pub fn unfitted(count: usize) -> Option<String> {
+    (count > 0).then(|| {
+        format!(
+            "The fit of {count} of the sets that are shown did not settle. They stand with the sizes at which they were found; better ones may \
+             be near."
+        )
+    })
+}
+
+/// What limits the answer.
 pub fn notes(numbers: usize, is_assumed: bool) -> Vec<String> {
     let mut notes = Vec::new();
     if is_assumed {

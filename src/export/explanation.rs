@@ -70,12 +70,16 @@ fn tried(found: &Explanation) -> String {
     };
     format!(
         "{} strengths of effects in {} families, {} numbers within their ranges; {alternatives}. {} sets were weighed, {} solved in the full \
-         model. χ² per number, of all that are stated: {} as the model stands, {} with the first set.",
+         model{}. χ² per number, of all that are stated: {} as the model stands, {} with the first set.",
         tried.strengths,
         tried.families,
         tried.inputs,
         tried.weighed,
         tried.solved,
+        match tried.unsolved {
+            0 => String::new(),
+            unsolved => format!("; {unsolved} more have no equilibrium"),
+        },
         significant(found.chi_square_per_number[0], 3),
         significant(found.chi_square_per_number[1], 3)
     )
@@ -166,7 +170,7 @@ fn readings(place: usize, set: &ExplainedSet) -> Table {
             (sign(own), own.measured)
         })
         .number(["sigma", "σ", ""], Significant(2), |own| own.sigma)
-        .number(["stated", "as stated", ""], Significant(3), |own| own.stated)
+        .number(["stated", "uncalibrated", ""], Significant(3), |own| own.stated)
         .number(["with_set", "with the set", ""], Significant(3), |own| {
             own.with_set
         })
@@ -180,12 +184,12 @@ fn forecasts(place: usize, set: &ExplainedSet) -> Table {
         .words("would be measured", |own| own.condition.as_str())
         .words("channel", |own| own.channel.name().replace('_', " "))
         .number(["r_mm", "r", "mm"], Significant(3), |own| own.r_mm)
-        .number(["stated", "as stated", ""], Significant(3), |own| own.stated)
+        .number(["stated", "uncalibrated", ""], Significant(3), |own| own.stated)
         .number(["with_set", "with the set", ""], Significant(3), |own| {
             own.with_set
         })
         .words("unit", |own| own.channel.unit())
-        .folded(12, "What it foretells")
+        .folded(12, "What it predicts")
         .table()
 }
 

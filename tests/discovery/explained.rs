@@ -154,7 +154,7 @@ fn settings() -> Settings {
         solved: 60,
         fitted: 20,
         grown: 20,
-        foretells: false,
+        predicts: false,
         ..Settings::default()
     }
 }

@@ -8,7 +8,7 @@ use crate::plot::{Chart, Figure, Ink, Key, Limit, Mark, Panel, Point, Sample, Sh
 /// Sets that are drawn.
 const DRAWN: usize = 3;
 
-/// Twist along each wing that was fitted: as measured, as the model stands, and with the first sets; none where no twist is foretold.
+/// Twist along each wing that was fitted: as measured, as the model stands, and with the first sets; none where no twist is predicted.
 pub fn figure(study: &str, found: &Explanation) -> Option<Figure> {
     let first = found.sets.first()?;
     let mut panels: Vec<Panel> = Vec::new();
@@ -36,7 +36,7 @@ pub fn figure(study: &str, found: &Explanation) -> Option<Figure> {
         legend: legend(found),
         panels,
         columns: None,
-        caption: "Lines join the stations that are foretold. Rates that were measured are integrated from the base, ± 1 σ.".to_string(),
+        caption: "Lines join the stations that are predicted. Rates that were measured are integrated from the base, ± 1 σ.".to_string(),
     })
 }
 
@@ -64,7 +64,7 @@ fn marks(found: &Explanation, case: &str) -> Vec<Mark> {
     let Some(first) = found.sets.first() else {
         return Vec::new();
     };
-    let stated = foretold(first, case, true);
+    let stated = predicted(first, case, true);
     if stated.len() < 2 {
         return Vec::new();
     }
@@ -76,7 +76,7 @@ fn marks(found: &Explanation, case: &str) -> Vec<Mark> {
     });
     for (place, set) in found.sets.iter().take(DRAWN).enumerate() {
         marks.push(Mark::Line {
-            points: foretold(set, case, false),
+            points: predicted(set, case, false),
             ink: Ink::Curve(place),
             weight: Weight::Thick,
         });
@@ -84,8 +84,8 @@ fn marks(found: &Explanation, case: &str) -> Vec<Mark> {
     marks
 }
 
-/// Twist along a wing in flight, as a set foretells it, or as the model stands.
-fn foretold(set: &ExplainedSet, case: &str, is_stated: bool) -> Vec<[f64; 2]> {
+/// Twist along a wing in flight, as a set predicts it, or as the model stands.
+fn predicted(set: &ExplainedSet, case: &str, is_stated: bool) -> Vec<[f64; 2]> {
     let condition = format!("{case} as measured");
     let rows = set
         .forecasts

@@ -1,4 +1,4 @@
-//! From a search to an answer: which sets are told.
+//! From a search to an answer: which sets are shown.
 
 use crate::progress::Progress;
 
@@ -10,7 +10,7 @@ use super::price::{Prices, of_alternative};
 use super::refit::{Solver, fitted};
 use super::report::{Explanation, Status, Tried};
 use super::scatter::reach;
-use super::sets::Told;
+use super::sets::Sets;
 use super::settings::Settings;
 use super::words;
 
@@ -30,27 +30,27 @@ pub fn explain(
     let (solvers, prices) = solvers(prepared)?;
     let flipped: Vec<usize> = prepared.iter().map(|own| own.choice.flipped.len()).collect();
     let found = searched(&solvers, &flipped, settings, progress)?;
-    let told = Told {
+    let described = Sets {
         prepared,
         solvers: &solvers,
     };
-    let now = told.ordered(&found.sets, 1.0);
-    let doubled = told.ordered(&found.sets, 2.0);
-    let is_assumed = told.is_assumed();
+    let now = described.ordered(&found.sets, 1.0);
+    let doubled = described.ordered(&found.sets, 2.0);
+    let is_assumed = described.is_assumed();
     let weights = found.sets.iter().map(|own| (-0.5 * own.solved.cost()).exp());
     let all: f64 = weights.sum();
-    let shown = shown(&told, &now, settings);
+    let shown = shown(&described, &now, settings);
     let mut sets = Vec::new();
     for own in &shown {
-        let mut set = told.set(own);
-        let is_it = |other: &InChoice| told.key(other) == told.key(own);
+        let mut set = described.set(own);
+        let is_it = |other: &InChoice| described.key(other) == described.key(own);
         set.rank_at_twice_sigma = doubled.iter().position(is_it).map(|rank| rank + 1);
         set.probability = (!is_assumed).then(|| (-0.5 * set.cost).exp() / all);
         sets.push(set);
     }
-    progress.say("what the sets foretell");
-    let left_out = match settings.foretells {
-        true => told.foretell(&shown, &mut sets, names, progress)?,
+    progress.say("what the sets predict");
+    let left_out = match settings.predicts {
+        true => described.predict(&shown, &mut sets, names, progress)?,
         false => Vec::new(),
     };
     let numbers = solvers.first().map_or(0, |solver| solver.rows.len());
@@ -58,9 +58,14 @@ pub fn explain(
         choice: 0,
         solved: solvers[0].empty(),
     };
-    let first = doubled.first().map_or(String::new(), |own| told.set(own).name);
-    let best = shown.first().map_or(0.0, |own| told.mean_square(own));
+    let first = doubled
+        .first()
+        .map_or(String::new(), |own| described.set(own).name);
+    let best = shown.first().map_or(0.0, |own| described.mean_square(own));
     let mut notes = words::notes(numbers, is_assumed);
+    notes.extend(words::unfitted(
+        shown.iter().filter(|own| !own.solved.is_fitted).count(),
+    ));
     notes.extend(left_out);
     let not_compared = prepared[0].model.not_compared().into_iter();
     notes.extend(not_compared.map(|own| format!("Not compared: {own}")));
@@ -75,8 +80,9 @@ pub fn explain(
             alternatives: alternatives(prepared),
             weighed: found.weighed,
             solved: found.sets.len(),
+            unsolved: found.unsolved,
         },
-        chi_square_per_number: [told.mean_square(&empty), best],
+        chi_square_per_number: [described.mean_square(&empty), best],
         at_twice_sigma: words::at_twice_sigma(&sets, &first),
         sets,
         notes,
@@ -84,8 +90,12 @@ pub fn explain(
 }
 
 /// The sets that are shown.
-fn shown(told: &Told, ordered: &[InChoice], settings: &Settings) -> Vec<InChoice> {
-    let of = |status: Status| ordered.iter().filter(move |own| told.status(own, 1.0) == status);
+fn shown(described: &Sets, ordered: &[InChoice], settings: &Settings) -> Vec<InChoice> {
+    let of = |status: Status| {
+        ordered
+            .iter()
+            .filter(move |own| described.status(own, 1.0) == status)
+    };
     let reach: Vec<InChoice> = of(Status::Reaches).take(settings.shown).cloned().collect();
     let others = if reach.is_empty() {
         settings.shown
