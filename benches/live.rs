@@ -8,24 +8,10 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use washout::live::follow::follow;
-use washout::live::verbs::{Save, Saved, Verbs};
-use washout::live::{Desk, Refusal, Session};
-use washout::progress::Progress;
+use washout::live::verbs::SavesNothing;
+use washout::live::{Desk, Session};
 
 const MOVES: usize = 200;
-
-/// Saves nothing.
-struct Nobody;
-
-impl Verbs for Nobody {
-    fn commands(&self, _save: &Save) -> Vec<String> {
-        Vec::new()
-    }
-
-    fn save(&self, _save: &Save, _progress: &Progress) -> Result<Saved, Refusal> {
-        Ok(Saved::default())
-    }
-}
 
 fn main() {
     fastrand::seed(20);
@@ -42,7 +28,7 @@ fn main() {
 
 fn measure(design: &str, refine: f64) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("designs/{design}.toml"));
-    let session = Session::open(&path, &[format!("mesh.refine={refine}")], Arc::new(Nobody));
+    let session = Session::open(&path, &[format!("mesh.refine={refine}")], Arc::new(SavesNothing));
     let desk = Desk::new(session.expect("a design"));
     let thread = desk.start(follow).expect("a thread");
     wait(&desk, 1, true);

@@ -81,10 +81,11 @@ fn solve(desk: &Desk, job: &Job, progress: &Progress, known: &mut Known) -> Resu
         }
     };
     let note = followed.as_ref().and_then(|followed| apart(followed, &settled));
-    if let Err(refusal) = show(desk, job, wing, &settled, true, note, start) {
+    if let Err(refusal) = show(desk, job, wing, &settled, true, start) {
         refuse(desk, job, refusal, start);
         return Ok(());
     }
+    note.into_iter().for_each(|note| remark(desk, job, &note));
     known.last = Some(settled.clone());
     beside_first(desk, job, progress, known)?;
     let settled = mesh_error(desk, job, settled, progress)?;
@@ -107,7 +108,7 @@ fn followed(
     };
     let last = known.last.as_ref().filter(is_alike)?;
     let found = wing.model.follow(&last.solution, progress).ok()?;
-    show(desk, job, wing, &found, false, None, start).ok()?;
+    show(desk, job, wing, &found, false, start).ok()?;
     known.last = Some(found.clone());
     Some(found)
 }
@@ -118,23 +119,31 @@ fn show(
     wing: &CaseWing,
     solved: &SolvedWing,
     settled: bool,
-    note: Option<String>,
     start: Instant,
 ) -> Result<(), Refusal> {
     let measured = wing.measured.as_ref();
     let read = Arc::new(read(solved, measured)?);
+    let not_compared = read.not_compared();
     let drawn = drawn(&wing.name, solved, measured, None)?;
     desk.show(job.revision, |shown| {
         let about = &mut shown.about;
         about.case = job.case;
         (about.solved, about.settled) = (true, settled);
-        (about.refusal, about.note) = (None, note);
+        (about.refusal, about.note) = (None, not_compared);
         (about.mesh_error_deg, about.stroke_phases) = (None, None);
         about.seconds = start.elapsed().as_secs_f64();
         shown.read = Some(read);
         shown.wing = Some(drawn.into());
     });
     Ok(())
+}
+
+/// Says something more of the shape that is shown.
+fn remark(desk: &Desk, job: &Job, words: &str) {
+    desk.show(job.revision, |shown| {
+        let note = shown.about.note.take();
+        shown.about.note = Some(note.map_or(words.to_string(), |note| format!("{note} {words}")));
+    });
 }
 
 /// The last shape stays, and it is said that it is not of this state.
@@ -173,7 +182,16 @@ fn beside_first(desk: &Desk, job: &Job, progress: &Progress, known: &mut Known) 
         let solved = match first.model.solve(progress) {
             Ok(solved) => solved,
             Err(WingError::Interrupted(_)) => return Err(Stopped),
-            Err(_) => return Ok(()),
+            Err(error) => {
+                remark(
+                    desk,
+                    job,
+                    &format!(
+                        "As it was opened this wing has no shape, so nothing is held against that: {error}."
+                    ),
+                );
+                return Ok(());
+            }
         };
         if let (Ok(read), Ok(curve)) = (
             read(&solved, first.measured.as_ref()),
@@ -201,11 +219,18 @@ fn beside_first(desk: &Desk, job: &Job, progress: &Progress, known: &mut Known) 
 /// What the mesh leaves; gives the wing back.
 fn mesh_error(desk: &Desk, job: &Job, wing: SolvedWing, progress: &Progress) -> Result<SolvedWing, Stopped> {
     let meshes = Meshes::of_solved(wing, &progress.unseen()).map_err(|_| Stopped)?;
-    if let Ok(error) = meshes.error() {
-        desk.show(job.revision, |shown| {
-            shown.about.mesh_error_deg = error.largest_twist_deg
-        });
-    }
+    let (found, unknown) = match meshes.error() {
+        Ok(error) => (error.largest_twist_deg, error.unknown_because),
+        Err(error) => (None, Some(error.to_string())),
+    };
+    desk.show(job.revision, |shown| shown.about.mesh_error_deg = found);
+    unknown.into_iter().for_each(|reason| {
+        remark(
+            desk,
+            job,
+            &format!("What the mesh leaves is not known: {reason}."),
+        )
+    });
     Ok(meshes.wing)
 }
 
@@ -217,8 +242,14 @@ fn motion(
     solved: &SolvedWing,
     progress: &Progress,
 ) -> Result<(), Stopped> {
-    let Some((stroke, phases)) = stroke(solved, progress).map_err(|_| Stopped)? else {
-        return Ok(());
+    let (stroke, phases) = match stroke(solved, progress) {
+        Ok(Some(moving)) => moving,
+        Ok(None) => return Ok(()),
+        Err(WingError::Interrupted(_)) => return Err(Stopped),
+        Err(error) => {
+            remark(desk, job, &format!("The stroke cannot be played: {error}."));
+            return Ok(());
+        }
     };
     if let Ok(drawn) = drawn(&wing.name, solved, wing.measured.as_ref(), Some(stroke)) {
         desk.show(job.revision, |shown| {
@@ -242,7 +273,7 @@ fn ladder(desk: &Desk, job: &Job, progress: &Progress, known: &mut Known) -> Res
             let now = desk.shown().read.filter(|_| !job.values.sets().is_empty());
             Ladder::of_design(first, now.as_deref())
         }
-        What::Study(_) => Ladder::of_study(&steps(job, progress, known)?),
+        What::Study(_) => Ladder::of_study(&steps(desk, job, progress, known)?),
     };
     desk.climb(job.revision, ladder);
     Ok(())
@@ -250,6 +281,7 @@ fn ladder(desk: &Desk, job: &Job, progress: &Progress, known: &mut Known) -> Res
 
 /// The study calibrated without any effect that was added, and with one after the other.
 fn steps(
+    desk: &Desk,
     job: &Job,
     progress: &Progress,
     known: &mut Known,
@@ -258,7 +290,20 @@ fn steps(
     let Some(study) = &job.values.study else {
         return Ok(found);
     };
-    let stages = stages(&study.loaded, &study.text).unwrap_or_default();
+    let ends = |name: &str, reason: String| {
+        remark(
+            desk,
+            job,
+            &format!("The error step by step ends before \"{name}\": {reason}."),
+        );
+    };
+    let stages = match stages(&study.loaded, &study.text) {
+        Ok(stages) => stages,
+        Err(error) => {
+            ends("calibrated", error.to_string());
+            return Ok(found);
+        }
+    };
     let sets = job.opened.sets(&job.values);
     for (name, text) in stages {
         let key = (text, sets.clone());
@@ -266,16 +311,21 @@ fn steps(
             found.push((name, compared.clone()));
             continue;
         }
-        let Ok(loaded) = job.opened.read(&key.0, &sets) else {
-            break;
+        let loaded = match job.opened.read(&key.0, &sets) {
+            Ok(loaded) => loaded,
+            Err(error) => {
+                ends(&name, error.to_string());
+                break;
+            }
         };
         let compared = ComparedStudy::new(&loaded, progress);
         progress.check().map_err(|_| Stopped)?;
-        let Ok(ComparedStudy {
-            comparison: compared, ..
-        }) = compared
-        else {
-            break;
+        let compared = match compared {
+            Ok(compared) => compared.comparison,
+            Err(error) => {
+                ends(&name, error.to_string());
+                break;
+            }
         };
         if known.compared.len() >= MOST {
             known.compared.clear();

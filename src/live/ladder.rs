@@ -12,7 +12,7 @@ use super::shape::Read;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Ladder {
     /// Its steps, from the uncalibrated model.
-    pub steps: Vec<LadderStep>,
+    pub steps: Vec<ErrorStep>,
     /// Root mean square of the stated standard deviations of twist, deg.
     pub noise_deg: Option<f64>,
     /// Error of each case as the model stands on the last step, in the order of the study.
@@ -21,7 +21,7 @@ pub struct Ladder {
 
 /// A model and its error.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LadderStep {
+pub struct ErrorStep {
     /// What the model is.
     pub label: String,
     /// Root mean square error of the twists that are fitted, deg; none where no twist was measured.
@@ -76,7 +76,7 @@ impl Ladder {
 
     /// Of a measured design: as opened, and as it stands, if that is another.
     pub fn of_design(first: &Read, now: Option<&Read>) -> Ladder {
-        let step = |label: &str, read: &Read| LadderStep {
+        let step = |label: &str, read: &Read| ErrorStep {
             label: label.to_string(),
             rms_deg: read.rms_deg,
             chi2: read.chi2.unwrap_or(0.0),
@@ -95,7 +95,7 @@ impl Ladder {
 }
 
 /// `which`: 0 uncalibrated, 1 calibrated.
-fn step(label: &str, model: &StudyComparison, which: usize) -> LadderStep {
+fn step(label: &str, model: &StudyComparison, which: usize) -> ErrorStep {
     let of = |is_held_out: bool| {
         model
             .rows
@@ -107,7 +107,7 @@ fn step(label: &str, model: &StudyComparison, which: usize) -> LadderStep {
         rms(twists.map(|row| row.errors()[which]))
     };
     let square = |row: &StudyRow| (row.errors()[which] / row.sigma).powi(2);
-    LadderStep {
+    ErrorStep {
         label: label.to_string(),
         rms_deg: twists(false),
         chi2: of(false).map(square).sum(),

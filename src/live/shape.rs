@@ -6,11 +6,11 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::compare::span::SpanComparison;
-use crate::compare::{Comparison, compare};
+use crate::compare::{ComparedStation, Comparison, compare};
 use crate::export::html::Wing;
 use crate::export::html::measured::Measured;
 use crate::export::html::stroke::Stroke;
-use crate::input::measurement::{Channel, Measurement};
+use crate::input::measurement::{Bound, Channel, Measurement};
 use crate::lift::LiftReport;
 use crate::observation::TwistReading;
 use crate::page::text::significant;
@@ -41,6 +41,8 @@ pub struct MeasuredCurve {
     pub twist_deg: Vec<f64>,
     /// Its standard deviation, deg.
     pub sigma_deg: Vec<f64>,
+    /// Whether it is only a bound.
+    pub bound: Vec<Bound>,
 }
 
 /// A number of the whole wing.
@@ -111,6 +113,21 @@ pub struct Read {
     pub count: usize,
     /// Whether the shape stands.
     pub stability: Stability,
+    /// Measured numbers that the model cannot be compared with, and why.
+    #[serde(skip)]
+    left_out: Vec<String>,
+}
+
+impl Read {
+    /// What is not compared, in words; none if all is.
+    pub fn not_compared(&self) -> Option<String> {
+        let first = self.left_out.first()?;
+        let more = match self.left_out.len() - 1 {
+            0 => String::new(),
+            more => format!("; and {more} more"),
+        };
+        Some(format!("Not compared: {first}{more}."))
+    }
 }
 
 /// Twist along the span.
@@ -191,6 +208,11 @@ pub fn read(wing: &SolvedWing, measured: Option<&Measurement>) -> Result<Read, R
         count: residuals.len(),
         residuals,
         stability: stability(wing),
+        left_out: comparison
+            .iter()
+            .flat_map(|own| &own.not_compared)
+            .map(|own| format!("line {}, {}: {}", own.line, own.channel.name(), own.reason))
+            .collect(),
     })
 }
 
@@ -206,12 +228,13 @@ fn attack(readings: &[TwistReading]) -> Option<Attack> {
 }
 
 fn measured_curve(span: &SpanComparison) -> MeasuredCurve {
-    let of = |value: fn(&crate::compare::ComparedStation) -> f64| span.stations.iter().map(value).collect();
+    let of = |value: fn(&ComparedStation) -> f64| span.stations.iter().map(value).collect();
     MeasuredCurve {
         run: span.run.clone(),
         r_mm: of(|station| station.r_mm),
         twist_deg: of(|station| station.measured_deg),
         sigma_deg: of(|station| station.sigma_deg),
+        bound: span.stations.iter().map(|station| station.bound).collect(),
     }
 }
 

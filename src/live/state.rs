@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::effects::Strength;
 use super::inputs::Input;
-use super::ladder::LadderStep;
+use super::ladder::ErrorStep;
 use super::opened::Case;
 
 /// What there is to be moved, and where it stands.
@@ -35,7 +35,7 @@ pub struct State {
     /// What redo does again, in words.
     pub redo: Option<String>,
     /// The error falling, as far as it is known.
-    pub ladder: Vec<LadderStep>,
+    pub ladder: Vec<ErrorStep>,
     /// Root mean square of the stated standard deviations of twist, deg: the floor that the error can fall to.
     pub noise_deg: Option<f64>,
     /// Whether anything was measured.

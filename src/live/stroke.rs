@@ -14,26 +14,20 @@ use super::shape::Phase;
 /// Phases of the stroke that are shown.
 const PHASES: u16 = 24;
 
-/// The periodic motion of a wing, and its phases; none where it does not flap or has no such motion.
+/// The periodic motion of a wing, and its phases; none where it does not flap.
 ///
 /// # Errors
-/// If somebody asked to stop.
+/// If it has no such motion, or somebody asked to stop.
 pub fn stroke(wing: &SolvedWing, progress: &Progress) -> Result<Option<(Stroke, Vec<Phase>)>, WingError> {
     let model = &wing.model;
     if model.design().flapping.is_none() {
         return Ok(None);
     }
     let mut grids = Vec::new();
-    let found = periodic_stroke(wing, PHASES, progress, |shape| -> Result<(), WingError> {
+    let summary = periodic_stroke(wing, PHASES, progress, |shape| -> Result<(), WingError> {
         grids.push(grid(&shape));
         Ok(())
-    });
-    let summary = match found {
-        Ok(summary) => summary,
-        Err(WingError::Interrupted(cancelled)) => return Err(cancelled.into()),
-        // the shape at mid-stroke stands without it
-        Err(_) => return Ok(None),
-    };
+    })?;
     progress.check()?;
     let (design, solution) = (model.design(), &wing.solution);
     let still = vec![0.0; solution.mesh.nodes.len()];

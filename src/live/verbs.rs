@@ -55,3 +55,17 @@ pub trait Verbs: Send + Sync {
     /// If something cannot be written.
     fn save(&self, save: &Save, progress: &Progress) -> Result<Saved, Refusal>;
 }
+
+/// Verbs of a program that saves nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct SavesNothing;
+
+impl Verbs for SavesNothing {
+    fn commands(&self, _save: &Save) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn save(&self, _save: &Save, _progress: &Progress) -> Result<Saved, Refusal> {
+        Ok(Saved::default())
+    }
+}

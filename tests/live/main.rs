@@ -10,33 +10,20 @@ use fastrand::Rng;
 use serde_json::Value;
 use washout::live::follow::follow;
 use washout::live::values::Addition;
-use washout::live::verbs::{Save, Saved, Verbs};
+use washout::live::verbs::SavesNothing;
 use washout::live::{Desk, Refusal, Session};
-use washout::progress::Progress;
 
 /// Actions of a sequence.
 const ACTIONS: usize = 30;
 const COARSE: &str = "mesh.refine=0.3";
-
-/// Saves nothing.
-struct Nobody;
-
-impl Verbs for Nobody {
-    fn commands(&self, _save: &Save) -> Vec<String> {
-        Vec::new()
-    }
-
-    fn save(&self, _save: &Save, _progress: &Progress) -> Result<Saved, Refusal> {
-        Ok(Saved::default())
-    }
-}
 
 fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
 }
 
 fn open(path: &Path) -> Session {
-    Session::open(path, &[COARSE.to_string()], Arc::new(Nobody)).unwrap_or_else(|error| panic!("{error}"))
+    Session::open(path, &[COARSE.to_string()], Arc::new(SavesNothing))
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// One thing that somebody does on the page; most are accepted.

@@ -41,13 +41,6 @@ pub fn page(
         ..Page::default()
     };
     let of_kind = |ending: &'static str| contents.files.iter().filter(move |file| file.ends_with(ending));
-    let document = contents.document.clone();
-    if let Some(answer) = contents.answer {
-        page.lead.push_str(&paragraph(&answer.title));
-        page.add(answer, document)?;
-    } else {
-        page.documents.push(document);
-    }
     let mut pictures = String::new();
     for file in of_kind(".svg") {
         let svg = String::from_utf8_lossy(&read(file)?).into_owned();
@@ -62,9 +55,17 @@ pub fn page(
     for file in of_kind(".csv") {
         tables.push_str(&table(file, &read(file)?));
     }
+    let data = all_numbers(&contents.document);
+    match contents.answer {
+        Some(answer) => {
+            page.lead.push_str(&paragraph(&answer.title));
+            page.add(answer, contents.document)?;
+        }
+        None => page.documents.push(contents.document),
+    }
     page.section("pictures", "Pictures", pictures);
     page.section("tables", "Tables", tables);
-    page.section("data", "Data", all_numbers(&contents.document));
+    page.section("data", "Data", data);
     Ok(page)
 }
 

@@ -97,7 +97,13 @@ function chart(name, spec) {
   function readings(own) {
     own.x.forEach(function (x, k) {
       if (!isNumber(own.y[k]) || !isNumber(x)) return;
-      var left = xAt(x), top = yAt(own.y[k]), sigma = own.sigma && own.sigma[k];
+      var left = xAt(x), top = yAt(own.y[k]), sigma = own.sigma && own.sigma[k], bound = own.bound && own.bound[k];
+      // A bound is a stroke with an arrow to the side that it allows, and no reading.
+      if (bound === "upper" || bound === "lower") {
+        var way = bound === "upper" ? 1 : -1;
+        draw(svg, "path", { "class": "error " + own.look, d: "M" + (left - 6) + " " + top + "h12M" + left + " " + top + "v" + 14 * way + "m-4 " + -5 * way + "l4 " + 5 * way + "l4 " + -5 * way });
+        return;
+      }
       if (sigma) {
         var low = yAt(own.y[k] - sigma), high = yAt(own.y[k] + sigma);
         draw(svg, "path", { "class": "error " + own.look, d: "M" + left + " " + low + "V" + high + "M" + (left - 3) + " " + low + "h6M" + (left - 3) + " " + high + "h6" });

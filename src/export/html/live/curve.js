@@ -17,7 +17,7 @@ function curve() {
     if (tried) lines.push({ name: "with " + tried.name, look: "tried", x: tried.r_mm, y: tried.twist_deg });
     var points = (twist.measured || []).map(function (run, k) {
       var name = twist.measured.length > 1 && run.run ? "measured, " + run.run : "measured";
-      return { name: name, look: "measured", mark: k, x: run.r_mm, y: run.twist_deg, sigma: run.sigma_deg || [] };
+      return { name: name, look: "measured", mark: k, x: run.r_mm, y: run.twist_deg, sigma: run.sigma_deg || [], bound: run.bound || [] };
     });
     own.show({ lines: lines, points: points, bands: [] }, {
       heads: ["distance from the base (mm)"].concat(lines.map(function (line) { return line.name + " (deg)"; })),
