@@ -6,7 +6,7 @@ use toml_edit::{Array, DocumentMut, Item, Table, Value, value};
 
 use crate::geometry::DrawnWing;
 use crate::input::InputError;
-use crate::input::drawing::Drawing;
+use crate::input::drawing::{Drawing, counted};
 use crate::page::text::{significant, wrapped};
 
 /// A wing that was drawn, and its drawing.
@@ -82,15 +82,21 @@ impl Drawn {
         };
         let at_ends = [self.wing.points_mm.first(), self.wing.points_mm.last()];
         let [base, tip] = at_ends.map(|point| point.map_or(0.0, |[_, chord]| *chord));
+        let left_out = counted(" Not used of the drawing: ", &self.drawing.left_out);
         let words = format!(
-            "{}: a wing of {} mm, its chord {} mm at the base, {} mm at most, {} mm at the tip. Units of the drawing: {}. Rod and spars \
-             are those of the design to start from, moved along with the length: put in your own.",
+            "{}: a wing of {} mm, its chord {} mm at the base, {} mm at most, {} mm at the tip. Units of the drawing: {}.{left_out}{} The \
+             leading edge is taken as straight: the drawn one leaves its mean level by up to {} mm. The {} points of the outline leave the \
+             drawn chord by up to {} mm. Rod and spars are those of the design to start from, moved along with the length: put in your own.",
             self.drawing.file.file,
             significant(self.wing.length_mm, 4),
             significant(base, 3),
             chord(f64::max, 0.0),
             significant(tip, 3),
-            self.drawing.unit
+            self.drawing.unit,
+            if left_out.is_empty() { "" } else { "." },
+            significant(self.wing.off_level_mm, 2),
+            self.wing.points_mm.len(),
+            significant(self.wing.off_chord_mm, 2),
         );
         wrapped(&words, 0) + "\n"
     }

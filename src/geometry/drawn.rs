@@ -28,6 +28,8 @@ pub struct DrawnWing {
     pub points_mm: Vec<[f64; 2]>,
     /// Largest distance of the leading edge from its mean level, mm.
     pub off_level_mm: f64,
+    /// Largest distance of the chord between the points from the drawn one, mm.
+    pub off_chord_mm: f64,
 }
 
 impl DrawnWing {
@@ -66,10 +68,15 @@ impl DrawnWing {
             let chord = &mut chords[end][1];
             *chord = if *chord < MEET * largest { 0.0 } else { *chord };
         }
+        let (points_mm, off_chord_mm) = thinned(&chords).ok_or_else(|| GeometryError::Drawn {
+            problem: "its edges leave the range of numbers".to_string(),
+            cure: "draw the wing in millimetres",
+        })?;
         Ok(DrawnWing {
             length_mm,
-            points_mm: thinned(&chords),
+            points_mm,
             off_level_mm,
+            off_chord_mm,
         })
     }
 }
@@ -122,26 +129,29 @@ fn off_level(looked: &[[f64; 3]], length_mm: f64) -> Result<f64, GeometryError> 
     })
 }
 
-/// As few of the points as keep the chord between them, by the spline that will join them.
-fn thinned(chords: &[[f64; 2]]) -> Vec<[f64; 2]> {
+/// As few of the points as keep the chord between them, by the spline that will join them, and how far it leaves the chord.
+fn thinned(chords: &[[f64; 2]]) -> Option<(Vec<[f64; 2]>, f64)> {
     let largest = chords.iter().map(|[_, chord]| *chord).fold(0.0, f64::max);
+    let rounded = |value: f64| (value * 1e3).round() * 1e-3;
     let mut taken = vec![0, chords.len() / 2, chords.len() - 1];
-    while taken.len() < MOST {
+    loop {
         let points: Vec<[f64; 2]> = taken.iter().map(|index| chords[*index]).collect();
-        let Some(spline) = MonotoneSpline::through(&points) else {
-            break;
-        };
-        let error = |[r, chord]: &[f64; 2]| (spline.value_and_slope(*r).0 - chord).abs();
-        let worst = (0..chords.len()).max_by(|a, b| error(&chords[*a]).total_cmp(&error(&chords[*b])));
-        let Some(worst) = worst.filter(|index| error(&chords[*index]) > CLOSE * largest) else {
-            break;
-        };
+        let spline = MonotoneSpline::through(&points)?;
+        let off = chords
+            .iter()
+            .map(|[r, chord]| (spline.value_and_slope(*r).0 - chord).abs());
+        let (worst, off_mm) = off
+            .enumerate()
+            .fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
+        if off_mm <= CLOSE * largest || taken.len() == MOST {
+            return Some((
+                points.into_iter().map(|point| point.map(rounded)).collect(),
+                off_mm,
+            ));
+        }
         taken.push(worst);
         taken.sort_unstable();
     }
-    let rounded = |value: f64| (value * 1e3).round() * 1e-3;
-    let points = taken.into_iter().map(|index| chords[index].map(rounded));
-    points.collect()
 }
 
 #[cfg(test)]
@@ -171,6 +181,7 @@ mod tests {
             ([0.0, 0.0], [70.0, 0.0])
         );
         assert!(wing.points_mm.len() <= MOST, "{}", wing.points_mm.len());
+        assert!(wing.off_chord_mm <= CLOSE * 20.0, "{}", wing.off_chord_mm);
         let spline = MonotoneSpline::through(&wing.points_mm).expect("a spline");
         for k in 2..=98 {
             let r = 0.7 * f64::from(k);

@@ -1,17 +1,24 @@
 //! Open lines whose ends meet, joined to closed ones.
 
-/// Closed lines, mm, x to the right and y upward, and what a unit of the drawing was taken for, in words.
-pub(super) type Lines = (Vec<Vec<[f64; 2]>>, String);
+/// The lines of a drawing.
+pub(super) struct Lines {
+    /// Those that are closed, mm, x to the right and y upward.
+    pub closed: Vec<Vec<[f64; 2]>>,
+    /// What a unit of the drawing was taken for, in words.
+    pub unit: String,
+    /// What of the drawing was not read: its kind, and how many.
+    pub left_out: Vec<(String, usize)>,
+}
 
 /// Distance of two ends that are one point, over the size of the drawing.
 const TOUCH: f64 = 1e-3;
 
-/// Closed lines out of open ones, each the points of one piece in order.
-pub(super) fn closed(mut open: Vec<Vec<[f64; 2]>>) -> Vec<Vec<[f64; 2]>> {
+/// Closed lines out of open ones, each the points of one piece in order, and the number of chains that stay open.
+pub(super) fn closed(mut open: Vec<Vec<[f64; 2]>>) -> (Vec<Vec<[f64; 2]>>, usize) {
     open.retain(|line| line.len() > 1);
     let touch = TOUCH * size(&open);
     let near = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) <= touch;
-    let mut found = Vec::new();
+    let (mut found, mut stay_open) = (Vec::new(), 0);
     while let Some(mut chain) = open.pop() {
         loop {
             let (first, last) = (chain[0], chain[chain.len() - 1]);
@@ -23,7 +30,10 @@ pub(super) fn closed(mut open: Vec<Vec<[f64; 2]>>) -> Vec<Vec<[f64; 2]>> {
             let next = open
                 .iter()
                 .position(|line| near(line[0], last) || near(line[line.len() - 1], last));
-            let Some(next) = next else { break };
+            let Some(next) = next else {
+                stay_open += 1;
+                break;
+            };
             let mut line = open.swap_remove(next);
             if !near(line[0], last) {
                 line.reverse();
@@ -31,7 +41,7 @@ pub(super) fn closed(mut open: Vec<Vec<[f64; 2]>>) -> Vec<Vec<[f64; 2]>> {
             chain.extend_from_slice(&line[1..]);
         }
     }
-    found
+    (found, stay_open)
 }
 
 /// The larger side of the box around all points.
@@ -58,8 +68,8 @@ mod tests {
             vec![[9.0, 9.0], [8.0, 8.0]],
             vec![[0.0, 0.0], [2.0, 2.0], [4.0, 3.001]],
         ];
-        let found = closed(open);
-        assert_eq!(found.len(), 1);
+        let (found, stay_open) = closed(open);
+        assert_eq!((found.len(), stay_open), (1, 1));
         assert_eq!(found[0].len(), 4);
     }
 }

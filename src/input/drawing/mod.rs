@@ -23,6 +23,8 @@ pub struct Drawing {
     pub outline_mm: Vec<[f64; 2]>,
     /// What a unit of the drawing was taken for, in words.
     pub unit: String,
+    /// What else stands in the drawing and was not taken: its kind, and how many (at least one).
+    pub left_out: Vec<(String, usize)>,
 }
 
 impl Drawing {
@@ -46,8 +48,15 @@ impl Drawing {
             }
         };
         let (text, file) = read_input(path, "drawing")?;
-        let (lines, unit) = read(&name, &text)?;
+        let lines = read(&name, &text)?;
+        let mut left_out = lines.left_out;
+        left_out.push((
+            "smaller closed line".to_string(),
+            lines.closed.len().saturating_sub(1),
+        ));
+        left_out.retain(|(_, count)| *count > 0);
         let largest = lines
+            .closed
             .into_iter()
             .filter(|line| line.len() > 2)
             .max_by(|a, b| area(a).abs().total_cmp(&area(b).abs()));
@@ -55,14 +64,24 @@ impl Drawing {
             Some(outline_mm) if area(&outline_mm).abs() > 0.0 => Ok(Drawing {
                 file,
                 outline_mm,
-                unit,
+                unit: lines.unit,
+                left_out,
             }),
             _ => Err(InputError::about_file(
                 &name,
-                "holds no closed line",
+                format!("holds no closed line{}", counted(" but ", &left_out)),
                 "Draw the outline of the wing as one closed polyline or path, or as lines and arcs whose ends meet",
             )),
         }
+    }
+}
+
+/// Kinds with their number, after `lead`; nothing where there are none.
+pub(crate) fn counted(lead: &str, kinds: &[(String, usize)]) -> String {
+    let each = kinds.iter().map(|(kind, count)| format!("{count} × {kind}"));
+    match kinds.is_empty() {
+        true => String::new(),
+        false => format!("{lead}{}", each.collect::<Vec<_>>().join(", ")),
     }
 }
 

@@ -10,15 +10,16 @@ use crate::input::error::InputError;
 /// Millimetres of a pixel: 96 of them are an inch (CSS).
 const PIXEL_MM: f64 = 25.4 / 96.0;
 
-/// Closed lines, mm, y upward, and what a unit was taken for.
+/// The lines of an SVG, with the open ones joined where their ends meet.
 pub(super) fn lines_mm(file: &str, text: &str) -> Result<Lines, InputError> {
     let tree = Tree::from_str(text, &Options::default()).map_err(|error| {
         let cure = "Save the drawing as plain SVG";
         InputError::about_file(file, format!("is no SVG that can be read: {error}"), cure)
     })?;
-    let (mut whole, mut open) = (Vec::new(), Vec::new());
-    walk(tree.root(), &mut whole, &mut open);
-    whole.extend(closed(open));
+    let mut found = Found::default();
+    found.walk(tree.root());
+    let (joined, stay_open) = closed(found.open);
+    found.closed.extend(joined);
     let has_unit = ["mm\"", "cm\"", "in\"", "mm'", "cm'", "in'"];
     let head = text.split_once("<svg").map_or("", |(_, rest)| rest);
     let head = head.split_once('>').map_or("", |(head, _)| head);
@@ -26,34 +27,54 @@ pub(super) fn lines_mm(file: &str, text: &str) -> Result<Lines, InputError> {
         true => "as its width and height state",
         false => "pixels of 1/96 inch, for the file states no other unit",
     };
-    Ok((whole, unit.to_string()))
+    Ok(Lines {
+        closed: found.closed,
+        unit: unit.to_string(),
+        left_out: vec![
+            ("line that stays open".to_string(), stay_open),
+            ("picture".to_string(), found.pictures),
+            ("text".to_string(), found.texts),
+        ],
+    })
 }
 
-fn walk(group: &Group, whole: &mut Vec<Vec<[f64; 2]>>, open: &mut Vec<Vec<[f64; 2]>>) {
-    for node in group.children() {
-        match node {
-            Node::Group(group) => walk(group, whole, open),
-            Node::Path(path) => add(path, whole, open),
-            _ => {}
-        }
-    }
+/// What stands in the groups of an SVG.
+#[derive(Default)]
+struct Found {
+    closed: Vec<Vec<[f64; 2]>>,
+    open: Vec<Vec<[f64; 2]>>,
+    pictures: usize,
+    texts: usize,
 }
 
-fn add(path: &Path, whole: &mut Vec<Vec<[f64; 2]>>, open: &mut Vec<Vec<[f64; 2]>>) {
-    let Some(data) = path.data().clone().transform(path.abs_transform()) else {
-        return;
-    };
-    let mut line: Vec<[f64; 2]> = Vec::new();
-    let at = |point: Point| [f64::from(point.x) * PIXEL_MM, -f64::from(point.y) * PIXEL_MM];
-    for segment in data.segments() {
-        let last = line.last().copied().unwrap_or_default();
-        match segment {
-            PathSegment::MoveTo(to) => open.push(std::mem::replace(&mut line, vec![at(to)])),
-            PathSegment::LineTo(to) => line.push(at(to)),
-            PathSegment::QuadTo(a, to) => line.extend(bezier(&[last, at(a), at(to)])),
-            PathSegment::CubicTo(a, b, to) => line.extend(bezier(&[last, at(a), at(b), at(to)])),
-            PathSegment::Close => whole.push(std::mem::take(&mut line)),
+impl Found {
+    fn walk(&mut self, group: &Group) {
+        for node in group.children() {
+            match node {
+                Node::Group(group) => self.walk(group),
+                Node::Path(path) => self.add(path),
+                Node::Image(_) => self.pictures += 1,
+                Node::Text(_) => self.texts += 1,
+            }
         }
     }
-    open.push(line);
+
+    fn add(&mut self, path: &Path) {
+        let Some(data) = path.data().clone().transform(path.abs_transform()) else {
+            return;
+        };
+        let mut line: Vec<[f64; 2]> = Vec::new();
+        let at = |point: Point| [f64::from(point.x) * PIXEL_MM, -f64::from(point.y) * PIXEL_MM];
+        for segment in data.segments() {
+            let last = line.last().copied().unwrap_or_default();
+            match segment {
+                PathSegment::MoveTo(to) => self.open.push(std::mem::replace(&mut line, vec![at(to)])),
+                PathSegment::LineTo(to) => line.push(at(to)),
+                PathSegment::QuadTo(a, to) => line.extend(bezier(&[last, at(a), at(to)])),
+                PathSegment::CubicTo(a, b, to) => line.extend(bezier(&[last, at(a), at(b), at(to)])),
+                PathSegment::Close => self.closed.push(std::mem::take(&mut line)),
+            }
+        }
+        self.open.push(line);
+    }
 }
