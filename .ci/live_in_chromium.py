@@ -359,7 +359,7 @@ def differences(live):
 
 def wander(asked, faults):
     """Random sequences of actions: no error on the console, and in the end the page shows what the program says."""
-    live, chance = Live(asked, "random"), random.Random(17)
+    live, chance = Live(asked, "random"), random.Random(asked.seed)
     page = live.page
     for sequence in range(asked.sequences):
         done = []
@@ -475,6 +475,7 @@ def main():
     parser.add_argument("--moves", type=int, default=60)
     parser.add_argument("--sequences", type=int, default=20)
     parser.add_argument("--actions", type=int, default=30)
+    parser.add_argument("--seed", type=int, default=17, help="of the random sequences")
     parser.add_argument("--only", nargs="*", default=["pointer", "keys", "looks", "files", "alone", "random"])
     asked = parser.parse_args()
     asked.washout, asked.work, faults = asked.washout.resolve(), asked.work.resolve(), []

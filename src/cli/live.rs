@@ -1,4 +1,4 @@
-//! `washout live`: a design or a study on a page, where its inputs are moved and the wing follows.
+//! `washout live`: a design or a study on a page, where its inputs are moved and the wing follows; frames of a video, to be marked.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -8,9 +8,11 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::export::file::{refuse_any, write_new};
+use crate::export::html::frames;
 use crate::export::html::live::{alone, page};
 use crate::live::follow::follow;
 use crate::live::grid::grid;
+use crate::live::marking::{Marking, cut, is_video};
 use crate::live::server::Server;
 use crate::live::{Desk, Refusal, Session};
 use crate::page::text::significant;
@@ -27,6 +29,8 @@ use super::{Console, Failure};
   washout live studies/three-rods.toml
   # on the mesh half as fine, which answers at once
   washout live designs/twist-v2.toml --set mesh.refine=0.5
+  # frames of a video: click both edges of the wing, see the twist grow
+  washout live my-frames/
   # the address only, for a browser that is opened by hand
   washout live designs/twist-v2.toml --no-open --port 8080
   # one file for others, in which sliders move through solved wings
@@ -35,8 +39,8 @@ use super::{Console, Failure};
 
 The page is served on 127.0.0.1 alone, under an address that nobody guesses, and works without network. Nothing is written until something is saved on the page. Ctrl-C ends it.")]
 pub struct Live {
-    /// The design or the study
-    #[arg(value_name = "DESIGN|STUDY")]
+    /// The design, the study, the folder of images (PNG, JPEG) or the video
+    #[arg(value_name = "DESIGN|STUDY|FRAMES")]
     pub file: PathBuf,
     /// Set a key of the design, or of every design of the study; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]
@@ -68,6 +72,9 @@ impl Live {
     /// Serves the page until Ctrl-C; `verbs` runs the commands that save.
     pub fn run(&self, verbs: Run, console: &Console) -> Result<(), Failure> {
         let stop = console.progress();
+        if self.file.is_dir() || is_video(&self.file) {
+            return self.marked(console);
+        }
         let session = Session::open(&self.file, &self.set, Arc::new(ByCommands(verbs)));
         let session = session.map_err(|refusal| self.refused(refusal))?;
         let nodes = session
@@ -81,14 +88,57 @@ impl Live {
         if let Some(file) = &self.export {
             return self.exported(&session, file, console);
         }
-        let server = Server::bind(self.port).map_err(|error| Failure::Option {
-            option: "--port",
-            reason: format!("cannot listen on 127.0.0.1:{}: {error}", self.port),
-        })?;
-        let address = server.address();
+        let server = self.server()?;
         let desk = Desk::new(session);
         let threads = |error: std::io::Error| Failure::Threads(error.to_string());
         let follower = desk.start(follow).map_err(threads)?;
+        self.open(&server, console)?;
+        let served = server.serve(&desk, page, stop);
+        desk.close();
+        // it ends as soon as the solve that runs hears of it
+        let _ = follower.join();
+        served.map_err(Failure::Output)
+    }
+
+    /// Serves the frames of a folder or a video until Ctrl-C.
+    fn marked(&self, console: &Console) -> Result<(), Failure> {
+        let strange = [
+            ("--set", !self.set.is_empty()),
+            ("--export", self.export.is_some()),
+        ];
+        if let Some((option, _)) = strange.into_iter().find(|(_, stands)| *stands) {
+            let reason = "belongs to a design or a study; these are frames to be marked".to_string();
+            return Err(Failure::Option { option, reason });
+        }
+        let stop = console.progress();
+        let folder = match self.file.is_dir() {
+            true => self.file.clone(),
+            false => {
+                let frames = cut(&self.file, stop);
+                stop.check()?;
+                let frames = frames.map_err(|refusal| self.refused(refusal))?;
+                console.note(frames.note);
+                frames.folder
+            }
+        };
+        let marking = Marking::open(&folder).map_err(|refusal| self.refused(refusal))?;
+        let server = self.server()?;
+        self.open(&server, console)?;
+        let served = server.serve_frames(Arc::new(marking), frames::page, stop);
+        served.map_err(Failure::Output)
+    }
+
+    /// Listens.
+    fn server(&self) -> Result<Server, Failure> {
+        Server::bind(self.port).map_err(|error| Failure::Option {
+            option: "--port",
+            reason: format!("cannot listen on 127.0.0.1:{}: {error}", self.port),
+        })
+    }
+
+    /// Says where the page is, and opens it.
+    fn open(&self, server: &Server, console: &Console) -> Result<(), Failure> {
+        let address = server.address();
         let page_of = format!(
             "{address}\n{} on this page; it is for this machine alone. Ctrl-C ends it.\n",
             self.file.display()
@@ -105,11 +155,7 @@ impl Live {
                 "no browser could be opened ({error}); open the address by hand"
             ));
         }
-        let served = server.serve(&desk, page, stop);
-        desk.close();
-        // it ends as soon as the solve that runs hears of it
-        let _ = follower.join();
-        served.map_err(Failure::Output)
+        Ok(())
     }
 
     /// Solves the grid and writes its page.

@@ -164,7 +164,7 @@ pub enum Verb {
     Explain(explain::Explain),
     /// Add an effect to the model of a study, and see the error fall
     Add(add::Add),
-    /// Move the inputs of a design or a study on a page in the browser, and see the wing follow
+    /// Move the inputs of a design or a study on a page in the browser, and see the wing follow; or mark the frames of a video
     Live(live::Live),
     /// Make measurements with a hidden effect, to try a campaign before trusting it
     Synthesize(synthesize::Synthesize),

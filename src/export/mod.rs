@@ -133,6 +133,9 @@ pub mod trust;
 pub mod verification;
 
 #[cfg(feature = "cli")]
+pub mod marks;
+
+#[cfg(feature = "cli")]
 pub mod video;
 
 #[cfg(feature = "cli")]

@@ -75,7 +75,8 @@ impl MeasureReport {
         let video = twist_from_video(loaded);
         let shared = |index: usize| {
             let moves = video.shared.iter().map(|shared| shared.moves_rad[index].powi(2));
-            moves.sum::<f64>().sqrt().to_degrees()
+            // a sum of nothing is -0
+            (0.0 + moves.sum::<f64>()).sqrt().to_degrees()
         };
         let readings = video.readings.iter().enumerate();
         let readings = readings.map(|(index, reading)| MeasuredTwist {

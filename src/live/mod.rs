@@ -46,6 +46,8 @@ pub mod question;
 
 pub mod asking;
 
+pub mod marking;
+
 pub mod server;
 
 pub use desk::Desk;

@@ -43,6 +43,8 @@ pub mod diagnosis;
 
 pub mod folder;
 
+pub mod frames;
+
 pub mod live;
 
 pub use document::{Digits, Document};

@@ -9,6 +9,7 @@ use crate::plot::pen::escaped;
 pub(super) const STYLE: &str = include_str!("style.css");
 /// What draws and turns the wing.
 pub(super) const VIEWER_FILES: &str = concat!(
+    include_str!("viewer/plain.js"),
     include_str!("viewer/wing.js"),
     include_str!("viewer/measured.js"),
     include_str!("viewer/camera.js"),

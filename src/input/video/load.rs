@@ -53,20 +53,31 @@ pub struct VideoStation {
     pub trailing: Mark,
 }
 
+impl Video {
+    /// Reads a video file without its marks.
+    ///
+    /// # Errors
+    /// Whatever is wrong with it, with place and cure.
+    pub fn load(path: &Path) -> Result<Video, InputError> {
+        Video::read(&file::shown(path), &file::read_text(path, "video file")?)
+    }
+
+    /// Reads its text; the name stands in errors.
+    ///
+    /// # Errors
+    /// Whatever is wrong with it, with place and cure.
+    pub fn read(name: &str, text: &str) -> Result<Video, InputError> {
+        Ok(description(name, text)?.0)
+    }
+}
+
 impl LoadedVideo {
     /// Reads a video file and its marks.
     ///
     /// # Errors
     /// Whatever is wrong with them, with place and cure.
     pub fn load(path: &Path) -> Result<LoadedVideo, InputError> {
-        let root = Node::parse_file(&file::shown(path), &file::read_text(path, "video file")?)?;
-        format_is_one(&root)?;
-        form::check(&root, keys::video())?;
-        let video = Video::deserialize(&root.to_json()).map_err(|error| {
-            let message = format!("cannot be read: {error}");
-            InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
-        })?;
-        check(&video, &root)?;
+        let (video, root) = description(&file::shown(path), &file::read_text(path, "video file")?)?;
         let marks_path: PathBuf = file::beside(path, &video.marks);
         if !marks_path.is_file() {
             let cure = format!(
@@ -75,8 +86,24 @@ impl LoadedVideo {
             );
             return refuse(&root, "marks", "no such file", &[], cure);
         }
-        let marks_file = file::shown(&marks_path);
-        let points = read(&marks_file, &file::read_text(&marks_path, "file of marks")?)?;
+        let text = file::read_text(&marks_path, "file of marks")?;
+        LoadedVideo::of(video, &root, file::shown(&marks_path), &text)
+    }
+
+    /// Reads the text of a video file and that of its marks; the names stand in errors.
+    ///
+    /// # Errors
+    /// Whatever is wrong with them, with place and cure.
+    pub fn read(
+        (name, text): (&str, &str),
+        (marks_name, marks): (&str, &str),
+    ) -> Result<LoadedVideo, InputError> {
+        let (video, root) = description(name, text)?;
+        LoadedVideo::of(video, &root, marks_name.to_string(), marks)
+    }
+
+    fn of(video: Video, root: &Node, marks_file: String, marks: &str) -> Result<LoadedVideo, InputError> {
+        let points = read(&marks_file, marks)?;
         let mut frames = frames(&points)?;
         let rest = match &video.rest {
             None => None,
@@ -85,7 +112,7 @@ impl LoadedVideo {
                 None => {
                     let names: Vec<&str> = frames.iter().map(|frame| frame.name.as_str()).collect();
                     let cure = format!("The frames of {marks_file} are {}", names.join(", "));
-                    return refuse(&root, "rest", "there is no such frame", &["marks"], cure);
+                    return refuse(root, "rest", "there is no such frame", &["marks"], cure);
                 }
             },
         };
@@ -95,7 +122,7 @@ impl LoadedVideo {
             rest,
             frames,
         };
-        loaded.is_enough(&root, &points)?;
+        loaded.is_enough(root, &points)?;
         Ok(loaded)
     }
 
@@ -183,6 +210,19 @@ impl LoadedVideo {
             _ => Ok(()),
         }
     }
+}
+
+/// The description alone, all that stands in it in order.
+fn description(name: &str, text: &str) -> Result<(Video, Node), InputError> {
+    let root = Node::parse_file(name, text)?;
+    format_is_one(&root)?;
+    form::check(&root, keys::video())?;
+    let video = Video::deserialize(&root.to_json()).map_err(|error| {
+        let message = format!("cannot be read: {error}");
+        InputError::new(root.file(), "", "", Problem::Syntax { message }, "")
+    })?;
+    check(&video, &root)?;
+    Ok((video, root))
 }
 
 fn check(video: &Video, root: &Node) -> Result<(), InputError> {

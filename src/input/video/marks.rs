@@ -1,6 +1,9 @@
 //! Marks of a video: clicks on one point averaged, their scatter kept.
 
+use serde::{Deserialize, Serialize};
+
 use crate::input::error::{InputError, Range};
+use crate::input::file;
 use crate::input::table::{Record, Table};
 
 /// Columns of a file of marks.
@@ -24,12 +27,53 @@ pub struct Mark {
 }
 
 /// What was clicked.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Which {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Which {
+    /// The leading edge.
     Leading,
+    /// The trailing edge.
     Trailing,
+    /// The first of two points that do not move.
     ReferenceA,
+    /// The second.
     ReferenceB,
+}
+
+/// One click, as a row of the file of marks has it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Click {
+    /// Name of the frame.
+    pub frame: String,
+    /// Station, mm from the wing base; none for a reference point.
+    pub r_mm: Option<f64>,
+    /// What was clicked.
+    pub mark: Which,
+    /// To the right, px.
+    pub x_px: f64,
+    /// Down, px.
+    pub y_px: f64,
+    /// Chord at the station, mm, where it was given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub chord_mm: Option<f64>,
+}
+
+impl Click {
+    /// Whether both are of the same point of the same frame: repeats.
+    pub fn is_repeat_of(&self, other: &Click) -> bool {
+        (self.frame.as_str(), self.mark, self.r_mm) == (other.frame.as_str(), other.mark, other.r_mm)
+    }
+
+    /// Every click of a file of marks, points in its order, also where a partner is still missing.
+    ///
+    /// # Errors
+    /// A row that is none, with place and cure.
+    pub fn load(path: &std::path::Path) -> Result<Vec<Click>, InputError> {
+        let text = file::read_text(path, "file of marks")?;
+        let points = read(&file::shown(path), &text)?;
+        Ok(points.iter().flat_map(Point::clicks).collect())
+    }
 }
 
 /// The clicks on one point of one frame, as they stand.
@@ -44,6 +88,7 @@ pub(super) struct Point {
 }
 
 impl Which {
+    /// The word in the column `mark`.
     pub fn name(self) -> &'static str {
         match self {
             Which::Leading => "leading",
@@ -53,12 +98,24 @@ impl Which {
         }
     }
 
+    /// Whether it belongs to no station.
     pub fn is_reference(self) -> bool {
         matches!(self, Which::ReferenceA | Which::ReferenceB)
     }
 }
 
 impl Point {
+    fn clicks(&self) -> impl Iterator<Item = Click> + '_ {
+        self.clicks.iter().map(|(_, [x_px, y_px])| Click {
+            frame: self.frame.clone(),
+            r_mm: self.r_mm,
+            mark: self.which,
+            x_px: *x_px,
+            y_px: *y_px,
+            chord_mm: self.chord_mm,
+        })
+    }
+
     pub fn mark(&self) -> Mark {
         let count = self.clicks.len() as f64;
         let mean = [0, 1].map(|axis| self.clicks.iter().map(|(_, at)| at[axis]).sum::<f64>() / count);

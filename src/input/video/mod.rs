@@ -10,7 +10,7 @@ mod load;
 mod marks;
 
 pub use load::{LoadedVideo, VideoFrame, VideoStation};
-pub use marks::Mark;
+pub use marks::{Click, Mark, Which};
 
 /// Frames of a video and how they were taken. Unknown keys are refused.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -83,6 +83,15 @@ impl Answer {
         }
     }
 
+    /// A picture.
+    pub fn picture(kind: &'static str, bytes: Vec<u8>) -> Answer {
+        Answer {
+            kind,
+            body: bytes,
+            ..Answer::empty(Status::Done)
+        }
+    }
+
     /// A page whose scripts and styles are known by a nonce.
     pub fn page(html: String, nonce: String) -> Answer {
         Answer {

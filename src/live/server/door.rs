@@ -8,8 +8,9 @@ use std::time::Duration;
 use crate::progress::Progress;
 
 use super::answer::{Answer, Status};
+use super::guard::Guard;
 use super::request;
-use super::routes::Routes;
+use super::service::{self, Service};
 
 /// Connections at a time.
 const MOST: usize = 64;
@@ -31,18 +32,20 @@ struct Guest {
 /// The door.
 pub struct Door {
     listener: TcpListener,
+    guard: Arc<Guard>,
     guests: Arc<Mutex<Vec<Guest>>>,
 }
 
 impl Door {
-    /// The door of a listener.
+    /// The door of a listener, with who stands at it.
     ///
     /// # Errors
     /// If the listener cannot be asked without waiting.
-    pub fn new(listener: TcpListener) -> io::Result<Door> {
+    pub fn new(listener: TcpListener, guard: Guard) -> io::Result<Door> {
         listener.set_nonblocking(true)?;
         Ok(Door {
             listener,
+            guard: Arc::new(guard),
             guests: Arc::default(),
         })
     }
@@ -51,14 +54,14 @@ impl Door {
     ///
     /// # Errors
     /// If the listener fails.
-    pub fn serve(&self, routes: Arc<Routes>, stop: &Progress) -> io::Result<()> {
+    pub fn serve(&self, behind: Arc<dyn Service>, stop: &Progress) -> io::Result<()> {
         let mut number = 0;
         while !stop.is_cancelled() {
             match self.listener.accept() {
                 Ok((stream, _)) => {
                     number += 1;
                     // one that is gone already, or for which there is no thread, is let go
-                    let _ = self.admit(number, stream, Arc::clone(&routes));
+                    let _ = self.admit(number, stream, Arc::clone(&behind));
                 }
                 // none has come, or one is gone again; too many files open: wait for some to be closed
                 Err(_) => std::thread::sleep(LOOK),
@@ -67,7 +70,7 @@ impl Door {
         Ok(())
     }
 
-    fn admit(&self, number: u64, mut stream: TcpStream, routes: Arc<Routes>) -> io::Result<()> {
+    fn admit(&self, number: u64, mut stream: TcpStream, behind: Arc<dyn Service>) -> io::Result<()> {
         stream.set_nonblocking(false)?;
         stream.set_write_timeout(Some(SEND_TIME))?;
         stream.set_nodelay(true)?;
@@ -81,13 +84,14 @@ impl Door {
             return Answer::empty(Status::Busy).send(&mut stream);
         }
         let guests = Arc::clone(&self.guests);
+        let guard = Arc::clone(&self.guard);
         let thread = std::thread::Builder::new().stack_size(STACK);
         let started = thread.spawn(move || {
             let _leaves = Leaves {
                 number,
                 guests: Arc::clone(&guests),
             };
-            serve(&mut stream, &routes, || is_heard(&guests, number));
+            serve(&mut stream, &guard, &*behind, || is_heard(&guests, number));
         });
         if started.is_err() {
             drop(Leaves {
@@ -135,11 +139,11 @@ impl Drop for Leaves {
 }
 
 /// Hears one request and answers it.
-fn serve(stream: &mut TcpStream, routes: &Routes, is_heard: impl FnOnce()) {
-    let answer = match hear(stream, routes) {
+fn serve(stream: &mut TcpStream, guard: &Guard, behind: &dyn Service, is_heard: impl FnOnce()) {
+    let answer = match hear(stream, guard) {
         Ok((passed, body)) => {
             is_heard();
-            routes.answer(&passed, &body)
+            service::answer(behind, &passed, &body)
         }
         Err(Some(status)) => Answer::empty(status),
         Err(None) => return,
@@ -163,9 +167,9 @@ fn drain(stream: &mut TcpStream) {
     }
 }
 
-fn hear(stream: &mut TcpStream, routes: &Routes) -> Result<(super::guard::Passed, Vec<u8>), Option<Status>> {
+fn hear(stream: &mut TcpStream, guard: &Guard) -> Result<(super::guard::Passed, Vec<u8>), Option<Status>> {
     let (head, came) = request::head(stream)?;
-    let passed = routes.guard().pass(&head).map_err(Some)?;
+    let passed = guard.pass(&head).map_err(Some)?;
     let body = request::body(stream, came, passed.length)?;
     Ok((passed, body))
 }

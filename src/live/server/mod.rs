@@ -1,4 +1,4 @@
-//! The page of a desk for a browser on the same machine: HTTP on 127.0.0.1, behind a token, guarded against other hosts and pages.
+//! The page of a desk, or of frames, for a browser on the same machine: HTTP on 127.0.0.1, behind a token, guarded against other hosts and pages.
 
 mod answer;
 
@@ -6,9 +6,13 @@ mod door;
 
 mod guard;
 
+mod marking_routes;
+
 mod request;
 
 mod routes;
+
+mod service;
 
 mod token;
 
@@ -19,10 +23,12 @@ use std::sync::Arc;
 use crate::progress::Progress;
 
 use super::desk::Desk;
+use super::marking::Marking;
 use door::Door;
 use guard::Guard;
-pub use routes::Page;
+use marking_routes::MarkingRoutes;
 use routes::Routes;
+pub use service::Page;
 use token::Token;
 
 /// A server that listens, and serves nobody yet.
@@ -53,12 +59,21 @@ impl Server {
         format!("http://127.0.0.1:{}/{}/", self.port, self.guard.token().text())
     }
 
-    /// Serves until `stop` is cancelled.
+    /// Serves a desk until `stop` is cancelled.
     ///
     /// # Errors
     /// If the listener fails.
     pub fn serve(self, desk: &Arc<Desk>, page: Page, stop: &Progress) -> io::Result<()> {
-        let routes = Routes::new(Arc::clone(desk), self.guard, page);
-        Door::new(self.listener)?.serve(Arc::new(routes), stop)
+        let routes = Routes::new(Arc::clone(desk), page);
+        Door::new(self.listener, self.guard)?.serve(Arc::new(routes), stop)
+    }
+
+    /// Serves frames to be marked until `stop` is cancelled.
+    ///
+    /// # Errors
+    /// If the listener fails.
+    pub fn serve_frames(self, marking: Arc<Marking>, page: Page, stop: &Progress) -> io::Result<()> {
+        let routes = MarkingRoutes::new(marking, page);
+        Door::new(self.listener, self.guard)?.serve(Arc::new(routes), stop)
     }
 }

@@ -7,28 +7,23 @@ use std::time::Duration;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
 
 use crate::live::asking;
 use crate::live::desk::Desk;
 use crate::live::refusal::Refusal;
-use crate::live::state::State;
 use crate::live::table::{Table, beside};
 
 use super::answer::{Answer, Status};
-use super::guard::{Guard, Passed};
+use super::guard::Passed;
+use super::service::{Fault, Page, Service, document, news, page, parameter, read, whole};
 use super::token::Token;
 
 /// Longest that a question for news is held, s.
 const LONGEST: f64 = 30.0;
 
-/// What gives the page; its argument is the nonce by which its scripts and styles are known.
-pub type Page = fn(nonce: &str) -> String;
-
 /// What can be asked of a desk.
 pub struct Routes {
     desk: Arc<Desk>,
-    guard: Guard,
     page: Page,
 }
 
@@ -85,49 +80,35 @@ struct Text {
 #[serde(deny_unknown_fields)]
 struct Nothing {}
 
-/// Why there is no answer.
-enum Fault {
-    Status(Status),
-    Refusal(Refusal),
-}
-
-impl From<Refusal> for Fault {
-    fn from(refusal: Refusal) -> Fault {
-        Fault::Refusal(refusal)
-    }
-}
-
 impl Routes {
     /// Of a desk.
-    pub fn new(desk: Arc<Desk>, guard: Guard, page: Page) -> Routes {
-        Routes { desk, guard, page }
+    pub fn new(desk: Arc<Desk>, page: Page) -> Routes {
+        Routes { desk, page }
     }
 
-    /// Who may ask.
-    pub fn guard(&self) -> &Guard {
-        &self.guard
+    /// Reads a table and says what is understood; nothing is changed until it is confirmed.
+    fn table(&self, dropped: &Dropped) -> Result<Answer, Fault> {
+        let bytes = STANDARD
+            .decode(&dropped.base64)
+            .map_err(|_| Fault::Status(Status::Bad))?;
+        let table = Table::read(self.desk.session().opened(), &dropped.name, bytes)?;
+        let ticket = Token::random().map_err(|error| Refusal::new(error.to_string()))?;
+        let told = serde_json::json!({
+            "understood": table.understood(),
+            "rows": table.rows(),
+            "ticket": ticket.text(),
+        });
+        self.desk.lay_out(ticket.text(), table);
+        Ok(Answer::json(Status::Done, told.to_string()))
     }
+}
 
-    /// Answers a request that was let pass.
-    pub fn answer(&self, asked: &Passed, body: &[u8]) -> Answer {
-        let answer = match asked.is_post {
-            true => self.post(&asked.path, body),
-            false => self.get(asked),
-        };
-        answer.unwrap_or_else(|fault| match fault {
-            Fault::Status(status) => Answer::empty(status),
-            Fault::Refusal(refusal) => {
-                let error = serde_json::json!({ "error": refusal });
-                Answer::json(Status::Refused, error.to_string())
-            }
-        })
-    }
-
+impl Service for Routes {
     fn get(&self, asked: &Passed) -> Result<Answer, Fault> {
         let (after, wait) = (whole(asked, "after")?, wait(asked)?);
         match asked.path.as_str() {
-            "" => self.page(),
-            "api/state" => state(&self.desk.state()),
+            "" => page(self.page),
+            "api/state" => document(&self.desk.state()),
             "api/shape" => Ok(news(
                 self.desk.shape(after, wait).map(|text| text.as_bytes().to_vec()),
             )),
@@ -145,27 +126,6 @@ impl Routes {
             path if POSTED.contains(&path) => Err(Fault::Status(Status::WrongMethod)),
             _ => Err(Fault::Status(Status::NotFound)),
         }
-    }
-
-    fn page(&self) -> Result<Answer, Fault> {
-        let nonce = Token::random().map_err(|error| Fault::Refusal(Refusal::new(error)))?;
-        Ok(Answer::page((self.page)(nonce.text()), nonce.text().to_string()))
-    }
-
-    /// Reads a table and says what is understood; nothing is changed until it is confirmed.
-    fn table(&self, dropped: &Dropped) -> Result<Answer, Fault> {
-        let bytes = STANDARD
-            .decode(&dropped.base64)
-            .map_err(|_| Fault::Status(Status::Bad))?;
-        let table = Table::read(self.desk.session().opened(), &dropped.name, bytes)?;
-        let ticket = Token::random().map_err(|error| Refusal::new(error.to_string()))?;
-        let told = serde_json::json!({
-            "understood": table.understood(),
-            "rows": table.rows(),
-            "ticket": ticket.text(),
-        });
-        self.desk.lay_out(ticket.text(), table);
-        Ok(Answer::json(Status::Done, told.to_string()))
     }
 
     fn post(&self, path: &str, body: &[u8]) -> Result<Answer, Fault> {
@@ -215,8 +175,7 @@ impl Routes {
             "api/save" => {
                 let Nothing {} = read(body)?;
                 let saved = asking::save(desk)?;
-                let saved = serde_json::to_vec(&saved).map_err(|error| Refusal::new(error.to_string()))?;
-                return Ok(Answer::json(Status::Done, saved));
+                return document(&saved);
             }
             "api/table" => return self.table(&read(body)?),
             "api/table/confirm" => {
@@ -240,7 +199,7 @@ impl Routes {
             }
             _ => return Err(Fault::Status(Status::NotFound)),
         };
-        state(&found)
+        document(&found)
     }
 }
 
@@ -261,33 +220,6 @@ const POSTED: [&str; 14] = [
     "api/save",
     "api/bye",
 ];
-
-fn state(state: &State) -> Result<Answer, Fault> {
-    let text = serde_json::to_vec(state).map_err(|error| Refusal::new(error.to_string()))?;
-    Ok(Answer::json(Status::Done, text))
-}
-
-/// What is new, or that nothing is.
-fn news(text: Option<Vec<u8>>) -> Answer {
-    match text {
-        Some(text) => Answer::json(Status::Done, text),
-        None => Answer::empty(Status::Nothing),
-    }
-}
-
-fn read<T: DeserializeOwned>(body: &[u8]) -> Result<T, Fault> {
-    serde_json::from_slice(body).map_err(|_| Fault::Status(Status::Bad))
-}
-
-fn parameter<'a>(asked: &'a Passed, name: &str) -> Option<&'a str> {
-    let mut found = asked.query.iter().filter(|(own, _)| own == name);
-    found.next().map(|(_, value)| value.as_str())
-}
-
-fn whole(asked: &Passed, name: &str) -> Result<Option<u64>, Fault> {
-    let value = parameter(asked, name).map(str::parse);
-    value.transpose().map_err(|_| Fault::Status(Status::Bad))
-}
 
 fn wait(asked: &Passed) -> Result<Duration, Fault> {
     let seconds: f64 = parameter(asked, "wait")

@@ -2,6 +2,8 @@
 
 mod answers;
 
+mod frames;
+
 mod refused;
 
 mod saved;
@@ -48,7 +50,13 @@ impl Reply {
 impl Server {
     /// Serves a file, the program being started in a folder.
     pub fn start(folder: &Path, arguments: &[&str]) -> Server {
+        Server::start_with(folder, arguments, &[])
+    }
+
+    /// The same with variables of the environment.
+    pub fn start_with(folder: &Path, arguments: &[&str], variables: &[(&str, &str)]) -> Server {
         let mut child = program(folder)
+            .envs(variables.iter().copied())
             .arg("live")
             .args(arguments)
             .args(["--no-open", "--threads", "1"])

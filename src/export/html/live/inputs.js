@@ -65,5 +65,3 @@ function inputs(ask) {
     if (shape.refusal && shape.refusal.key && refuse(shape.refusal.key, shape.refusal.message)) known.refusedAt = shape.refusal.key;
   });
 }
-
-function words(refusal) { return refusal.message + (refusal.cure ? " " + refusal.cure : ""); }

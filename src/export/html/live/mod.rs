@@ -17,7 +17,9 @@ const STAGE: &str = include_str!("../viewer/live.html");
 const SCRIPT: &str = concat!(
     include_str!("element.js"),
     include_str!("number.js"),
+    include_str!("hearers.js"),
     include_str!("state.js"),
+    include_str!("asked.js"),
     include_str!("server.js"),
     include_str!("grid.js"),
     include_str!("chart.js"),

@@ -2,23 +2,8 @@
 // only the newest goes out.
 
 function server() {
-  var root = window.location.pathname.replace(/[^/]*$/, "") + "api/", queue = [], isSending = false, diagnosing = false;
+  var queue = [], isSending = false, diagnosing = false;
   var asking = null;
-
-  function fetched(path, options) {
-    return window.fetch(root + path, options).then(function (response) {
-      if (response.status === 204) return null;
-      return response.json().catch(function () { return {}; }).then(function (body) {
-        if (response.ok) return body;
-        var refusal = body.error || { key: null, message: "the program answered " + response.status, cure: null };
-        throw Object.assign(new Error(refusal.message), { refusal: refusal });
-      });
-    });
-  }
-
-  function post(path, body) {
-    return fetched(path, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) });
-  }
 
   function next() {
     if (isSending || !queue.length) return;

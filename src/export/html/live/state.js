@@ -1,13 +1,7 @@
-// What the page knows: the document of the state, the shape that was solved last, and who wants to hear of a change.
+// What the page knows: the document of the state, and the shape that was solved last.
 
 var known = { state: null, shape: null, original: {}, before: null };
-var hearers = {}, gesture = null;
-
-function hear(what, own) { (hearers[what] = hearers[what] || []).push(own); }
-
-function tell(what, news) {
-  (hearers[what] || []).forEach(function (own) { own(news); });
-}
+var gesture = null;
 
 // An answer that comes late does not bring back what was before.
 function learnState(state) {

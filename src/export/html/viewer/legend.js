@@ -1,11 +1,5 @@
 // What the picture is read by: the scale of colours, the axes, a bar that says how long a millimetre is.
 
-function plain(value, digits) {
-  var size = Math.abs(value);
-  return (size !== 0 && (size < 0.001 || size >= 1e6) ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits))))
-    .replace("-", "\u2212");
-}
-
 function legend(field, range) {
   var bar = document.getElementById("wing-bar");
   var stops = data.map.map(function (rgb) { return "rgb(" + rgb.join(",") + ")"; });

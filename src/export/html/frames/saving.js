@@ -1,0 +1,29 @@
+// Saving: the video file and its marks, and the commands that go on from there.
+
+function saving() {
+  var box = at("save-box"), body = at("save-body");
+
+  function save() {
+    if (box.open || !known.state) return;
+    post("save", {}).then(function (done) {
+      known.state.is_dirty = false;
+      tell("state", known.state);
+      var lacks = known.state.told.lacks.length;
+      fill(body, [
+        make("ul", { "class": "files" }, done.files.map(function (name) { return make("li", {}, make("code", {}, name)); })),
+        lacks ? make("p", { "class": "refusal" }, lacks + " points are still to be clicked; washout measure asks for them.") : null,
+        make("h3", {}, "Then"), make("pre", { tabindex: "0" }, done.commands.join("\n"))
+      ]);
+      say(at("heard"), done.files.length + " files written");
+      box.showModal();
+      at("save-close").focus();
+    }, function (error) {
+      if (error.refusal) tell("refused", error.refusal);
+      else tell("reached", false);
+    });
+  }
+
+  at("save").addEventListener("click", function () { whenSent(save); });
+  at("save-close").addEventListener("click", function () { box.close(); });
+  window.addEventListener("beforeunload", function (event) { if (known.state && known.state.is_dirty && isSending) event.preventDefault(); });
+}
