@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::diagnose::StudyDiagnosis;
 use crate::diagnose::fields::Law;
+use crate::diagnose::next::Candidate;
 use crate::diagnose::verdict::{Diagnosis, Hypothesis, PlaceFound, Strength, Verdict};
 use crate::effects::named;
 use crate::page::text::significant;
@@ -33,7 +34,7 @@ pub struct Answer {
     unknown_cause: Option<Unnamed>,
     probability_unknown: f64,
     probability_nothing: f64,
-    next: Vec<Words>,
+    next: Option<Next>,
     notes: Vec<String>,
 }
 
@@ -68,10 +69,16 @@ struct Unnamed {
     high: Vec<f64>,
 }
 
+/// What to measure next.
 #[derive(Debug, Serialize)]
-struct Words {
+struct Next {
     words: String,
+    /// Where the hypotheses part: the best candidates, and how far apart they are expected there.
+    candidates: Vec<Candidate>,
 }
+
+/// Candidates that are shown.
+const SHOWN: usize = 5;
 
 impl Found {
     /// From a diagnosis; `case`: that which is shown.
@@ -84,7 +91,7 @@ impl Found {
             .get(case)
             .map_or(0.0, |condition| condition.length_m);
         let unknown_cause = unnamed(&diagnosis, length_m);
-        let next = diagnosis.next_experiment.iter();
+        let next = diagnosis.next_experiment.as_ref();
         let answer = Answer {
             sentence: diagnosis.sentence.clone(),
             verdict: diagnosis.verdict,
@@ -94,11 +101,10 @@ impl Found {
             unknown_cause,
             probability_unknown: diagnosis.novel.probability,
             probability_nothing: diagnosis.p_nothing,
-            next: next
-                .map(|next| Words {
-                    words: next.sentence.clone(),
-                })
-                .collect(),
+            next: next.map(|next| Next {
+                words: next.sentence.clone(),
+                candidates: next.candidates.iter().take(SHOWN).cloned().collect(),
+            }),
             notes: diagnosis.notes.clone(),
         };
         Found {

@@ -21,6 +21,20 @@ pub struct Marks {
     pub stations_mm: Vec<f64>,
     /// Every click.
     pub clicks: Vec<Click>,
+    /// What reads millimetres off the picture.
+    pub guides: Guides,
+}
+
+/// A line and a scale that place stations; no part of the measurement, and in no file.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Guides {
+    /// Two points on the line through the wing base, across the span, px; or none.
+    pub axis: Vec<[f64; 2]>,
+    /// Two points whose distance is known, px; or none.
+    pub scale: Vec<[f64; 2]>,
+    /// That distance, mm.
+    pub mm: Option<f64>,
 }
 
 impl Marks {
@@ -52,6 +66,7 @@ impl Marks {
             },
             stations_mm: Vec::new(),
             clicks: Vec::new(),
+            guides: Guides::default(),
         }
     }
 
@@ -84,6 +99,7 @@ impl Marks {
             video,
             stations_mm,
             clicks,
+            guides: Guides::default(),
         };
         Ok(Some((path, marks)))
     }
@@ -95,6 +111,12 @@ impl Marks {
     pub fn check(&self, frames: &[String]) -> Result<(), Refusal> {
         if self.clicks.len() > MOST {
             return Err(Refusal::new(format!("at most {MOST} clicks")));
+        }
+        if [&self.guides.axis, &self.guides.scale]
+            .iter()
+            .any(|ends| ends.len() > 2)
+        {
+            return Err(Refusal::new("a guide has two ends"));
         }
         let is_length = |r_mm: &f64| (0.0..=100_000.0).contains(r_mm);
         let mut stations = self.stations_mm.iter();

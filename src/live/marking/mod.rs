@@ -15,6 +15,6 @@ mod told;
 
 pub use cut::{Frames, cut, is_video};
 pub use images::Images;
-pub use marks::Marks;
+pub use marks::{Guides, Marks};
 pub use shared::{Marking, MarkingState};
 pub use told::{Lack, Told};

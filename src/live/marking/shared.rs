@@ -12,7 +12,8 @@ use super::marks::Marks;
 use super::told::Told;
 use crate::export::file::{refuse_other, write_over};
 use crate::export::marks::{marks_csv, video_toml};
-use crate::input::video::Video;
+use crate::export::video::{MeasureReport, is_measured};
+use crate::input::video::{LoadedVideo, Video};
 use crate::live::refusal::Refusal;
 use crate::live::verbs::Saved;
 
@@ -135,7 +136,8 @@ impl Marking {
         Ok(self.state())
     }
 
-    /// Writes the description and the marks, also where points are still missing; says the command that reads them.
+    /// Writes the description and the marks, also where points are still missing, and the measurement where none is; says the commands
+    /// that do the same.
     ///
     /// # Errors
     /// If the description is not whole, somebody else changed the files, or they cannot be written.
@@ -159,6 +161,18 @@ impl Marking {
             held.on_disk[k] = Some(texts[k].clone());
         }
         held.saved = held.revision;
+        let told = Told::of(&held.marks, &self.images.names());
+        let measured = self.folder.join(format!("{}.csv", held.marks.video.name));
+        let is_whole = told.report.is_some() && told.lacks.is_empty() && !told.is_assumed;
+        let mut files = places.to_vec();
+        if is_whole {
+            // as the command does it, of the files as they stand
+            let loaded = LoadedVideo::load(&places[0])?;
+            let report = MeasureReport::new(&loaded, measured.display().to_string());
+            let what = "a measurement that washout measure wrote";
+            write_over(&measured, report.csv(&loaded).as_bytes(), what, is_measured).map_err(Refusal::new)?;
+            files.push(measured.clone());
+        }
         let shown = |path: &Path| path.display().to_string();
         // compare takes one frame at a time
         let is_loaded = |name: &String| {
@@ -167,11 +181,14 @@ impl Marking {
         };
         let case = self.images.names().into_iter().find(is_loaded);
         let case = case.map_or(String::new(), |name| format!(" --case {name}"));
-        let measured = format!("{}.csv", held.marks.video.name);
+        let measured = quoted(&measured);
         Ok(Saved {
-            files: places.iter().map(|path| shown(path)).collect(),
+            files: files.iter().map(|path| shown(path)).collect(),
             commands: vec![
-                format!("washout measure {} --output {measured}", quoted(&places[0])),
+                format!(
+                    "washout measure {} --force --output {measured}",
+                    quoted(&places[0])
+                ),
                 format!("washout compare DESIGN --with {measured}{case}"),
             ],
         })

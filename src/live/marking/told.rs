@@ -5,8 +5,11 @@ use serde::Serialize;
 use super::marks::Marks;
 use crate::export::marks::{marks_csv, video_toml};
 use crate::export::video::MeasureReport;
-use crate::input::video::{Click, LoadedVideo, Which};
+use crate::input::video::{Click, LoadedVideo, Video, Which};
 use crate::live::refusal::Refusal;
+
+/// Error of a click where nothing says what it is, px.
+const ASSUMED_PX: f64 = 1.0;
 
 /// A point that is still to be clicked.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -26,6 +29,8 @@ pub struct Told {
     pub report: Option<MeasureReport>,
     /// Points without which others do not count.
     pub lacks: Vec<Lack>,
+    /// Whether the error of a click is a guess, for nothing says what it is.
+    pub is_assumed: bool,
     /// Why there is no twist yet.
     pub refusal: Option<Refusal>,
 }
@@ -52,12 +57,20 @@ impl Told {
             .cloned()
             .collect();
         lacks.dedup();
+        let toml = video_toml(&marks.video);
+        // how the camera stood is asked for from the start
+        let described = Video::read("the video", &toml).err().map(Refusal::from);
         let refused = |message: &str| Told {
             lacks: lacks.clone(),
-            refusal: Some(Refusal::new(message)),
+            refusal: described.clone().or_else(|| Some(Refusal::new(message))),
             ..Told::default()
         };
         match &marks.video.rest {
+            _ if described.is_some() => return refused(""),
+            None if marks.clicks.is_empty() => {
+                let message = "Begin with a frame that shows the wing untwisted, and tick it as such.";
+                return refused(message);
+            }
             _ if clicks.is_empty() => return refused("No station has both edges yet."),
             Some(rest) if !has_edge(rest) => {
                 return refused("The frame at rest has no station with both edges yet.");
@@ -67,17 +80,30 @@ impl Told {
             }
             _ => {}
         }
-        let (toml, csv) = (video_toml(&marks.video), marks_csv(&clicks, frames));
-        match LoadedVideo::read(("the video", &toml), ("the marks", &csv)) {
+        let csv = marks_csv(&clicks, frames);
+        let read = |toml: &str| LoadedVideo::read(("the video", toml), ("the marks", &csv));
+        let (read, is_assumed) = match read(&toml) {
+            // the twist is shown as it grows; a measurement needs an error that somebody stands for
+            Err(error) if error.key == "sigma_px" => {
+                let video = Video {
+                    sigma_px: Some(ASSUMED_PX),
+                    ..marks.video.clone()
+                };
+                (read(&video_toml(&video)), true)
+            }
+            read => (read, false),
+        };
+        match read {
             Ok(loaded) => Told {
                 report: Some(MeasureReport::new(&loaded, String::new())),
                 lacks,
+                is_assumed,
                 refusal: None,
             },
             Err(error) => Told {
-                report: None,
                 lacks,
                 refusal: Some(error.into()),
+                ..Told::default()
             },
         }
     }

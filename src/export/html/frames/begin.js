@@ -17,10 +17,18 @@ function begin() {
   hear("go", shown.go);
   hear("reached", function (isReached) { if (!isReached) notice("The program does not answer. What you click now is lost when the page is closed."); });
   hear("refused", function (refusal) { notice(words(refusal)); });
-  hear("current", function (point) {
+  function ask() {
+    var isEmpty = !allPoints().length;
+    if (guides().tool) return say(at("next-point"), guides().tool === "axis" ? "Click two points on the line through the wing base." : "Click two points whose distance you know.");
+    if (isEmpty && (!current || !/^reference/.test(current.mark))) return say(at("next-point"), "Add a station: its distance from the wing base.");
+    say(at("next-point"), current ? "Now click: " + titleOf(current.mark, current.r) : "All points of this frame are clicked.");
+  }
+  hear("current", function () {
     notice(null);
-    say(at("next-point"), !point ? "All points of this frame are clicked." : point.r === null && !/^reference/.test(point.mark) ? "Add a station: its distance from the wing base." : "Now click: " + titleOf(point.mark, point.r));
+    ask();
   });
+  hear("state", ask);
+  hear("tool", ask);
   hear("state", function (state) {
     say(at("name"), state.marks.video.name);
     document.title = (state.is_dirty ? "\u2022 " : "") + state.marks.video.name + " \u2013 washout";
@@ -32,7 +40,7 @@ function begin() {
     learn(state);
     tell("frame", 0);
     advance();
-    if (!current) choose(allPoints().length ? null : { mark: "leading", r: null });
+    choose(current);
   }, function () { tell("reached", false); });
 }
 

@@ -3,6 +3,15 @@
 var VIEWS = [["span", "along the span"], ["stroke", "along the stroke (or the stream)"], ["flapping-axis", "along the flapping axis (or from above)"]];
 var TURNS = [["counterclockwise", "against the clock"], ["clockwise", "as the clock"]];
 
+// What is needed, in the words of the page.
+var NEEDED = {
+  "view.root_angle_deg": "Needed: the angle between the air and the untwisted chord, e.g. 45.",
+  "sigma_px": "Needed: by how much a click errs, e.g. 0.5; or click each point twice.",
+  "references.distance_mm": "Needed: their distance; or tick \u201cshows the wing untwisted\u201d in the frame at rest."
+};
+
+function needed(refusal) { return /^is missing/.test(refusal.message) && NEEDED[refusal.key] || words(refusal); }
+
 function camera() {
   var form = at("camera-form"), refused = {}, shape = null;
 
@@ -63,9 +72,9 @@ function camera() {
     var isSpan = marks().video.view.along === "span", own = choice("it looks", "view.along", VIEWS);
     own[0].querySelector("select").onchange = function (event) { along(event.target.value); };
     if (isSpan) own = own.concat(choice("washout turns the chord", "view.washout", TURNS), number("error of the zero", "view.zero_sigma_deg", "deg", "0"));
-    else own = own.concat(number("angle of the untwisted chord", "view.root_angle_deg", "deg", "45"), number("its error", "view.root_angle_sigma_deg", "deg", "0"));
-    return own.concat(number("error of a click", "sigma_px", "px", "repeats"), number("between the references", "references.distance_mm", "mm"),
-      number("its error", "references.sigma_mm", "mm", "0"), text("name", "name"), text("source", "source"));
+    else own = own.concat(number("angle of attack of the untwisted chord", "view.root_angle_deg", "deg", "needed"), number("error of that angle", "view.root_angle_sigma_deg", "deg", "0"));
+    return own.concat(number("error of a click", "sigma_px", "px", "repeats"), number("distance of the two points", "references.distance_mm", "mm"),
+      number("error of that distance", "references.sigma_mm", "mm", "0"), text("name", "name"), text("source", "source"));
   }
 
   function show(state) {
@@ -83,7 +92,7 @@ function camera() {
     Object.keys(refused).forEach(function (path) {
       var isHere = !!refusal && refusal.key === path;
       refused[path].hidden = !isHere;
-      say(refused[path], isHere ? words(refusal) : "");
+      say(refused[path], isHere ? needed(refusal) : "");
     });
   }
 

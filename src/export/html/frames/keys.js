@@ -9,6 +9,7 @@ function keys(view) {
     var r = view.here();
     if (r === null) return tell("notice", "Set the base line and the scale first: Stations from the picture.");
     addStation(Math.round(10 * r) / 10);
+    choose({ mark: "leading", r: Math.round(10 * r) / 10 });
   }
 
   var all = [

@@ -83,10 +83,12 @@ function picture() {
     pen.imageSmoothingEnabled = view.scale < 2;
     pen.drawImage(image, view.left, view.top, view.scale * image.naturalWidth, view.scale * image.naturalHeight);
     [["axis", "#7ddf7d"], ["scale", "#e0c0ff"]].forEach(function (own) {
-      var ends = guides[own[0]].map(function (end) { return toScreen(end[0], end[1]); });
+      var ends = guides()[own[0]].map(function (end) { return toScreen(end[0], end[1]); });
       if (ends.length === 2) line(ends[0], ends[1], own[1], [6, 4]);
       ends.forEach(function (end) { line([end[0] - 5, end[1]], [end[0] + 5, end[1]], own[1]); line([end[0], end[1] - 5], [end[0], end[1] + 5], own[1]); });
     });
+    var middle = [image.naturalWidth / 2, image.naturalHeight / 2], at = current && current.r !== null ? lineAt(current.r, middle) : null;
+    if (at) line(toScreen(at[0][0], at[0][1]), toScreen(at[1][0], at[1][1]), "rgba(125,223,125,0.8)", [2, 5]);
     chords();
     marks().clicks.forEach(function (own) { if (own.frame === frameName()) dot(own, isSame(current, own.mark, own.r_mm)); });
     if (cross && isKeys) {
@@ -132,7 +134,7 @@ function picture() {
     if (!view || !known.state) return;
     var at = place(event), isMoving = event.button === 1 || event.button === 2 || event.shiftKey;
     canvas.setPointerCapture(event.pointerId);
-    held = { from: at, last: at, click: isMoving || guides.tool ? null : clickAt(at[0], at[1]), isMoving: isMoving, has: false };
+    held = { from: at, last: at, click: isMoving || tool ? null : clickAt(at[0], at[1]), isMoving: isMoving, has: false };
     // Another mark is chosen; a click on one of the current point is a repeat.
     if (held.click && isSame(current, held.click.mark, held.click.r_mm)) held.isRepeat = true;
     else if (held.click) choose({ mark: held.click.mark, r: held.click.r_mm });
@@ -242,8 +244,8 @@ function picture() {
     if (!view || view.isWhole) fit();
     else render();
   }).observe(canvas);
-  ["state", "current", "guides"].forEach(function (what) { hear(what, render); });
-  hear("guides", read);
+  ["state", "current", "tool"].forEach(function (what) { hear(what, render); });
+  hear("state", read);
   hear("frame", load);
 
   return {

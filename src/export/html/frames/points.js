@@ -46,8 +46,8 @@ function step(by) {
 
 // A click of this frame for the current point; the next one is chosen.
 function mark(x, y) {
+  if (!allPoints().length && !(current && /^reference/.test(current.mark))) return tell("notice", "Add a station first: its distance from the wing base.");
   if (!current) return tell("notice", "All points of this frame are clicked. Choose one to click it again, or go to the next frame (n).");
-  if (current.r === null && !/^reference/.test(current.mark)) return tell("notice", "Add a station first: its distance from the wing base.");
   var point = current;
   change(function (own) {
     own.clicks.push({ frame: frameName(), r_mm: point.r, mark: point.mark, x_px: round(x), y_px: round(y) });
@@ -71,13 +71,12 @@ function addStation(r) {
   change(function (own) {
     if (own.stations_mm.indexOf(r) < 0) own.stations_mm = own.stations_mm.concat(r).sort(function (a, b) { return a - b; });
   });
-  choose({ mark: "leading", r: r });
 }
 
 function points() {
   var list = at("points-list"), form = at("station-form"), field = at("station"), refused = at("station-refused");
 
-  function cell(mark, r) {
+  function cell(mark, r, name) {
     var count = clicksOn(mark, r).length, isOn = isSame(current, mark, r);
     return make("td", {}, make("button", {
       type: "button", "aria-pressed": isOn ? "true" : "false", "aria-label": titleOf(mark, r) + ", " + (count ? count + " clicks" : "not clicked"),
@@ -85,7 +84,7 @@ function points() {
         choose({ mark: mark, r: r });
         at("picture").focus();
       }
-    }, count >= wanted() ? "✓ " + count : count ? count + " of " + wanted() : "–"));
+    }, (name || "") + (count >= wanted() ? "✓ " + count : count ? count + " of " + wanted() : "–")));
   }
 
   function remove(r) {
@@ -108,7 +107,7 @@ function points() {
       return make("tr", {}, [make("th", { scope: "row", "class": "n" }, plain(r, 5)), cell("leading", r), cell("trailing", r), remove(r)]);
     });
     var head = make("thead", {}, make("tr", {}, ["station (mm)", "leading", "trailing", ""].map(function (word) { return make("th", { scope: "col" }, word); })));
-    var references = make("tr", {}, [make("th", { scope: "row" }, "two points that do not move"), cell("reference_a", null), cell("reference_b", null), make("td", {})]);
+    var references = make("tr", {}, [make("th", { scope: "row" }, "two points that do not move (if the camera does)"), cell("reference_a", null, "a "), cell("reference_b", null, "b "), make("td", {})]);
     fill(list, make("table", {}, [head, make("tbody", {}, rows.concat(references))]));
     if (focused) [].forEach.call(list.querySelectorAll("button"), function (own) {
       if (own.getAttribute("aria-label").split(",")[0] === focused.split(",")[0]) own.focus();
@@ -122,7 +121,8 @@ function points() {
     refused.hidden = !isBad;
     if (isBad) return say(refused, "Give distances from the wing base in millimetres, from 0 on, e.g. 35 or 20 40 60.");
     all.forEach(addStation);
-    choose({ mark: "leading", r: all[0] });
+    if (!current || current.r === null) choose(null);
+    advance();
     field.value = "";
   });
   at("repeats").addEventListener("change", function () {

@@ -17,6 +17,9 @@ function twist(camera) {
 
   function summary(report) {
     var text = "An error of " + plain(report.sigma_px, 2) + " px in a click, " + (report.sigma_kind === "repeats" ? "as repeats scatter" : "as stated") + ".";
+    if (known.state.told.is_assumed) text = "The errors are those of clicks that err by 1 px, which is a guess: click each point twice, or say by how much a click errs.";
+    var isTwisted = report.readings.filter(function (one) { return one.twist_deg < -2 * one.sigma_deg; }).length;
+    if (2 * isTwisted > report.readings.length) text += " Most of the twist is negative: is the right frame ticked as untwisted?";
     return text + (report.few_repeats ? " The repeats are few: click more points twice." : "");
   }
 
@@ -34,7 +37,7 @@ function twist(camera) {
   function show(state) {
     var report = state.told.report, refusal = state.told.refusal;
     own.show({ lines: [], points: report ? points(report) : [], bands: [] }, { heads: [], rows: function () { return []; } });
-    say(told, report ? summary(report) : refusal && !camera.has(refusal.key) ? words(refusal) : refusal ? "No twist yet: see how the camera stood." : "");
+    say(told, report ? summary(report) : refusal && !camera.has(refusal.key) ? needed(refusal) : refusal ? "No twist yet: see how the camera stood." : "");
     fill(table_of, !report ? [] : table("Twist", ["frame", "r (mm)", "twist (deg)", "\u03c3 (deg)", "shared (deg)", ""], report.readings.map(function (one) {
       return [one.frame, plain(one.r_mm, 5), plain(tidy(one.twist_deg), 4), plain(one.sigma_deg, 2), plain(tidy(one.shared_deg), 2), { none: "", lower: "at least", upper: "at most" }[one.bound]];
     })));

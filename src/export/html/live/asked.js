@@ -18,4 +18,6 @@ function post(path, body) {
 }
 
 // A refusal in words.
-function words(refusal) { return refusal.message + (refusal.cure ? " " + refusal.cure : ""); }
+function words(refusal) {
+  return refusal.message + (/[.!?]$/.test(refusal.message) || !refusal.cure ? "" : ".") + (refusal.cure ? " " + refusal.cure : "");
+}

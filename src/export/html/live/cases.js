@@ -15,7 +15,7 @@ function cases(ask) {
         }
       }, [
         make("span", {}, own.name), own.held_out ? make("span", { "class": "tag" }, "held out") : null,
-        isNumber(own.rms_deg) ? make("span", { "class": "rms", title: "rms error of the twist in this case" }, plain(own.rms_deg, 2) + "\u00b0") : null
+        isNumber(own.rms_deg) ? make("span", { "class": "rms", title: "rms error of the twist in this case, calibrated" }, plain(own.rms_deg, 2) + "\u00b0") : null
       ]);
     }));
   }

@@ -41,6 +41,7 @@ function effects(ask) {
       // What is either there or not has no strength to move.
       if (own.all_or_none) mine.box.querySelector(".track").remove();
       if (own.all_or_none) mine.box.querySelector(".typed").remove();
+      mine.box.appendChild(make("p", { "class": "meaning" }, own.sentence));
       if (own.meaning) mine.box.appendChild(make("p", { "class": "meaning" }, own.meaning));
       return mine.box;
     }));

@@ -5,10 +5,11 @@ function figures() {
 
   function rows(shape) {
     var own = shape.numbers.filter(function (one) { return isNumber(one.value); }).slice();
+    var count = shape.count || (shape.residuals || []).length;
     if (isNumber(shape.chi2)) {
-      own.push({ key: "chi2", label: "chi-square" + (shape.count ? " (" + shape.count + (shape.count === 1 ? " reading)" : " readings)") : ""), value: shape.chi2, unit: "" });
+      own.push({ key: "chi2", label: "chi-square" + (count ? " of " + count + (count === 1 ? " reading" : " readings") : ""), value: shape.chi2, unit: "" });
     }
-    if (isNumber(shape.rms_deg)) own.push({ key: "rms_deg", label: "rms error", value: shape.rms_deg, unit: "deg" });
+    if (isNumber(shape.rms_deg)) own.push({ key: "rms_deg", label: "rms error, uncalibrated", value: shape.rms_deg, unit: "deg" });
     if (isNumber(shape.mesh_error_deg)) own.push({ key: "mesh_error_deg", label: "mesh error", value: shape.mesh_error_deg, unit: "deg", isOwn: true });
     return own;
   }

@@ -5,7 +5,7 @@ function hypothesis(ask, own, index) {
 
   function strength(one) {
     var unit = one.unit === "1" ? "" : one.unit;
-    return one.effect + " = " + plain(one.value, 3) + (isNumber(one.standard_error) ? " \u00b1 " + plain(one.standard_error, 2) : "") + (unit ? " " + unit : "");
+    return one.effect + " = " + plain(one.value, 3) + (one.standard_error > 0 ? " \u00b1 " + plain(one.standard_error, 2) : "") + (unit ? " " + unit : "");
   }
 
   // On hover and on focus its curve stands beside the model.
@@ -49,6 +49,13 @@ function hypothesis(ask, own, index) {
     ]),
     add
   ]);
+  // What is in the model already is not added again.
+  hear("state", function (state) {
+    if (!box.isConnected || isAdding || !own.can_add) return;
+    var isIn = own.effects.every(function (name) { return state.effects.some(function (one) { return one.name === name && isNumber(one.value); }); });
+    add.disabled = isIn;
+    add.textContent = isIn ? "In the model" : "Add";
+  });
   return box;
 }
 

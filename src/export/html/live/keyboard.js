@@ -42,6 +42,7 @@ function keyboard(parts) {
 
   fill(at("keys"), all.map(function (own) { return make("div", {}, [make("dt", {}, key(own[0])), make("dd", {}, own[1])]); }).concat([
     make("div", {}, [make("dt", {}, key("\u2190 \u2192")), make("dd", {}, "on a slider: less, more; on a picture: move along the span; on the wing: turn it")]),
+    make("div", {}, [make("dt", {}, key("0")), make("dd", {}, "on the wing: the view at first")]),
     make("div", {}, [make("dt", {}, key("Backspace")), make("dd", {}, "on a slider: back to the value as stated")])
   ]));
   at("help").addEventListener("click", help);

@@ -46,7 +46,7 @@ function ladder() {
       }))
     ]));
     fill(at("ladder-key"), [
-      make("span", { "class": "key" }, [make("span", { "class": "fitted" }), hasHeld ? "readings that may be fitted" : "readings"]),
+      make("span", { "class": "key" }, [make("span", { "class": "fitted" }), hasHeld ? "readings that are fitted" : "readings"]),
       hasHeld ? make("span", { "class": "key" }, [make("span", { "class": "held" }), "held out"]) : null,
       isNumber(state.noise_deg) ? make("span", { "class": "key" }, [make("span", { "class": "floor" }), "noise " + withUnit(state.noise_deg, "deg", 2)]) : null
     ]);

@@ -1,7 +1,7 @@
 // What is missing: the diagnosis, how far it is, and its answer in rows.
 
 function missing(ask) {
-  var button = at("ask"), progress = at("asked"), bar = at("asked-bar"), answer = at("answer"), shown = null, answeredAt = null, file = null;
+  var button = at("ask"), progress = at("asked"), bar = at("asked-bar"), answer = at("answer"), shown = null, answeredAt = null, file = null, models = {};
 
   button.addEventListener("click", ask.diagnose);
   at("stop").addEventListener("click", ask.stop);
@@ -17,8 +17,12 @@ function missing(ask) {
     button.disabled = !state.measured;
     at("no-readings").hidden = state.measured;
     at("hint").hidden = !state.measured || answer.children.length > 0 || !progress.hidden;
-    at("answer-old").hidden = answeredAt === null || state.revision === answeredAt;
+    models[state.revision] = modelOf(state);
+    at("answer-old").hidden = answeredAt === null || models[answeredAt] === modelOf(state);
   });
+
+  // What an answer depends on: values that come back by undo are the same model.
+  function modelOf(state) { return JSON.stringify(state.inputs.concat(state.effects).map(function (own) { return own.value; })); }
 
   hear("diagnosis", function (own) {
     progress.hidden = !own.running;
@@ -47,7 +51,7 @@ function missing(ask) {
       all.length ? make("ol", { "class": "hypotheses" }, likely) : null,
       rest.length ? make("details", {}, [make("summary", {}, rest.length + " less likely"), make("ol", { "class": "hypotheses" }, rest)]) : null,
       make("div", { id: "cause" }),
-      (own.next || []).length ? make("div", {}, [make("h3", {}, "What to measure next"), make("ul", {}, own.next.map(function (one) { return make("li", {}, one.words); }))]) : null,
+      own.next ? next(own.next) : null,
       isNumber(own.probability_nothing) || isNumber(own.probability_unknown) ? make("p", { "class": "quiet" }, [
         isNumber(own.probability_nothing) ? "Nothing is missing: " + share(own.probability_nothing) + ". " : null,
         isNumber(own.probability_unknown) ? "The cause is none of these: " + share(own.probability_unknown) + "." : null
@@ -58,6 +62,20 @@ function missing(ask) {
     cause(own.unknown_cause);
     say(at("heard"), own.sentence);
   }
+}
+
+// What to measure next, and how far apart the hypotheses are expected there: from three standard deviations on they are distinguished.
+function next(own) {
+  var most = own.candidates.reduce(function (found, one) { return Math.max(found, one.separation_sigma); }, 3);
+  var rows = own.candidates.map(function (one) {
+    var bar = make("span", { "class": "probability", "aria-hidden": "true" }, make("span", {}));
+    bar.firstChild.style.width = 100 * one.separation_sigma / most + "%";
+    return make("li", {}, [make("span", { "class": "row" }, [one.name, make("span", { "class": "percent" }, plain(one.separation_sigma, 2) + " \u03c3 apart")]), bar]);
+  });
+  return make("div", {}, [
+    make("h3", {}, "What to measure next"), make("p", {}, own.words), make("p", { "class": "quiet" }, "Experiments that the study lists, or readings that could be added:"),
+    rows.length ? make("ul", { "class": "candidates", "aria-label": "Where the hypotheses part" }, rows) : null
+  ]);
 }
 
 // Where the moment of an unknown cause acts along the span, with its band.

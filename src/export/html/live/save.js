@@ -24,6 +24,7 @@ function save(ask) {
 
   button.addEventListener("click", function () {
     button.disabled = true;
+    say(button, "Saving \u2026");
     ask.save().then(function (done) {
       button.hidden = true;
       fill(body, [
@@ -34,7 +35,10 @@ function save(ask) {
       ask.refresh();
     }, function (error) {
       fill(body, [make("p", { "class": "refusal", role: "alert" }, error.refusal ? words(error.refusal) : "The program does not answer. Nothing was written.")]);
-    }).then(function () { button.disabled = false; });
+    }).then(function () {
+      button.disabled = false;
+      say(button, "Save the files");
+    });
   });
   at("save").addEventListener("click", open);
   at("save-close").addEventListener("click", function () { box.close(); });
