@@ -59,8 +59,9 @@ class Live:
 
     def rest(self):
         """Waits until the shape is that of the sliders."""
-        self.page.until("probe.isResting()", "a shape")
-        for _ in range(200):
+        # A wing that has no shape is searched for a while.
+        self.page.until("probe.isResting()", "a shape", 300)
+        for _ in range(1000):
             state, shape = self.api("state"), self.api("shape")
             if shape["revision"] >= state["revision"]:
                 return state, shape
