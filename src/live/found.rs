@@ -54,6 +54,8 @@ struct Told {
 struct StrengthTold {
     effect: String,
     parameter: &'static str,
+    /// What the number means.
+    meaning: &'static str,
     value: f64,
     standard_error: f64,
     unit: String,
@@ -196,6 +198,7 @@ fn told(hypothesis: &Hypothesis) -> Told {
             .map(|strength| StrengthTold {
                 effect: strength.effect.clone(),
                 parameter: "strength",
+                meaning: named(&strength.effect).map_or("", |effect| effect.card().parameters[0].meaning),
                 value: strength.value,
                 standard_error: strength.standard_error,
                 unit: strength.unit.clone(),

@@ -271,8 +271,8 @@ fn numbers(wing: &SolvedWing, lift: Option<&LiftReport>) -> Result<Vec<Number>, 
         original: None,
     };
     let tip = wing.tip_twist_deg()?;
-    let station = 100.0 * wing.model.design().observation.tip_station;
-    let label = format!("tip twist, at {} %", significant(station, 3));
+    let station = (1000.0 * wing.model.design().observation.tip_station).round() / 10.0;
+    let label = format!("tip twist, at {station} %");
     let tip = tip.map(|tip| number("tip_twist_deg", &label, None, tip, "deg"));
     let mut numbers: Vec<Number> = tip.into_iter().collect();
     if let Some(lift) = lift {

@@ -38,74 +38,78 @@ pub struct Told {
 impl Told {
     /// Of marks on these frames.
     pub fn of(marks: &Marks, frames: &[String]) -> Told {
-        let mut lacks = lacks(marks, frames);
-        let whole: Vec<Click> = marks
-            .clicks
-            .iter()
-            .filter(|click| !lacks.iter().any(|lack| is_spoiled(click, lack, marks)))
-            .cloned()
-            .collect();
-        // reference points alone make no frame
-        let has_edge = |frame: &str| {
-            whole
-                .iter()
-                .any(|click| click.frame == frame && click.r_mm.is_some())
-        };
-        let clicks: Vec<Click> = whole
-            .iter()
-            .filter(|click| has_edge(&click.frame))
-            .cloned()
-            .collect();
-        lacks.dedup();
-        let toml = video_toml(&marks.video);
-        // how the camera stood is asked for from the start
-        let described = Video::read("the video", &toml).err().map(Refusal::from);
-        let refused = |message: &str| Told {
-            lacks: lacks.clone(),
-            refusal: described.clone().or_else(|| Some(Refusal::new(message))),
-            ..Told::default()
-        };
-        match &marks.video.rest {
-            _ if described.is_some() => return refused(""),
-            None if marks.clicks.is_empty() => {
-                let message = "Begin with a frame that shows the wing untwisted, and tick it as such.";
-                return refused(message);
-            }
-            _ if clicks.is_empty() => return refused("No station has both edges yet."),
-            Some(rest) if !has_edge(rest) => {
-                return refused("The frame at rest has no station with both edges yet.");
-            }
-            Some(rest) if clicks.iter().all(|click| click.frame == *rest) => {
-                return refused("Now click the same stations in a frame under load.");
-            }
-            _ => {}
-        }
-        let csv = marks_csv(&clicks, frames);
-        let read = |toml: &str| LoadedVideo::read(("the video", toml), ("the marks", &csv));
-        let (read, is_assumed) = match read(&toml) {
-            // the twist is shown as it grows; a measurement needs an error that somebody stands for
-            Err(error) if error.key == "sigma_px" => {
-                let video = Video {
-                    sigma_px: Some(ASSUMED_PX),
-                    ..marks.video.clone()
-                };
-                (read(&video_toml(&video)), true)
-            }
-            read => (read, false),
-        };
-        match read {
-            Ok(loaded) => Told {
-                report: Some(MeasureReport::new(&loaded, String::new())),
+        let lacks = lacks(marks, frames);
+        let clicks = whole(marks, &lacks);
+        match unready(marks, &clicks) {
+            Some(refusal) => Told {
                 lacks,
-                is_assumed,
-                refusal: None,
-            },
-            Err(error) => Told {
-                lacks,
-                refusal: Some(error.into()),
+                refusal: Some(refusal),
                 ..Told::default()
             },
+            None => Told {
+                lacks,
+                ..read(&marks.video, &marks_csv(&clicks, frames))
+            },
         }
+    }
+}
+
+/// The clicks that count: those of points that are whole, in frames that show an edge.
+fn whole(marks: &Marks, lacks: &[Lack]) -> Vec<Click> {
+    let counts = |click: &&Click| !lacks.iter().any(|lack| is_spoiled(click, lack, marks));
+    let whole: Vec<&Click> = marks.clicks.iter().filter(counts).collect();
+    // reference points alone make no frame
+    let has_edge = |frame: &str| {
+        let mut clicks = whole.iter();
+        clicks.any(|click| click.frame == frame && click.r_mm.is_some())
+    };
+    let kept = whole.iter().filter(|click| has_edge(&click.frame));
+    kept.map(|click| (*click).clone()).collect()
+}
+
+/// What comes next, while there is no twist to be read.
+fn unready(marks: &Marks, clicks: &[Click]) -> Option<Refusal> {
+    // how the camera stood is asked for from the start
+    if let Err(error) = Video::read("the video", &video_toml(&marks.video)) {
+        return Some(error.into());
+    }
+    let is_in = |frame: &String| clicks.iter().any(|click| click.frame == *frame);
+    let message = match &marks.video.rest {
+        None if marks.clicks.is_empty() => {
+            "Begin with a frame that shows the wing untwisted, and tick it as such."
+        }
+        _ if clicks.is_empty() => "No station has both edges yet.",
+        Some(rest) if !is_in(rest) => "The frame at rest has no station with both edges yet.",
+        Some(rest) if clicks.iter().all(|click| click.frame == *rest) => {
+            "Now click the same stations in a frame under load."
+        }
+        _ => return None,
+    };
+    Some(Refusal::new(message))
+}
+
+/// The twist of marks, as `washout measure` reads them.
+fn read(video: &Video, csv: &str) -> Told {
+    let read = |video: &Video| LoadedVideo::read(("the video", &video_toml(video)), ("the marks", csv));
+    let (found, is_assumed) = match read(video) {
+        // the twist is shown as it grows; a measurement needs an error that somebody stands for
+        Err(error) if error.key == "sigma_px" => {
+            let sigma_px = Some(ASSUMED_PX);
+            let video = video.clone();
+            (read(&Video { sigma_px, ..video }), true)
+        }
+        found => (found, false),
+    };
+    match found {
+        Ok(loaded) => Told {
+            report: Some(MeasureReport::new(&loaded, String::new())),
+            is_assumed,
+            ..Told::default()
+        },
+        Err(error) => Told {
+            refusal: Some(error.into()),
+            ..Told::default()
+        },
     }
 }
 

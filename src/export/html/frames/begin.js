@@ -20,6 +20,7 @@ function begin() {
   function ask() {
     var isEmpty = !allPoints().length;
     if (guides().tool) return say(at("next-point"), guides().tool === "axis" ? "Click two points on the line through the wing base." : "Click two points whose distance you know.");
+    if (!marks().video.rest && !marks().clicks.length) return say(at("next-point"), "Go to a frame that shows the wing untwisted, if there is one, and tick it. Then " + (isEmpty ? "add a station." : "click: " + titleOf((current || allPoints()[0]).mark, (current || allPoints()[0]).r)));
     if (isEmpty && (!current || !/^reference/.test(current.mark))) return say(at("next-point"), "Add a station: its distance from the wing base.");
     say(at("next-point"), current ? "Now click: " + titleOf(current.mark, current.r) : "All points of this frame are clicked.");
   }

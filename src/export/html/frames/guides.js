@@ -64,7 +64,7 @@ function guidesPanel() {
   field.addEventListener("change", function () {
     var value = typed(field.value);
     field.setAttribute("aria-invalid", value > 0 ? "false" : "true");
-    change(function (own) { own.guides.mm = value > 0 ? value : null; });
+    if (value > 0) change(function (own) { own.guides.mm = value; });
   });
   hear("tool", show);
   hear("state", show);

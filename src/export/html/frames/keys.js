@@ -36,6 +36,7 @@ function keys(view) {
   window.addEventListener("keydown", function (event) {
     // Out of a field, so that letters are keys again.
     if (event.key === "Escape" && isTyping(event.target)) event.target.blur();
+    if (event.key === "Enter" && event.target.tagName === "INPUT" && event.target.id !== "station") event.target.blur();
     if (document.querySelector("dialog[open]") || isTyping(event.target) || event.altKey || !known.state) return;
     var name = event.key.toLowerCase(), does = null;
     if (event.ctrlKey || event.metaKey) does = name === "z" ? (event.shiftKey ? redo : undo) : name === "y" ? redo : null;

@@ -87,7 +87,7 @@ function picture() {
       if (ends.length === 2) line(ends[0], ends[1], own[1], [6, 4]);
       ends.forEach(function (end) { line([end[0] - 5, end[1]], [end[0] + 5, end[1]], own[1]); line([end[0], end[1] - 5], [end[0], end[1] + 5], own[1]); });
     });
-    var middle = [image.naturalWidth / 2, image.naturalHeight / 2], at = current && current.r !== null ? lineAt(current.r, middle) : null;
+    var middle = [image.naturalWidth / 2, image.naturalHeight / 2], at = current && current.r !== null && (!marks().video.rest || marks().video.rest === frameName()) ? lineAt(current.r, middle) : null;
     if (at) line(toScreen(at[0][0], at[0][1]), toScreen(at[1][0], at[1][1]), "rgba(125,223,125,0.8)", [2, 5]);
     chords();
     marks().clicks.forEach(function (own) { if (own.frame === frameName()) dot(own, isSame(current, own.mark, own.r_mm)); });

@@ -10,7 +10,7 @@ function saving() {
       tell("state", known.state);
       var lacks = known.state.told.lacks.length;
       fill(body, [
-        make("ul", { "class": "files" }, done.files.map(function (name) { return make("li", {}, make("code", {}, name)); })),
+        make("ul", { "class": "files" }, done.files.map(function (name) { return make("li", {}, [make("code", {}, name), /\.toml$/.test(name) ? " how the camera stood" : /-marks\.csv$/.test(name) ? " the clicks" : " the measurement"]); })),
         done.files.length < 3 ? make("p", { "class": "refusal" }, "No measurement yet: " + (lacks ? lacks + " points are still to be clicked." : known.state.told.refusal ? needed(known.state.told.refusal) : "say by how much a click errs, or click each point twice.")) : null,
         make("h3", {}, done.files.length < 3 ? "Once it is whole" : "The commands that do the same and go on"), make("pre", { tabindex: "0" }, done.commands.join("\n"))
       ]);

@@ -15,7 +15,7 @@ function attack() {
 
 function residuals() {
   var own = chart("residuals", {
-    title: "Measured minus model (grey: 1 and 2 \u03c3)", y: { label: "difference", unit: "\u03c3" }, least: 4, isEven: true
+    title: "Measured minus model, not calibrated (grey: 1 and 2 \u03c3)", y: { label: "difference", unit: "\u03c3" }, least: 4, isEven: true
   });
   var rest = make("p", { "class": "quiet" });
   at("residuals").appendChild(rest);

@@ -49,7 +49,9 @@ function chart(name, spec) {
 
   function stretch() {
     var most = 1;
-    lines().concat(content.points, content.bands).forEach(function (own) { own.x.forEach(function (x) { most = Math.max(most, x); }); });
+    lines().concat(content.bands).forEach(function (own) { own.x.forEach(function (x) { most = Math.max(most, x); }); });
+    // A reading at the very end would stand on the border.
+    content.points.forEach(function (own) { own.x.forEach(function (x) { most = Math.max(most, lines().length ? x : 1.03 * x); }); });
     return most;
   }
 

@@ -29,6 +29,8 @@ function curve() {
     });
   }
 
+  // What is shown is the model as it is set; the error step by step has the calibrated ones.
+  hear("state", function (state) { say(at("curve").querySelector("h2"), "Twist along the span" + (state.of === "study" ? ", not calibrated" : "")); });
   hear("shape", show);
   // A curve to hold against the model, or null.
   hear("tried", function (other) {

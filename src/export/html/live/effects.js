@@ -13,8 +13,8 @@ function effects(ask) {
 
   function build(state) {
     rows = state.effects.map(function (own) {
-      var put = make("button", { type: "button", onclick: function () { ask.effect(own.name, first(own), false); } }, "Add");
-      put.ariaLabel = "Add " + own.title;
+      var put = make("button", { type: "button", title: "At a strength that is set by hand", onclick: function () { ask.effect(own.name, first(own), false); } }, "Try");
+      put.ariaLabel = "Try " + own.title;
       return {
         name: own.name, put: put, words: (own.name + " " + own.title + " " + own.sentence + " " + own.acts_on).toLowerCase(),
         box: make("li", {}, [

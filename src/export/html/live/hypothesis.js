@@ -5,7 +5,21 @@ function hypothesis(ask, own, index) {
 
   function strength(one) {
     var unit = one.unit === "1" ? "" : one.unit;
-    return one.effect + " = " + plain(one.value, 3) + (one.standard_error > 0 ? " \u00b1 " + plain(one.standard_error, 2) : "") + (unit ? " " + unit : "");
+    return one.effect + " = " + plain(one.value, 3) + (one.standard_error > 0 ? " \u00b1 " + plain(one.standard_error, 2) : "") + (unit ? " " + unit : "") + (one.meaning ? " (" + one.meaning + ")" : "");
+  }
+
+  // How many degrees it makes on the case that is shown, where it makes most.
+  function size() {
+    var model = known.shape && known.shape.solved ? { x: known.shape.twist.r_mm, y: known.shape.twist.twist_deg } : null, most = 0, where = 0;
+    if (!model || !curve) return;
+    curve.r_mm.forEach(function (r, k) {
+      var there = along(model, r);
+      if (there !== null && isNumber(curve.twist_deg[k]) && Math.abs(curve.twist_deg[k] - there) > Math.abs(most)) {
+        most = curve.twist_deg[k] - there;
+        where = r;
+      }
+    });
+    say(note, most ? "makes " + signed(most, 2) + "\u00b0 here, at " + plain(Math.round(where), 4) + " mm" : "");
   }
 
   // On hover and on focus its curve stands beside the model.
@@ -14,7 +28,8 @@ function hypothesis(ask, own, index) {
     else if (!asked && ask.hypothesis) {
       asked = true;
       ask.hypothesis(index).then(function (found) {
-        curve = found;
+        curve = found && { r_mm: found.r_mm || found.x, twist_deg: found.twist_deg || found.y, x: found.x || found.r_mm, y: found.y || found.twist_deg };
+        size();
         if (curve && box.matches(":hover, :focus-within")) look();
       });
     }
@@ -25,7 +40,7 @@ function hypothesis(ask, own, index) {
   var bar = make("span", { "class": "probability", "aria-hidden": "true" }, make("span", {}));
   bar.firstChild.style.width = 100 * Math.max(0.005, Math.min(1, own.probability)) + "%";
   var add = make("button", {
-    type: "button", disabled: !own.can_add, onclick: function () {
+    type: "button", hidden: !own.can_add, title: "Its strength is fitted to all readings", onclick: function () {
       if (isAdding) return ask.stop();
       leave();
       busy(true);

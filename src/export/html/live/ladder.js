@@ -32,7 +32,7 @@ function ladder() {
     var most = isNumber(state.noise_deg) ? 1.2 * state.noise_deg : 0;
     steps.forEach(function (step) { most = Math.max(most, step.rms_deg || 0, step.held_out_rms_deg || 0); });
     most = 1.03 * most || 1;
-    var heads = ["step", "", "rms (deg)"].concat(hasHeld ? ["held out (deg)"] : [], ["chi-square"]);
+    var heads = ["step", "", "rms (deg)"].concat(hasHeld ? ["held out (deg)"] : [], ["chi-square / readings"]);
     fill(holder, make("table", {}, [
       make("caption", { "class": "unseen" }, "The error, step by step"),
       make("thead", {}, make("tr", {}, heads.map(function (text, k) { return make("th", { scope: "col", "class": k > 1 ? "n" : null }, text); }))),
@@ -41,7 +41,7 @@ function ladder() {
           make("th", { scope: "row" }, step.label), make("td", { "class": "wide" }, bar(step, most, state.noise_deg)),
           make("td", { "class": "n" }, isNumber(step.rms_deg) ? plain(step.rms_deg, 3) : isNumber(step.chi2) ? "\u2013" : "\u2026")
         ].concat(hasHeld ? [make("td", { "class": "n" }, isNumber(step.held_out_rms_deg) ? plain(step.held_out_rms_deg, 3) : "")] : [], [
-          make("td", { "class": "n" }, isNumber(step.chi2) ? plain(step.chi2, 3) : "")
+          make("td", { "class": "n" }, isNumber(step.chi2) ? plain(step.chi2, 3) + (step.count ? " / " + step.count : "") : "")
         ]));
       }))
     ]));

@@ -19,6 +19,7 @@ function missing(ask) {
     at("hint").hidden = !state.measured || answer.children.length > 0 || !progress.hidden;
     models[state.revision] = modelOf(state);
     at("answer-old").hidden = answeredAt === null || models[answeredAt] === modelOf(state);
+    answer.classList.toggle("old", !at("answer-old").hidden);
   });
 
   // What an answer depends on: values that come back by undo are the same model.
