@@ -273,7 +273,10 @@ fn ladder(desk: &Desk, job: &Job, progress: &Progress, known: &mut Known) -> Res
             let now = desk.shown().read.filter(|_| !job.values.sets().is_empty());
             Ladder::of_design(first, now.as_deref())
         }
-        What::Study(_) => Ladder::of_study(&steps(desk, job, progress, known)?),
+        What::Study(_) => {
+            let is_moved = job.values.is_set_by_hand();
+            Ladder::of_study(&steps(desk, job, progress, known)?, is_moved)
+        }
     };
     desk.climb(job.revision, ladder);
     Ok(())

@@ -46,12 +46,17 @@ pub struct CaseError {
 }
 
 impl Ladder {
-    /// Of models of a study that were calibrated one after the other, each with its name.
-    pub fn of_study(calibrated: &[(String, StudyComparison)]) -> Ladder {
+    /// Of models of a study that were calibrated one after the other, each with its name. `is_moved`: whether something in the first was
+    /// set by hand.
+    pub fn of_study(calibrated: &[(String, StudyComparison)], is_moved: bool) -> Ladder {
         let Some((_, first)) = calibrated.first() else {
             return Ladder::default();
         };
-        let mut steps = vec![step("uncalibrated", first, 0)];
+        let label = match is_moved {
+            true => "as moved, uncalibrated",
+            false => "uncalibrated",
+        };
+        let mut steps = vec![step(label, first, 0)];
         let is_fitted = |model: &StudyComparison| !model.unknowns.is_empty();
         let models = calibrated.iter().filter(|(_, model)| is_fitted(model));
         steps.extend(models.map(|(name, model)| step(name, model, 1)));

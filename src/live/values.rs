@@ -60,6 +60,13 @@ pub struct Addition {
 }
 
 impl Values {
+    /// Whether a number, or the strength of an effect, was set by hand: the model is then not that of the file with what was fitted.
+    pub fn is_set_by_hand(&self) -> bool {
+        let steps = self.study.iter().flat_map(|study| &study.steps);
+        let mut held = steps.filter(|step| matches!(step, Step::Held { .. }));
+        !self.sets().is_empty() || held.next().is_some()
+    }
+
     /// Numbers and strengths as `--set` takes them.
     pub fn sets(&self) -> Vec<String> {
         let numbers = self.numbers.iter();

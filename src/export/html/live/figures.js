@@ -9,7 +9,7 @@ function figures() {
     if (isNumber(shape.chi2)) {
       own.push({ key: "chi2", label: "chi-square" + (count ? " of " + count + (count === 1 ? " reading" : " readings") : ""), value: shape.chi2, unit: "" });
     }
-    if (isNumber(shape.rms_deg)) own.push({ key: "rms_deg", label: known.state && known.state.of === "study" ? "rms error, not calibrated" : "rms error", value: shape.rms_deg, unit: "deg" });
+    if (isNumber(shape.rms_deg)) own.push({ key: "rms_deg", label: known.state && known.state.of === "study" ? "rms error, as set" : "rms error", value: shape.rms_deg, unit: "deg" });
     if (isNumber(shape.mesh_error_deg)) own.push({ key: "mesh_error_deg", label: "mesh error", value: shape.mesh_error_deg, unit: "deg", isOwn: true });
     return own;
   }
