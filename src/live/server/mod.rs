@@ -1,4 +1,7 @@
 //! The page of a desk, or of frames, for a browser on the same machine: HTTP on 127.0.0.1, behind a token, guarded against other hosts and pages.
+//!
+//! httparse reads the heads; connections are served here. tiny_http 0.12 cannot limit the time in which a connection sends its request
+//! (its configuration has no such field), so that slow senders would hold it for ever, and axum brings an asynchronous runtime.
 
 mod answer;
 
