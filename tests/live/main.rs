@@ -128,7 +128,10 @@ fn settled(desk: &Desk) -> Value {
     let revision = desk.state().revision;
     let mut after = 0;
     loop {
-        let text = desk.shape(Some(after), Duration::from_secs(60)).expect("a shape");
+        // a wing that has no shape is searched for a while
+        let text = desk
+            .shape(Some(after), Duration::from_secs(600))
+            .expect("a shape");
         let mut shape: Value = serde_json::from_str(&text).expect("JSON");
         after = shape["shape_revision"].as_u64().expect("a number");
         if shape["revision"] == revision && shape["settled"] == true {
