@@ -15,6 +15,9 @@ use super::inputs::{Input, Prior, inputs};
 use super::refusal::Refusal;
 use super::values::{Step, StudyText, Values};
 
+/// Nodes of a mesh that the page follows: a solve of it takes a GB and some ten seconds. What is moved may ask for any mesh.
+const MOST_NODES: usize = 20_000;
+
 /// A file that was opened.
 #[derive(Debug)]
 pub struct Opened {
@@ -249,8 +252,23 @@ impl Opened {
     /// The wing of a case with what was moved, meshed.
     ///
     /// # Errors
-    /// If the design refuses a number, or no such wing can be laid out or meshed.
+    /// If the design refuses a number, or no such wing can be laid out or meshed, or its mesh is more than a page can follow.
     pub fn wing(&self, values: &Values, case: usize) -> Result<CaseWing, Refusal> {
+        let wing = self.meshed(values, case)?;
+        match wing.model.mesh.nodes.len() {
+            nodes if nodes > MOST_NODES => Err(Refusal {
+                cure: Some(
+                    "Take a coarser mesh, a smaller mesh.refine, or solve it by washout solve".to_string(),
+                ),
+                ..Refusal::new(format!(
+                    "The mesh of this wing has {nodes} nodes, and the page follows {MOST_NODES}"
+                ))
+            }),
+            _ => Ok(wing),
+        }
+    }
+
+    fn meshed(&self, values: &Values, case: usize) -> Result<CaseWing, Refusal> {
         match &self.what {
             What::Design(_) => {
                 let loaded = Design::load_text(&self.text, &self.path, &self.sets(values))?;
