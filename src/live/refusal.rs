@@ -27,6 +27,14 @@ impl Refusal {
         }
     }
 
+    /// The same with what to do about it.
+    pub fn cured(self, cure: &str) -> Refusal {
+        Refusal {
+            cure: Some(cure.to_string()),
+            ..self
+        }
+    }
+
     /// One at an input or an effect.
     pub fn at(key: &str, message: impl ToString, cure: &str) -> Refusal {
         Refusal {

@@ -54,6 +54,12 @@ pub fn cut(video: &Path, progress: &Progress) -> Result<Frames, Refusal> {
     let partial = tempfile::tempdir_in(beside).map_err(fault)?;
     run(video, partial.path(), progress)?;
     let count = fs::read_dir(partial.path()).map_err(fault)?.count();
+    if count == 0 {
+        return Err(Refusal::new(format!(
+            "{}: ffmpeg found no frame in it",
+            video.display()
+        )));
+    }
     let partial = partial.keep();
     if let Err(error) = fs::rename(&partial, &folder) {
         // what was cut is of no use at another place
@@ -117,11 +123,9 @@ fn run(video: &Path, folder: &Path, progress: &Progress) -> Result<(), Refusal> 
 
 fn missing(video: &Path, error: &io::Error) -> Refusal {
     let cure = "Install ffmpeg, or cut the video into PNG or JPEG files and name their folder";
-    Refusal {
-        cure: Some(cure.to_string()),
-        ..Refusal::new(format!(
-            "{}: is a video, and ffmpeg cannot be started ({error})",
-            video.display()
-        ))
-    }
+    Refusal::new(format!(
+        "{}: is a video, and ffmpeg cannot be started ({error})",
+        video.display()
+    ))
+    .cured(cure)
 }

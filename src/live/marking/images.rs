@@ -48,28 +48,21 @@ impl Images {
             let message = format!("{}: has no image (.png, .jpg, .jpeg)", folder.display());
             let cure =
                 "Name the folder with the frames of the video, or the video itself where ffmpeg is installed";
-            return Err(Refusal {
-                cure: Some(cure.to_string()),
-                ..Refusal::new(message)
-            });
+            return Err(Refusal::new(message).cured(cure));
         }
         if found.len() > MOST {
             let message = format!("{}: has {} images, at most {MOST}", folder.display(), found.len());
             let cure = "Keep one frame in ten: twist is read at a few instants";
-            return Err(Refusal {
-                cure: Some(cure.to_string()),
-                ..Refusal::new(message)
-            });
+            return Err(Refusal::new(message).cured(cure));
         }
         found.sort_by(|a, b| alphanumeric_sort::compare_str(&a.name, &b.name).then(a.path.cmp(&b.path)));
         if let Some(pair) = found.windows(2).find(|pair| pair[0].name == pair[1].name) {
             let [a, b] = [&pair[0], &pair[1]].map(|image| image.path.display());
             let cure =
                 "Rename one of them; the frame is named after its file, by letters, digits, -, _ and .";
-            return Err(Refusal {
-                cure: Some(cure.to_string()),
-                ..Refusal::new(format!("{a} and {b} would be the same frame {}", pair[0].name))
-            });
+            return Err(
+                Refusal::new(format!("{a} and {b} would be the same frame {}", pair[0].name)).cured(cure),
+            );
         }
         Ok(Images(found))
     }

@@ -87,10 +87,7 @@ impl Marks {
         if let Some(click) = clicks.iter().find(|click| !frames.contains(&click.frame)) {
             let cure = "Put the image back, or delete the rows of this frame";
             let message = format!("{}: frame {} has no image", file.display(), click.frame);
-            return Err(Refusal {
-                cure: Some(cure.to_string()),
-                ..Refusal::new(message)
-            });
+            return Err(Refusal::new(message).cured(cure));
         }
         let mut stations_mm: Vec<f64> = clicks.iter().filter_map(|click| click.r_mm).collect();
         stations_mm.sort_by(f64::total_cmp);
@@ -166,10 +163,7 @@ fn description(folder: &Path) -> Result<Option<PathBuf>, Refusal> {
                 other.display()
             );
             let cure = "Keep one: the file that describes the video";
-            Err(Refusal {
-                cure: Some(cure.to_string()),
-                ..Refusal::new(message)
-            })
+            Err(Refusal::new(message).cured(cure))
         }
     }
 }

@@ -122,10 +122,7 @@ impl Marking {
             let mut held = self.held();
             if held.revision != revision {
                 let cure = "Load this page again";
-                return Err(Refusal {
-                    cure: Some(cure.to_string()),
-                    ..Refusal::new("The marks were changed in another window.")
-                });
+                return Err(Refusal::new("The marks were changed in another window.").cured(cure));
             }
             // where they are written is not for a page to say
             let own = held.marks.video.marks.clone();

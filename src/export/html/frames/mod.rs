@@ -3,11 +3,9 @@
 //! What is on it lies in files named after what a user sees: the picture, the points, the camera, the twist. Elements, the chart and how
 //! the program is asked are those of the page of a wing.
 
-use super::GENERATOR;
-use super::page::STYLE;
+use super::live::framed;
 
 const BODY: &str = include_str!("frames.html");
-const LIVE_STYLE: &str = include_str!("../live/live.css");
 const OWN_STYLE: &str = include_str!("frames.css");
 const PLAIN: &str = include_str!("../viewer/plain.js");
 /// What the page does; the last file puts it together.
@@ -31,15 +29,9 @@ const SCRIPT: &str = concat!(
 
 /// The page that the program serves; its styles and its script carry the nonce.
 pub fn page(nonce: &str) -> String {
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         {GENERATOR}{version}\">\n<title>washout live</title>\n<link rel=\"icon\" href=\"data:,\">\n\
-         <style nonce=\"{nonce}\">\n{STYLE}{LIVE_STYLE}{OWN_STYLE}</style>\n</head>\n<body>\n{BODY}\
-         <script nonce=\"{nonce}\">\n(function () {{\n\"use strict\";\n\
-         var wingView = (function () {{\n{PLAIN}return {{ plain: plain }};\n}})();\n{SCRIPT}}})();\n</script>\n</body>\n</html>\n",
-        version = env!("CARGO_PKG_VERSION"),
-    )
+    let script =
+        format!("var wingView = (function () {{\n{PLAIN}return {{ plain: plain }};\n}})();\n{SCRIPT}");
+    framed(nonce, "", OWN_STYLE, BODY, &script)
 }
 
 #[cfg(test)]

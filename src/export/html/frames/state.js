@@ -36,12 +36,14 @@ function send() {
   isSending = true;
   isWaiting = false;
   post("marks", { revision: known.state.revision, marks: marks() }).then(function (state) {
+    known.isUnsent = false;
     tell("reached", true);
     if (isWaiting) {
       known.state.revision = state.revision;
       known.state.told = state.told;
     } else learn(state);
   }, function (error) {
+    known.isUnsent = true;
     if (error.refusal) tell("refused", error.refusal);
     else tell("reached", false);
   }).then(function () {

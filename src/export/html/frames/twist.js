@@ -20,6 +20,8 @@ function twist(camera) {
     if (known.state.told.is_assumed) text = "The errors are those of clicks that err by 1 px, which is a guess: click each point twice, or say by how much a click errs.";
     var isTwisted = report.readings.filter(function (one) { return one.twist_deg < -2 * one.sigma_deg; }).length;
     if (2 * isTwisted > report.readings.length) text += " Most of the twist is negative: is the right frame ticked as untwisted?";
+    var frames = report.readings.map(function (one) { return one.frame; }).filter(function (name, k, all) { return all.indexOf(name) === k; }).length;
+    if (frames > points(report).length) text += " The picture shows " + points(report).length + " of " + frames + " frames, the table all.";
     return text + (report.few_repeats ? " The repeats are few: click more points twice." : "");
   }
 

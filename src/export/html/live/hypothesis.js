@@ -28,7 +28,7 @@ function hypothesis(ask, own, index) {
     else if (!asked && ask.hypothesis) {
       asked = true;
       ask.hypothesis(index).then(function (found) {
-        curve = found && { r_mm: found.r_mm || found.x, twist_deg: found.twist_deg || found.y, x: found.x || found.r_mm, y: found.y || found.twist_deg };
+        curve = found;
         size();
         if (curve && box.matches(":hover, :focus-within")) look();
       });
@@ -65,13 +65,14 @@ function hypothesis(ask, own, index) {
     add
   ]);
   // What is in the model already is not added again.
-  hear("state", function (state) {
-    if (!box.isConnected || isAdding || !own.can_add) return;
+  function hold(state) {
+    if (isAdding || !state) return;
     var isIn = own.effects.every(function (name) { return state.effects.some(function (one) { return one.name === name && isNumber(one.value); }); });
     add.disabled = isIn;
     add.textContent = isIn ? "In the model" : "Add";
-  });
-  return box;
+  }
+  hold(known.state);
+  return { box: box, hold: hold };
 }
 
 // A small wing that shows what an effect acts on: the rod, the film, the root, the tip, the air or the camera.

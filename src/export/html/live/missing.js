@@ -1,7 +1,7 @@
 // What is missing: the diagnosis, how far it is, and its answer in rows.
 
 function missing(ask) {
-  var button = at("ask"), progress = at("asked"), bar = at("asked-bar"), answer = at("answer"), shown = null, answeredAt = null, file = null, models = {};
+  var button = at("ask"), progress = at("asked"), bar = at("asked-bar"), answer = at("answer"), shown = null, answeredAt = null, file = null, models = {}, rows = [];
 
   button.addEventListener("click", ask.diagnose);
   at("stop").addEventListener("click", ask.stop);
@@ -17,7 +17,10 @@ function missing(ask) {
     button.disabled = !state.measured;
     at("no-readings").hidden = state.measured;
     at("hint").hidden = !state.measured || answer.children.length > 0 || !progress.hidden;
+    // That which was asked about is remembered, and while a question runs every one.
+    if (progress.hidden) models = answeredAt in models ? Object.fromEntries([[answeredAt, models[answeredAt]]]) : {};
     models[state.revision] = modelOf(state);
+    rows.forEach(function (row) { row.hold(state); });
     at("answer-old").hidden = answeredAt === null || models[answeredAt] === modelOf(state);
     answer.classList.toggle("old", !at("answer-old").hidden);
   });
@@ -45,7 +48,8 @@ function missing(ask) {
   });
 
   function build(own) {
-    var all = own.hypotheses.map(function (one, index) { return hypothesis(ask, one, index); });
+    rows = own.hypotheses.map(function (one, index) { return hypothesis(ask, one, index); });
+    var all = rows.map(function (row) { return row.box; });
     var likely = all.slice(0, 5), rest = all.slice(5);
     fill(answer, [
       make("p", { "class": "sentence" }, own.sentence),

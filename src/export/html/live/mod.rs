@@ -66,17 +66,24 @@ const OF_FILE: &str = "washout";
 
 fn document(nonce: &str, policy: &str, data: &str) -> String {
     let map: Vec<String> = MAP.iter().map(|[r, g, b]| format!("[{r},{g},{b}]")).collect();
+    let body = format!(
+        "{}<script type=\"application/json\" id=\"wing-map\">[{}]</script>\n{data}",
+        BODY.replace("{viewer}", STAGE),
+        map.join(","),
+    );
+    let script = format!("var wingView = (function () {{\n{VIEWER_FILES}{VIEW}}})();\n{SCRIPT}");
+    framed(nonce, policy, "", &body, &script)
+}
+
+/// A page of this program: its styles and its script carry the nonce.
+pub(super) fn framed(nonce: &str, policy: &str, style: &str, body: &str, script: &str) -> String {
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{policy}\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          {GENERATOR}{version}\">\n<title>washout live</title>\n<link rel=\"icon\" href=\"data:,\">\n\
-         <style nonce=\"{nonce}\">\n{STYLE}{OWN_STYLE}</style>\n</head>\n<body>\n{body}\
-         <script type=\"application/json\" id=\"wing-map\">[{map}]</script>\n{data}\
-         <script nonce=\"{nonce}\">\n(function () {{\n\"use strict\";\n\
-         var wingView = (function () {{\n{VIEWER_FILES}{VIEW}}})();\n{SCRIPT}}})();\n</script>\n</body>\n</html>\n",
+         <style nonce=\"{nonce}\">\n{STYLE}{OWN_STYLE}{style}</style>\n</head>\n<body>\n{body}\
+         <script nonce=\"{nonce}\">\n(function () {{\n\"use strict\";\n{script}}})();\n</script>\n</body>\n</html>\n",
         version = env!("CARGO_PKG_VERSION"),
-        body = BODY.replace("{viewer}", STAGE),
-        map = map.join(","),
     )
 }
 
