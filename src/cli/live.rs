@@ -72,7 +72,7 @@ impl Live {
     /// Serves the page until Ctrl-C; `verbs` runs the commands that save.
     pub fn run(&self, verbs: Run, console: &Console) -> Result<(), Failure> {
         let stop = console.progress();
-        if self.file.is_dir() || is_video(&self.file) {
+        if self.file.is_dir() || self.file.is_file() && is_video(&self.file) {
             return self.marked(console);
         }
         let session = Session::open(&self.file, &self.set, Arc::new(ByCommands(verbs)));
