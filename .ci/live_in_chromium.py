@@ -63,7 +63,7 @@ class Live:
         self.page.until("probe.isResting()", "a shape", 300)
         for _ in range(1000):
             state, shape = self.api("state"), self.api("shape")
-            if shape["revision"] >= state["revision"]:
+            if shape["revision"] >= state["revision"] and (shape["solved"] or shape["settled"]):
                 return state, shape
             self.page.run("new Promise(function (done) { setTimeout(done, 50); })")
         raise RuntimeError("the shape does not follow the state")

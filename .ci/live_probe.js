@@ -191,7 +191,10 @@ window.probe = (function () {
     act: function (name, a, b) { actions[name](a, b); },
     overlaps: overlaps, cut: cut, pale: pale, frames: frames, turn: turn, moved: moved, slide: slide,
     isReady: function () { return all(".mover").length > 1 && !document.getElementById("wing-live").hidden && curve() !== null; },
-    isResting: function () { return document.getElementById("solving").hidden; },
+    isResting: function () {
+      var isSought = !document.getElementById("grey").hidden && document.getElementById("grey-word").textContent === "Not solved yet.";
+      return document.getElementById("solving").hidden && !isSought;
+    },
     text: function (query) {
       var own = document.querySelector(query);
       return own ? own.textContent : null;

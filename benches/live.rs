@@ -1,7 +1,7 @@
 //! From a move on the page of `washout live` to the new curve: 200 random moves of one input each, on the half mesh and on the default one.
 //!
 //! `RAYON_NUM_THREADS=1 cargo bench --bench live`; a name behind `--` measures that design alone. Minutes: after each move the shape
-//! from rest is waited for, also where there is none.
+//! from rest is waited for, at most [`LONGEST`] where there is none.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -13,6 +13,8 @@ use washout::live::verbs::SavesNothing;
 use washout::live::{Desk, Session};
 
 const MOVES: usize = 200;
+/// Wait for a shape; without one by then, the move counts as that long, and is taken back.
+const LONGEST: Duration = Duration::from_secs(15);
 
 fn main() {
     fastrand::seed(20);
@@ -49,15 +51,14 @@ fn measure(design: &str, refine: f64) {
             refused += 1;
             continue;
         };
-        let (found, after) = wait(&desk, state.revision, false);
+        let found = wait(&desk, state.revision, false);
         followed.push(start.elapsed().as_secs_f64());
-        let is_settled = wait(&desk, state.revision, true).0;
+        let is_settled = wait(&desk, state.revision, true);
         settled.push(start.elapsed().as_secs_f64());
         if !(found && is_settled) {
             refused += 1;
             desk.change(|session| session.undo()).expect("a step");
         }
-        let _ = after;
     }
     desk.close();
     thread.join().expect("no panic");
@@ -73,15 +74,16 @@ fn measure(design: &str, refine: f64) {
     );
 }
 
-/// Waits for the shape of a revision, or for the one from rest; whether there is one, and the number of the shape.
-fn wait(desk: &Desk, revision: u64, is_settled: bool) -> (bool, u64) {
-    let mut after = 0;
-    loop {
-        let _ = desk.shape(Some(after), Duration::from_secs(10));
+/// Waits for the shape of a revision, or for the one from rest; whether there is one.
+fn wait(desk: &Desk, revision: u64, is_settled: bool) -> bool {
+    let (until, mut after) = (Instant::now() + LONGEST, 0);
+    while Instant::now() < until {
+        let _ = desk.shape(Some(after), until.saturating_duration_since(Instant::now()));
         let about = desk.shown().about;
         after = about.shape_revision;
-        if about.revision == revision && (about.settled || !is_settled) {
-            return (about.solved, after);
+        if about.revision == revision && (about.settled || about.solved && !is_settled) {
+            return about.solved;
         }
     }
+    false
 }

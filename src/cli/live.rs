@@ -122,6 +122,16 @@ impl Live {
             }
         };
         let marking = Marking::open(&folder).map_err(|refusal| self.refused(refusal))?;
+        if let [first, rest @ ..] = marking.images().left_out() {
+            let more = if rest.is_empty() {
+                String::new()
+            } else {
+                format!(" and {} more", rest.len())
+            };
+            console.note(format!(
+                "left out, for only PNG and JPEG are shown: {first}{more}; save them as PNG or JPEG"
+            ));
+        }
         let server = self.server()?;
         self.open(&server, console)?;
         let served = server.serve_frames(Arc::new(marking), frames::page, stop);

@@ -38,7 +38,7 @@ pub fn ask(desk: &Arc<Desk>) -> Result<(), Refusal> {
     }
     let case = session.case();
     let started = desk.start(move |desk| {
-        let found = diagnosed(&study, &progress).map(|found| Found::new(found, case));
+        let found = diagnosed(&study, &progress).map(|found| Found::new(found, &study, case));
         let found = match progress.is_cancelled() {
             true => Err(Refusal::new("stopped")),
             false => found,

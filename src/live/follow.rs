@@ -107,7 +107,14 @@ fn followed(
         last.model.design().name == wing.model.design().name && last.solution.mesh.nodes.len() == nodes
     };
     let last = known.last.as_ref().filter(is_alike)?;
-    let found = wing.model.follow(&last.solution, progress).ok()?;
+    let found = match wing.model.follow(&last.solution, progress) {
+        Ok(found) => found,
+        Err(WingError::Interrupted(_)) => return None,
+        Err(_) => {
+            search(desk, job);
+            return None;
+        }
+    };
     show(desk, job, wing, &found, false, start).ok()?;
     known.last = Some(found.clone());
     Some(found)
@@ -143,6 +150,16 @@ fn remark(desk: &Desk, job: &Job, words: &str) {
     desk.show(job.revision, |shown| {
         let note = shown.about.note.take();
         shown.about.note = Some(note.map_or(words.to_string(), |note| format!("{note} {words}")));
+    });
+}
+
+/// Nothing was found from the last shape, which stays: how long it takes from rest is not known.
+fn search(desk: &Desk, job: &Job) {
+    desk.show(job.revision, |shown| {
+        let about = &mut shown.about;
+        (about.solved, about.settled) = (false, false);
+        (about.refusal, about.note) = (None, None);
+        about.mesh_error_deg = None;
     });
 }
 

@@ -7,6 +7,7 @@ use crate::diagnose::fields::Law;
 use crate::diagnose::next::Candidate;
 use crate::diagnose::verdict::{Diagnosis, Hypothesis, PlaceFound, Strength, Verdict};
 use crate::effects::named;
+use crate::input::study::LoadedStudy;
 use crate::page::text::significant;
 use crate::study::{Campaign, Forward, Unknown, UnknownKind};
 use crate::wing::{SolvedWing, WingModel};
@@ -76,15 +77,24 @@ struct Unnamed {
 struct Next {
     words: String,
     /// Where the hypotheses part: the best candidates, and how far apart they are expected there.
-    candidates: Vec<Candidate>,
+    candidates: Vec<Experiment>,
+}
+
+/// An experiment that could be made.
+#[derive(Debug, Serialize)]
+struct Experiment {
+    #[serde(flatten)]
+    candidate: Candidate,
+    /// The wing and what is set on it, of one that the study lists; the name of any other says what to do.
+    conditions: Option<String>,
 }
 
 /// Candidates that are shown.
 const SHOWN: usize = 5;
 
 impl Found {
-    /// From a diagnosis; `case`: that which is shown.
-    pub fn new(found: StudyDiagnosis, case: usize) -> Found {
+    /// From a diagnosis of a study; `case`: that which is shown.
+    pub fn new(found: StudyDiagnosis, study: &LoadedStudy, case: usize) -> Found {
         let StudyDiagnosis {
             campaign, diagnosis, ..
         } = found;
@@ -105,7 +115,12 @@ impl Found {
             probability_nothing: diagnosis.p_nothing,
             next: next.map(|next| Next {
                 words: next.sentence.clone(),
-                candidates: next.candidates.iter().take(SHOWN).cloned().collect(),
+                candidates: (next.candidates.iter().take(SHOWN))
+                    .map(|candidate| Experiment {
+                        candidate: candidate.clone(),
+                        conditions: conditions(study, &candidate.name),
+                    })
+                    .collect(),
             }),
             notes: diagnosis.notes.clone(),
         };
@@ -155,6 +170,14 @@ impl Found {
         strengths.sort_by(|a, b| in_errors(b).total_cmp(&in_errors(a)));
         Ok(strengths.into_iter().map(addition).collect())
     }
+}
+
+/// The wing of a listed experiment and what is set on it, the mesh left out.
+fn conditions(study: &LoadedStudy, name: &str) -> Option<String> {
+    let own = study.experiments.iter().find(|own| own.name == name)?;
+    let sets = own.sets.iter().filter(|set| !set.starts_with("mesh."));
+    let sets: Vec<&str> = sets.map(String::as_str).collect();
+    Some(format!("{}: {}", own.loaded.design.name, sets.join(", ")))
 }
 
 fn addition(strength: &Strength) -> Addition {

@@ -15,6 +15,11 @@ const KINDS: [(&[&str], &str, &[u8]); 2] = [
     (&["jpg", "jpeg"], "image/jpeg", b"\xff\xd8\xff"),
 ];
 
+/// Endings of images that no page shows, or not everywhere.
+const OTHERS: [&str; 10] = [
+    "bmp", "cr2", "dng", "gif", "heic", "nef", "ppm", "tif", "tiff", "webp",
+];
+
 /// One image.
 #[derive(Debug, Clone, PartialEq)]
 struct Image {
@@ -26,7 +31,11 @@ struct Image {
 
 /// The images of a folder.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Images(Vec<Image>);
+pub struct Images {
+    shown: Vec<Image>,
+    /// Files of images that are left out for their kind.
+    left_out: Vec<String>,
+}
 
 impl Images {
     /// Finds them; other files are left alone. `frame-2` comes before `frame-10`.
@@ -35,19 +44,32 @@ impl Images {
     /// If the folder cannot be read, has no image or too many, or two images have the same name.
     pub fn of(folder: &Path) -> Result<Images, Refusal> {
         let fault = |error| Refusal::new(format!("{}: cannot be read: {error}", folder.display()));
-        let mut found = Vec::new();
+        let (mut found, mut left_out) = (Vec::new(), Vec::new());
         for entry in fs::read_dir(folder).map_err(fault)? {
             let path = entry.map_err(fault)?.path();
             let Some(kind) = kind_of(&path).filter(|_| path.is_file()) else {
+                if ending(&path).is_some_and(|own| OTHERS.contains(&own.as_str())) {
+                    left_out.push(
+                        path.file_name()
+                            .unwrap_or_default()
+                            .to_string_lossy()
+                            .into_owned(),
+                    );
+                }
                 continue;
             };
             let name = frame_name(&path);
             found.push(Image { name, path, kind });
         }
+        left_out.sort();
         if found.is_empty() {
             let message = format!("{}: has no image (.png, .jpg, .jpeg)", folder.display());
-            let cure =
-                "Name the folder with the frames of the video, or the video itself where ffmpeg is installed";
+            let cure = match left_out.is_empty() {
+                true => {
+                    "Name the folder with the frames of the video, or the video itself where ffmpeg is installed"
+                }
+                false => "Save its images as PNG or JPEG",
+            };
             return Err(Refusal::new(message).cured(cure));
         }
         if found.len() > MOST {
@@ -64,12 +86,20 @@ impl Images {
                 Refusal::new(format!("{a} and {b} would be the same frame {}", pair[0].name)).cured(cure),
             );
         }
-        Ok(Images(found))
+        Ok(Images {
+            shown: found,
+            left_out,
+        })
+    }
+
+    /// Files of images that are left out, for they are neither PNG nor JPEG.
+    pub fn left_out(&self) -> &[String] {
+        &self.left_out
     }
 
     /// Names of the frames.
     pub fn names(&self) -> Vec<String> {
-        self.0.iter().map(|image| image.name.clone()).collect()
+        self.shown.iter().map(|image| image.name.clone()).collect()
     }
 
     /// One image: what a browser calls its kind, and its bytes.
@@ -77,7 +107,7 @@ impl Images {
     /// # Errors
     /// If there is no such frame, or the file is none any more.
     pub fn read(&self, index: usize) -> Result<(&'static str, Vec<u8>), Refusal> {
-        let image = (self.0.get(index)).ok_or_else(|| Refusal::new("there is no such frame"))?;
+        let image = (self.shown.get(index)).ok_or_else(|| Refusal::new("there is no such frame"))?;
         let shown = image.path.display();
         let fault = |error| Refusal::new(format!("{shown}: cannot be read: {error}"));
         let size = fs::metadata(&image.path).map_err(fault)?.len();
@@ -94,8 +124,12 @@ impl Images {
     }
 }
 
+fn ending(path: &Path) -> Option<String> {
+    Some(path.extension()?.to_str()?.to_ascii_lowercase())
+}
+
 fn kind_of(path: &Path) -> Option<usize> {
-    let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+    let ending = ending(path)?;
     KINDS
         .iter()
         .position(|(endings, _, _)| endings.contains(&ending.as_str()))
@@ -134,8 +168,10 @@ mod tests {
             ("f-9.png", png),
             ("f 1.JPG", b"\xff\xd8\xff\xe0"),
             ("notes.txt", b"x"),
+            ("f-11.TIF", b"II*"),
         ]);
         let images = Images::of(folder.path()).expect("images");
+        assert_eq!(images.left_out(), ["f-11.TIF"]);
         assert_eq!(images.names(), ["f-1", "f-9", "f-10"]);
         assert_eq!(images.read(0).expect("a picture").0, "image/jpeg");
         assert!(images.read(3).is_err());

@@ -1,135 +1,69 @@
-//! An answer as it goes over the wire.
+//! Answers, each sealed against other pages.
 
-use std::io::{self, Write};
-
-/// How a request ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
-    /// It was done.
-    Done,
-    /// There is nothing new.
-    Nothing,
-    /// It is none.
-    Bad,
-    /// It does not come from this page.
-    Forbidden,
-    /// There is no such thing.
-    NotFound,
-    /// Not in this way.
-    WrongMethod,
-    /// It was not sent in time.
-    TooSlow,
-    /// Its length is not stated.
-    NoLength,
-    /// It is longer than allowed.
-    TooLarge,
-    /// It is no JSON.
-    WrongType,
-    /// It is refused, and the answer says why.
-    Refused,
-    /// Its head is longer than allowed.
-    HeadTooLarge,
-    /// Too many ask at a time.
-    Busy,
-}
-
-impl Status {
-    fn line(self) -> &'static str {
-        match self {
-            Status::Done => "200 OK",
-            Status::Nothing => "204 No Content",
-            Status::Bad => "400 Bad Request",
-            Status::Forbidden => "403 Forbidden",
-            Status::NotFound => "404 Not Found",
-            Status::WrongMethod => "405 Method Not Allowed",
-            Status::TooSlow => "408 Request Timeout",
-            Status::NoLength => "411 Length Required",
-            Status::TooLarge => "413 Content Too Large",
-            Status::WrongType => "415 Unsupported Media Type",
-            Status::Refused => "422 Unprocessable Content",
-            Status::HeadTooLarge => "431 Request Header Fields Too Large",
-            Status::Busy => "503 Service Unavailable",
-        }
-    }
-}
+use http_body_util::Full;
+use hyper::body::Bytes;
+use hyper::header::{
+    CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HeaderName, HeaderValue, REFERRER_POLICY,
+    X_CONTENT_TYPE_OPTIONS,
+};
+use hyper::{Response, StatusCode};
 
 /// What goes back.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
-    status: Status,
-    kind: &'static str,
-    /// Nonce of the page's scripts and styles.
-    nonce: String,
-    body: Vec<u8>,
+pub type Answer = Response<Full<Bytes>>;
+
+/// What every answer carries: it is kept nowhere, read as nothing else, and used by no other page.
+const SEAL: [(HeaderName, &str); 6] = [
+    (CACHE_CONTROL, "no-store"),
+    (X_CONTENT_TYPE_OPTIONS, "nosniff"),
+    (REFERRER_POLICY, "no-referrer"),
+    (
+        HeaderName::from_static("cross-origin-opener-policy"),
+        "same-origin",
+    ),
+    (
+        HeaderName::from_static("cross-origin-resource-policy"),
+        "same-origin",
+    ),
+    (
+        CONTENT_SECURITY_POLICY,
+        "default-src 'none'; frame-ancestors 'none'",
+    ),
+];
+
+/// One without a word.
+pub fn empty(status: StatusCode) -> Answer {
+    body(status, "text/plain; charset=utf-8", Vec::new())
 }
 
-impl Answer {
-    /// One without a word.
-    pub fn empty(status: Status) -> Answer {
-        Answer {
-            status,
-            kind: "text/plain; charset=utf-8",
-            nonce: String::new(),
-            body: Vec::new(),
-        }
-    }
+/// JSON.
+pub fn json(status: StatusCode, text: impl Into<Vec<u8>>) -> Answer {
+    body(status, "application/json", text.into())
+}
 
-    /// JSON.
-    pub fn json(status: Status, text: impl Into<Vec<u8>>) -> Answer {
-        Answer {
-            kind: "application/json",
-            body: text.into(),
-            ..Answer::empty(status)
-        }
-    }
+/// A picture.
+pub fn picture(kind: &'static str, bytes: Vec<u8>) -> Answer {
+    body(StatusCode::OK, kind, bytes)
+}
 
-    /// A picture.
-    pub fn picture(kind: &'static str, bytes: Vec<u8>) -> Answer {
-        Answer {
-            kind,
-            body: bytes,
-            ..Answer::empty(Status::Done)
-        }
-    }
+/// A page whose scripts and styles are known by a nonce of hexadecimal digits.
+pub fn page(html: String, nonce: &str) -> Answer {
+    let policy = format!(
+        "default-src 'none'; script-src 'nonce-{nonce}'; style-src 'nonce-{nonce}'; img-src data: blob:; connect-src 'self'; \
+         base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+    );
+    let mut answer = body(StatusCode::OK, "text/html; charset=utf-8", html.into_bytes());
+    let policy = HeaderValue::try_from(policy).expect("digits and words");
+    answer.headers_mut().insert(CONTENT_SECURITY_POLICY, policy);
+    answer
+}
 
-    /// A page whose scripts and styles are known by a nonce.
-    pub fn page(html: String, nonce: String) -> Answer {
-        Answer {
-            kind: "text/html; charset=utf-8",
-            nonce,
-            body: html.into_bytes(),
-            ..Answer::empty(Status::Done)
-        }
+fn body(status: StatusCode, kind: &'static str, bytes: Vec<u8>) -> Answer {
+    let mut answer = Response::new(Full::from(bytes));
+    *answer.status_mut() = status;
+    let fields = answer.headers_mut();
+    for (name, value) in SEAL {
+        fields.insert(name, HeaderValue::from_static(value));
     }
-
-    /// Sends it; the connection ends with it.
-    ///
-    /// # Errors
-    /// If nobody takes it.
-    pub fn send(&self, stream: &mut impl Write) -> io::Result<()> {
-        let policy = match self.nonce.as_str() {
-            "" => "default-src 'none'; frame-ancestors 'none'".to_string(),
-            nonce => format!(
-                "default-src 'none'; script-src 'nonce-{nonce}'; style-src 'nonce-{nonce}'; img-src data: blob:; connect-src 'self'; \
-                 base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
-            ),
-        };
-        let mut head = format!(
-            "HTTP/1.1 {}\r\nConnection: close\r\nCache-Control: no-store\r\nX-Content-Type-Options: nosniff\r\n\
-             Referrer-Policy: no-referrer\r\nCross-Origin-Opener-Policy: same-origin\r\nCross-Origin-Resource-Policy: same-origin\r\n\
-             Content-Security-Policy: {policy}\r\n",
-            self.status.line()
-        );
-        if self.status != Status::Nothing {
-            head += &format!(
-                "Content-Type: {}\r\nContent-Length: {}\r\n",
-                self.kind,
-                self.body.len()
-            );
-        }
-        head += "\r\n";
-        stream.write_all(head.as_bytes())?;
-        stream.write_all(&self.body)?;
-        stream.flush()
-    }
+    fields.insert(CONTENT_TYPE, HeaderValue::from_static(kind));
+    answer
 }

@@ -1,7 +1,9 @@
 //! Who may ask: the token stands in the path, the host is this machine, and what changes something comes from the page itself.
 
-use super::answer::Status;
-use super::request::Head;
+use hyper::header::{CONTENT_LENGTH, CONTENT_TYPE, HOST, HeaderMap, HeaderName, ORIGIN, TRANSFER_ENCODING};
+use hyper::http::request::Parts;
+use hyper::{Method, StatusCode};
+
 use super::token::Token;
 
 /// Bytes that a body may have.
@@ -25,7 +27,7 @@ pub struct Passed {
     pub query: Vec<(String, String)>,
     /// Whether it may change something.
     pub is_post: bool,
-    /// Bytes of its body.
+    /// Bytes of its body, at most.
     pub length: usize,
 }
 
@@ -44,43 +46,42 @@ impl Guard {
     ///
     /// # Errors
     /// If it comes from elsewhere, or is not what a page sends.
-    pub fn pass(&self, head: &Head) -> Result<Passed, Status> {
+    pub fn pass(&self, head: &Parts) -> Result<Passed, StatusCode> {
         let hosts = ["127.0.0.1", "localhost"].map(|name| format!("{name}:{}", self.port));
-        let host = head
-            .field("host")
-            .filter(|host| hosts.iter().any(|own| own == host));
-        let host = host.ok_or(Status::Forbidden)?;
-        let (path, query) = head.target.split_once('?').unwrap_or((&head.target, ""));
-        let (token, path) = path
+        let host = field(&head.headers, HOST)
+            .filter(|host| hosts.iter().any(|own| own == host))
+            .ok_or(StatusCode::FORBIDDEN)?;
+        let (token, path) = head
+            .uri
+            .path()
             .strip_prefix('/')
             .and_then(|path| path.split_once('/'))
-            .ok_or(Status::NotFound)?;
+            .ok_or(StatusCode::NOT_FOUND)?;
         if !self.token.is(token) {
-            return Err(Status::NotFound);
+            return Err(StatusCode::NOT_FOUND);
         }
         // a page is named by its own words only
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "/-_".contains(c);
         if !path.chars().all(is_plain) || path.contains("//") {
-            return Err(Status::NotFound);
+            return Err(StatusCode::NOT_FOUND);
         }
         // a body is as long as stated, or none
-        if head.has("transfer-encoding") {
-            return Err(Status::NoLength);
+        if head.headers.contains_key(TRANSFER_ENCODING) {
+            return Err(StatusCode::LENGTH_REQUIRED);
         }
-        let is_post = match head.method.as_str() {
-            "GET" => false,
-            "POST" => true,
-            _ => return Err(Status::WrongMethod),
+        let is_post = match head.method {
+            Method::GET => false,
+            Method::POST => true,
+            _ => return Err(StatusCode::METHOD_NOT_ALLOWED),
         };
         let length = match is_post {
-            true => self.length_of_post(head, host, path)?,
-            false if head.field("content-length").is_none_or(|length| length == "0") => 0,
-            false => return Err(Status::Bad),
+            true => length_of_post(&head.headers, host, path)?,
+            false => 0,
         };
+        let query = head.uri.query().unwrap_or_default().split('&');
         Ok(Passed {
             path: path.to_string(),
             query: query
-                .split('&')
                 .filter_map(|pair| {
                     let (name, value) = pair.split_once('=')?;
                     Some((name.to_string(), value.to_string()))
@@ -90,26 +91,30 @@ impl Guard {
             length,
         })
     }
+}
 
-    fn length_of_post(&self, head: &Head, host: &str, path: &str) -> Result<usize, Status> {
-        if head.field("origin") != Some(&format!("http://{host}")) {
-            return Err(Status::Forbidden);
-        }
-        let kind = head
-            .field("content-type")
-            .map(|kind| kind.split(';').next().unwrap_or_default().trim());
-        if kind.is_none_or(|kind| !kind.eq_ignore_ascii_case("application/json")) {
-            return Err(Status::WrongType);
-        }
-        let length = head.field("content-length").ok_or(Status::NoLength)?;
-        let is_number = !length.is_empty() && length.bytes().all(|byte| byte.is_ascii_digit());
-        if !is_number {
-            return Err(Status::Bad);
-        }
-        let most = if path == "api/table" { TABLE } else { BODY };
-        let length = length.parse::<usize>().ok().filter(|length| *length <= most);
-        length.ok_or(Status::TooLarge)
+fn length_of_post(fields: &HeaderMap, host: &str, path: &str) -> Result<usize, StatusCode> {
+    if field(fields, ORIGIN) != Some(&format!("http://{host}")) {
+        return Err(StatusCode::FORBIDDEN);
     }
+    let kind = field(fields, CONTENT_TYPE).map(|kind| kind.split(';').next().unwrap_or_default().trim());
+    if kind.is_none_or(|kind| !kind.eq_ignore_ascii_case("application/json")) {
+        return Err(StatusCode::UNSUPPORTED_MEDIA_TYPE);
+    }
+    let length = field(fields, CONTENT_LENGTH).ok_or(StatusCode::LENGTH_REQUIRED)?;
+    if length.is_empty() || !length.bytes().all(|byte| byte.is_ascii_digit()) {
+        return Err(StatusCode::BAD_REQUEST);
+    }
+    let most = if path == "api/table" { TABLE } else { BODY };
+    let length = length.parse().ok().filter(|length| *length <= most);
+    length.ok_or(StatusCode::PAYLOAD_TOO_LARGE)
+}
+
+/// The value of a field that stands once; none if it is absent or stands twice.
+fn field(fields: &HeaderMap, name: HeaderName) -> Option<&str> {
+    let mut found = fields.get_all(name).iter();
+    let first = found.next()?.to_str().ok()?;
+    found.next().is_none().then_some(first)
 }
 
 #[cfg(test)]
@@ -122,16 +127,25 @@ mod tests {
         Guard::new(Token::random().expect("random"), PORT)
     }
 
-    fn request(guard: &Guard, method: &str, path: &str, fields: &[(&str, &str)]) -> Result<Passed, Status> {
-        let target = format!("/{}/{path}", guard.token().text());
-        let fields = fields
+    fn head(method: &str, target: &str, fields: &[(&str, &str)]) -> Parts {
+        let request = hyper::Request::builder().method(method).uri(target);
+        let request = fields
             .iter()
-            .map(|(name, value)| (name.to_string(), value.to_string()));
-        guard.pass(&Head {
-            method: method.to_string(),
-            target,
-            fields: fields.collect(),
-        })
+            .fold(request, |request, (name, value)| request.header(*name, *value));
+        request.body(()).expect("a request").into_parts().0
+    }
+
+    fn request(
+        guard: &Guard,
+        method: &str,
+        path: &str,
+        fields: &[(&str, &str)],
+    ) -> Result<Passed, StatusCode> {
+        guard.pass(&head(
+            method,
+            &format!("/{}/{path}", guard.token().text()),
+            fields,
+        ))
     }
 
     const POST: [(&str, &str); 4] = [
@@ -141,7 +155,7 @@ mod tests {
         ("content-length", "2"),
     ];
 
-    fn post_with(name: &str, value: Option<&str>) -> Result<Passed, Status> {
+    fn post_with(name: &str, value: Option<&str>) -> Result<Passed, StatusCode> {
         let mut fields: Vec<(&str, &str)> = POST.into_iter().filter(|(own, _)| *own != name).collect();
         fields.extend(value.map(|value| (name, value)));
         request(&guard(), "POST", "api/set", &fields)
@@ -177,7 +191,7 @@ mod tests {
             Some("127.0.0.1:80"),
             Some("127.0.0.1.evil.example:4321"),
         ] {
-            assert_eq!(post_with("host", host), Err(Status::Forbidden), "{host:?}");
+            assert_eq!(post_with("host", host), Err(StatusCode::FORBIDDEN), "{host:?}");
         }
         for origin in [
             None,
@@ -186,7 +200,11 @@ mod tests {
             Some("https://127.0.0.1:4321"),
             Some("http://localhost:4321"),
         ] {
-            assert_eq!(post_with("origin", origin), Err(Status::Forbidden), "{origin:?}");
+            assert_eq!(
+                post_with("origin", origin),
+                Err(StatusCode::FORBIDDEN),
+                "{origin:?}"
+            );
         }
     }
 
@@ -200,36 +218,39 @@ mod tests {
         ] {
             assert_eq!(
                 post_with("content-type", kind),
-                Err(Status::WrongType),
+                Err(StatusCode::UNSUPPORTED_MEDIA_TYPE),
                 "{kind:?}"
             );
         }
-        assert_eq!(post_with("content-length", None), Err(Status::NoLength));
+        assert_eq!(
+            post_with("content-length", None),
+            Err(StatusCode::LENGTH_REQUIRED)
+        );
         for length in ["-1", "+2", "2, 2", "", "0x2"] {
             assert_eq!(
                 post_with("content-length", Some(length)),
-                Err(Status::Bad),
+                Err(StatusCode::BAD_REQUEST),
                 "{length}"
             );
         }
         for length in ["1048577", "99999999999999999999999"] {
             assert_eq!(
                 post_with("content-length", Some(length)),
-                Err(Status::TooLarge),
+                Err(StatusCode::PAYLOAD_TOO_LARGE),
                 "{length}"
             );
         }
         assert_eq!(
             post_with("transfer-encoding", Some("chunked")),
-            Err(Status::NoLength)
+            Err(StatusCode::LENGTH_REQUIRED)
         );
         assert_eq!(
             request(&guard(), "PUT", "api/set", &POST),
-            Err(Status::WrongMethod)
+            Err(StatusCode::METHOD_NOT_ALLOWED)
         );
         assert_eq!(
             request(&guard(), "OPTIONS", "api/set", &POST),
-            Err(Status::WrongMethod)
+            Err(StatusCode::METHOD_NOT_ALLOWED)
         );
     }
 
@@ -242,20 +263,16 @@ mod tests {
             "/api/state".to_string(),
             format!("/{}/api/state", other.text()),
             "//".to_string(),
-            String::new(),
+            "/api".to_string(),
         ];
         for target in paths {
-            let head = Head {
-                method: "GET".to_string(),
-                target,
-                fields: vec![("host".to_string(), "127.0.0.1:4321".to_string())],
-            };
-            assert_eq!(guard.pass(&head), Err(Status::NotFound), "{head:?}");
+            let head = head("GET", &target, &POST[..1]);
+            assert_eq!(guard.pass(&head), Err(StatusCode::NOT_FOUND), "{head:?}");
         }
-        for path in ["../etc/passwd", "api/../../x", "%2e%2e/x", "api//state", "a\\b"] {
+        for path in ["../etc/passwd", "api/../../x", "%2e%2e/x", "api//state", "a.b"] {
             assert_eq!(
                 request(&guard, "GET", path, &POST[..1]),
-                Err(Status::NotFound),
+                Err(StatusCode::NOT_FOUND),
                 "{path}"
             );
         }

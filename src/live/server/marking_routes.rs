@@ -6,7 +6,9 @@ use serde::Deserialize;
 
 use crate::live::marking::{Marking, Marks};
 
-use super::answer::{Answer, Status};
+use hyper::StatusCode;
+
+use super::answer::{self, Answer};
 use super::guard::Passed;
 use super::service::{Fault, Page, Service, document, page, read, whole};
 
@@ -40,13 +42,13 @@ impl Service for MarkingRoutes {
             "" => page(self.page),
             "api/marks" => document(&self.marking.state()),
             "api/frame" => {
-                let index = whole(asked, "index")?.ok_or(Fault::Status(Status::Bad))?;
-                let index = usize::try_from(index).map_err(|_| Fault::Status(Status::Bad))?;
+                let index = whole(asked, "index")?.ok_or(Fault::Status(StatusCode::BAD_REQUEST))?;
+                let index = usize::try_from(index).map_err(|_| Fault::Status(StatusCode::BAD_REQUEST))?;
                 let (kind, bytes) = self.marking.images().read(index)?;
-                Ok(Answer::picture(kind, bytes))
+                Ok(answer::picture(kind, bytes))
             }
-            "api/save" => Err(Fault::Status(Status::WrongMethod)),
-            _ => Err(Fault::Status(Status::NotFound)),
+            "api/save" => Err(Fault::Status(StatusCode::METHOD_NOT_ALLOWED)),
+            _ => Err(Fault::Status(StatusCode::NOT_FOUND)),
         }
     }
 
@@ -60,8 +62,8 @@ impl Service for MarkingRoutes {
                 let Nothing {} = read(body)?;
                 document(&self.marking.save()?)
             }
-            "" | "api/frame" => Err(Fault::Status(Status::WrongMethod)),
-            _ => Err(Fault::Status(Status::NotFound)),
+            "" | "api/frame" => Err(Fault::Status(StatusCode::METHOD_NOT_ALLOWED)),
+            _ => Err(Fault::Status(StatusCode::NOT_FOUND)),
         }
     }
 }

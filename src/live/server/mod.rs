@@ -1,7 +1,7 @@
 //! The page of a desk, or of frames, for a browser on the same machine: HTTP on 127.0.0.1, behind a token, guarded against other hosts and pages.
 //!
-//! httparse reads the heads; connections are served here. tiny_http 0.12 cannot limit the time in which a connection sends its request
-//! (its configuration has no such field), so that slow senders would hold it for ever, and axum brings an asynchronous runtime.
+//! hyper, the server of axum, holds the connections, as tiny_http 0.12 cannot limit the time in which one sends its request. axum
+//! itself would add its router: here every path is one line of a `match`.
 
 mod answer;
 
@@ -10,8 +10,6 @@ mod door;
 mod guard;
 
 mod marking_routes;
-
-mod request;
 
 mod routes;
 
@@ -65,18 +63,18 @@ impl Server {
     /// Serves a desk until `stop` is cancelled.
     ///
     /// # Errors
-    /// If the listener fails.
+    /// If the system gives no thread, or the listener cannot be waited for.
     pub fn serve(self, desk: &Arc<Desk>, page: Page, stop: &Progress) -> io::Result<()> {
         let routes = Routes::new(Arc::clone(desk), page);
-        Door::new(self.listener, self.guard)?.serve(Arc::new(routes), stop)
+        Door::new(self.guard, Arc::new(routes)).serve(self.listener, stop)
     }
 
     /// Serves frames to be marked until `stop` is cancelled.
     ///
     /// # Errors
-    /// If the listener fails.
+    /// If the system gives no thread, or the listener cannot be waited for.
     pub fn serve_frames(self, marking: Arc<Marking>, page: Page, stop: &Progress) -> io::Result<()> {
         let routes = MarkingRoutes::new(marking, page);
-        Door::new(self.listener, self.guard)?.serve(Arc::new(routes), stop)
+        Door::new(self.guard, Arc::new(routes)).serve(self.listener, stop)
     }
 }

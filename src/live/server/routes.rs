@@ -13,7 +13,9 @@ use crate::live::desk::Desk;
 use crate::live::refusal::Refusal;
 use crate::live::table::{Table, beside};
 
-use super::answer::{Answer, Status};
+use hyper::StatusCode;
+
+use super::answer::{self, Answer};
 use super::guard::Passed;
 use super::service::{Fault, Page, Service, document, news, page, parameter, read, whole};
 use super::token::Token;
@@ -90,7 +92,7 @@ impl Routes {
     fn table(&self, dropped: &Dropped) -> Result<Answer, Fault> {
         let bytes = STANDARD
             .decode(&dropped.base64)
-            .map_err(|_| Fault::Status(Status::Bad))?;
+            .map_err(|_| Fault::Status(StatusCode::BAD_REQUEST))?;
         let table = Table::read(self.desk.session().opened(), &dropped.name, bytes)?;
         let ticket = Token::random().map_err(|error| Refusal::new(error.to_string()))?;
         let told = serde_json::json!({
@@ -99,7 +101,7 @@ impl Routes {
             "ticket": ticket.text(),
         });
         self.desk.lay_out(ticket.text(), table);
-        Ok(Answer::json(Status::Done, told.to_string()))
+        Ok(answer::json(StatusCode::OK, told.to_string()))
     }
 }
 
@@ -117,14 +119,14 @@ impl Service for Routes {
                 Ok(news(told.map(String::into_bytes)))
             }
             "api/hypothesis" => {
-                let index = whole(asked, "index")?.ok_or(Fault::Status(Status::Bad))?;
+                let index = whole(asked, "index")?.ok_or(Fault::Status(StatusCode::BAD_REQUEST))?;
                 let found = self.desk.ask(|question| question.found());
                 let case = self.desk.session().case();
                 let curve = found.and_then(|found| found.curve(index as usize, case));
                 Ok(news(curve.and_then(|curve| serde_json::to_vec(&curve).ok())))
             }
-            path if POSTED.contains(&path) => Err(Fault::Status(Status::WrongMethod)),
-            _ => Err(Fault::Status(Status::NotFound)),
+            path if POSTED.contains(&path) => Err(Fault::Status(StatusCode::METHOD_NOT_ALLOWED)),
+            _ => Err(Fault::Status(StatusCode::NOT_FOUND)),
         }
     }
 
@@ -192,12 +194,12 @@ impl Service for Routes {
             }
             "api/bye" => {
                 let Nothing {} = read(body)?;
-                return Ok(Answer::empty(Status::Nothing));
+                return Ok(answer::empty(StatusCode::NO_CONTENT));
             }
             "" | "api/state" | "api/shape" | "api/diagnosis" | "api/hypothesis" => {
-                return Err(Fault::Status(Status::WrongMethod));
+                return Err(Fault::Status(StatusCode::METHOD_NOT_ALLOWED));
             }
-            _ => return Err(Fault::Status(Status::NotFound)),
+            _ => return Err(Fault::Status(StatusCode::NOT_FOUND)),
         };
         document(&found)
     }
@@ -224,9 +226,9 @@ const POSTED: [&str; 14] = [
 fn wait(asked: &Passed) -> Result<Duration, Fault> {
     let seconds: f64 = parameter(asked, "wait")
         .map_or(Ok(0.0), str::parse)
-        .map_err(|_| Fault::Status(Status::Bad))?;
+        .map_err(|_| Fault::Status(StatusCode::BAD_REQUEST))?;
     match seconds.is_finite() {
         true => Ok(Duration::from_secs_f64(seconds.clamp(0.0, LONGEST))),
-        false => Err(Fault::Status(Status::Bad)),
+        false => Err(Fault::Status(StatusCode::BAD_REQUEST)),
     }
 }

@@ -5,7 +5,9 @@ use serde::de::DeserializeOwned;
 
 use crate::live::refusal::Refusal;
 
-use super::answer::{Answer, Status};
+use hyper::StatusCode;
+
+use super::answer::{self, Answer};
 use super::guard::Passed;
 use super::token::Token;
 
@@ -15,7 +17,7 @@ pub type Page = fn(nonce: &str) -> String;
 /// Why there is no answer.
 pub enum Fault {
     /// It is none that can be asked.
-    Status(Status),
+    Status(StatusCode),
     /// It is refused, and the page says why.
     Refusal(Refusal),
 }
@@ -48,10 +50,10 @@ pub fn answer(service: &dyn Service, asked: &Passed, body: &[u8]) -> Answer {
         false => service.get(asked),
     };
     answer.unwrap_or_else(|fault| match fault {
-        Fault::Status(status) => Answer::empty(status),
+        Fault::Status(status) => answer::empty(status),
         Fault::Refusal(refusal) => {
             let error = serde_json::json!({ "error": refusal });
-            Answer::json(Status::Refused, error.to_string())
+            answer::json(StatusCode::UNPROCESSABLE_ENTITY, error.to_string())
         }
     })
 }
@@ -62,7 +64,7 @@ pub fn answer(service: &dyn Service, asked: &Passed, body: &[u8]) -> Answer {
 /// If the system gives no random numbers.
 pub fn page(page: Page) -> Result<Answer, Fault> {
     let nonce = Token::random().map_err(|error| Fault::Refusal(Refusal::new(error)))?;
-    Ok(Answer::page(page(nonce.text()), nonce.text().to_string()))
+    Ok(answer::page(page(nonce.text()), nonce.text()))
 }
 
 /// A value as JSON.
@@ -71,14 +73,14 @@ pub fn page(page: Page) -> Result<Answer, Fault> {
 /// If it cannot be written so.
 pub fn document(value: &impl Serialize) -> Result<Answer, Fault> {
     let text = serde_json::to_vec(value).map_err(|error| Refusal::new(error.to_string()))?;
-    Ok(Answer::json(Status::Done, text))
+    Ok(answer::json(StatusCode::OK, text))
 }
 
 /// What is new, or that nothing is.
 pub fn news(text: Option<Vec<u8>>) -> Answer {
     match text {
-        Some(text) => Answer::json(Status::Done, text),
-        None => Answer::empty(Status::Nothing),
+        Some(text) => answer::json(StatusCode::OK, text),
+        None => answer::empty(StatusCode::NO_CONTENT),
     }
 }
 
@@ -87,7 +89,7 @@ pub fn news(text: Option<Vec<u8>>) -> Answer {
 /// # Errors
 /// If it is none.
 pub fn read<T: DeserializeOwned>(body: &[u8]) -> Result<T, Fault> {
-    serde_json::from_slice(body).map_err(|_| Fault::Status(Status::Bad))
+    serde_json::from_slice(body).map_err(|_| Fault::Status(StatusCode::BAD_REQUEST))
 }
 
 /// A parameter of the query.
@@ -102,5 +104,7 @@ pub fn parameter<'a>(asked: &'a Passed, name: &str) -> Option<&'a str> {
 /// If it is none.
 pub fn whole(asked: &Passed, name: &str) -> Result<Option<u64>, Fault> {
     let value = parameter(asked, name).map(str::parse);
-    value.transpose().map_err(|_| Fault::Status(Status::Bad))
+    value
+        .transpose()
+        .map_err(|_| Fault::Status(StatusCode::BAD_REQUEST))
 }

@@ -1,7 +1,7 @@
 // The effects that can be added to the model: a list to search, and a slider for the strength of each that is in.
 
 function effects(ask) {
-  var chosen = at("effects-in"), list = at("effects-list"), search = at("effects-search"), signature = "", inside = "", found = "", revision = null, movers = {}, rows = [];
+  var chosen = at("effects-in"), list = at("effects-list"), search = at("effects-search"), signature = "", inside = "", found = "", revision = null, movers = {}, rows = [], atNothing = null;
 
   // A strength to begin with: the middle of what is plausible, or its far end where that is none.
   function first(own) {
@@ -9,7 +9,8 @@ function effects(ask) {
     return Number((Math.abs(middle - own.none) > 1e-12 ? middle : range[1]).toPrecision(3));
   }
 
-  function isIn(own) { return isNumber(own.value); }
+  // One that is moved to nothing keeps its slider, until it is taken out or something else is brought back.
+  function isIn(own) { return isNumber(own.value) || own.name === atNothing; }
 
   function build(state) {
     rows = state.effects.map(function (own) {
@@ -32,10 +33,16 @@ function effects(ask) {
     movers = {};
     fill(chosen, state.effects.filter(isIn).map(function (own) {
       var mine = mover({
-        label: own.title, unit: own.unit, low: own.low, high: own.high, step: own.step, value: own.value, original: null, plausible: own.plausible
-      }, function (value, isDrag) { return ask.effect(own.name, value, isDrag); });
+        label: own.title, unit: own.unit, low: own.low, high: own.high, step: own.step, value: own.value || own.none, original: null, plausible: own.plausible
+      }, function (value, isDrag) {
+        if (value === own.none) atNothing = own.name;
+        return ask.effect(own.name, value, isDrag);
+      });
       movers[own.name] = mine;
-      var out = make("button", { type: "button", "class": "out", title: "Take it out", onclick: function () { ask.effect(own.name, null, false); } }, "\u00d7");
+      var out = make("button", { type: "button", "class": "out", title: "Take it out", onclick: function () {
+        atNothing = null;
+        ask.effect(own.name, null, false);
+      } }, "\u00d7");
       out.ariaLabel = "Take out " + own.title;
       mine.box.replaceChild(out, mine.box.querySelector(".back"));
       // What is either there or not has no strength to move.
@@ -71,9 +78,10 @@ function effects(ask) {
     revision = state.revision;
     state.effects.filter(isIn).forEach(function (own) {
       if (isNew) movers[own.name].refuse(null);
-      movers[own.name].show(own.value);
+      movers[own.name].show(own.value || own.none);
     });
-    say(at("effects-count"), state.effects.filter(isIn).length ? state.effects.filter(isIn).length + " in the model" : "none in the model");
+    var many = state.effects.filter(function (own) { return isNumber(own.value); }).length;
+    say(at("effects-count"), many ? many + " in the model" : "none in the model");
     if (isOther) find();
   });
   search.addEventListener("input", find);
@@ -85,6 +93,9 @@ function effects(ask) {
     if (words) found.release();
     return true;
   }
-  hear("accepted", function (what) { refuse(what, null); });
+  hear("accepted", function (what) {
+    if (/^(undo|redo|reset|add|open|table\/confirm)$/.test(what)) atNothing = null;
+    refuse(what, null);
+  });
   hear("refused", function (own) { own.isPlaced = refuse(own.what, words(own.refusal)) || own.isPlaced; });
 }

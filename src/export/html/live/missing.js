@@ -75,7 +75,7 @@ function next(own) {
   var rows = own.candidates.map(function (one) {
     var bar = make("span", { "class": "probability", "aria-hidden": "true" }, make("span", {}));
     bar.firstChild.style.width = 100 * one.separation_sigma / most + "%";
-    return make("li", {}, [make("span", { "class": "row" }, [one.name, make("span", { "class": "percent" }, plain(one.separation_sigma, 2) + " \u03c3 apart")]), bar]);
+    return make("li", {}, [make("span", { "class": "row" }, [one.name, make("span", { "class": "percent" }, plain(one.separation_sigma, 2) + " \u03c3 apart")]), one.conditions ? make("span", { "class": "quiet" }, one.conditions) : null, bar]);
   });
   return make("div", {}, [
     make("h3", {}, "What to measure next"), make("p", {}, own.words), make("p", { "class": "quiet" }, "Experiments that the study lists, or readings that could be added:"),

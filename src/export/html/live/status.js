@@ -24,13 +24,15 @@ function status() {
   hear("shape", function (shape) {
     fill(line, parts(shape));
     grey.hidden = shape.solved;
-    var reason = shape.refusal ? shape.refusal.message : "";
+    var isSought = !shape.solved && shape.settled === false;
+    var reason = isSought ? "Nothing was found near it; the wing is being solved from rest, which can take a minute." : shape.refusal ? shape.refusal.message : "";
     // What can be said at an input is said there.
     var isPlaced = shape.refusal && known.state && known.state.inputs.some(function (own) { return own.key === shape.refusal.key; });
+    say(at("grey-word"), isSought ? "Not solved yet." : "Not solved.");
     say(at("grey-why"), shape.solved || isPlaced ? "" : reason);
     var tip = shape.numbers.filter(function (own) { return own.key === "tip_twist_deg"; })[0];
     if (isWaiting() || !tip) return;
-    var text = shape.solved ? "tip twist " + spoken(tip.value, "deg") : "not solved: " + reason;
+    var text = shape.solved ? "tip twist " + spoken(tip.value, "deg") : isSought ? "being solved from rest" : "not solved: " + reason;
     if (text !== before) speak(text);
     before = text;
   });
