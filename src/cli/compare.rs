@@ -57,7 +57,7 @@ pub struct Compare {
     #[arg(long, value_name = "FILE")]
     pub with: Option<PathBuf>,
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "with", value_parser = super::design_arguments::number)]
+    #[arg(long, value_name = "SIGMA", requires = "with", allow_negative_numbers = true, value_parser = super::design_arguments::number)]
     pub sigma: Option<f64>,
     /// Case in that file, of a design only [default: the one that the design names, or the name of the wing]
     #[arg(long, value_name = "NAME")]
@@ -245,7 +245,11 @@ impl Compare {
 
     /// The table of `--with`, if it is one of readings and no measurement file.
     fn sheet(&self) -> Result<Option<DesignReadings>, Failure> {
-        let is_sheet = |table: &&PathBuf| table.is_file() && !Measurement::is_file(table);
+        // only a table is given a sigma, also one that is not there
+        let is_sheet = |table: &&PathBuf| match table.is_file() {
+            true => !Measurement::is_file(table),
+            false => self.sigma.is_some(),
+        };
         let Some(table) = self.with.as_ref().filter(is_sheet) else {
             return match self.sigma {
                 Some(_) => Err(Failure::Option {

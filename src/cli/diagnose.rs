@@ -55,7 +55,7 @@ pub struct Diagnose {
     #[arg(long, value_name = "TABLE", conflicts_with_all = ["plan", "on"])]
     pub with: Option<PathBuf>,
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "with", value_parser = super::design_arguments::number)]
+    #[arg(long, value_name = "SIGMA", requires = "with", allow_negative_numbers = true, value_parser = super::design_arguments::number)]
     pub sigma: Option<f64>,
     /// Change a key in every design of the study; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]

@@ -60,7 +60,7 @@ pub struct Init {
     #[arg(long, value_name = "TABLE", requires_all = ["study", "design"])]
     pub readings: Option<PathBuf>,
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "readings", value_parser = super::design_arguments::number)]
+    #[arg(long, value_name = "SIGMA", requires = "readings", allow_negative_numbers = true, value_parser = super::design_arguments::number)]
     pub sigma: Option<f64>,
     /// Folder to write into [default: this one]
     #[arg(long, short, value_name = "DIR")]

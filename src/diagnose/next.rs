@@ -12,9 +12,7 @@ use crate::progress::Progress;
 use crate::study::{Cost, Fit, Forward, Observable, Proposal, Proposals, Unknown, UnknownKind, WarmStart};
 
 use super::error::DiagnoseError;
-
-/// Distance from which on an experiment tells rivals apart.
-const SEPARATE: f64 = 3.0;
+use super::posterior::SEPARATE;
 
 /// What could be measured next.
 #[derive(Clone, Copy)]
@@ -118,8 +116,8 @@ fn sentence(candidates: &[Candidate], is_listed: bool, is_decided: bool) -> Stri
              {separation_sigma:.1} standard deviations."
         ),
         (false, false, _) => format!(
-            "None of the readings that could be added tells these apart; the best, {name}, puts them {separation_sigma:.1} standard \
-             deviations apart."
+            "None of the readings that could be added decides between these; the nearest to it, {name}, puts them \
+             {separation_sigma:.1} standard deviations apart, where {SEPARATE} are needed."
         ),
     }
 }
@@ -336,7 +334,9 @@ mod tests {
              deviations apart there."
         );
         assert!(sentence(&far(1.0), true, false).starts_with("No listed experiment can tell these apart"));
-        assert!(sentence(&far(1.0), false, false).starts_with("None of the readings that could be added"));
+        assert!(
+            sentence(&far(1.0), false, false).starts_with("None of the readings that could be added decides")
+        );
         // where nothing is missing nothing has to be told apart
         for is_listed in [true, false] {
             assert!(!sentence(&far(1.0), is_listed, true).contains("No listed experiment"));

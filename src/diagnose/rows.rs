@@ -387,8 +387,11 @@ fn look_alikes(baseline: &Baseline, k: usize) -> Vec<LookAlike> {
         })
         .collect();
     found.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+    // an effect of which the two signs are two families looks like itself, which says nothing
+    let own = name(baseline, k);
     found
         .into_iter()
+        .filter(|(j, _)| name(baseline, *j) != own)
         .take(LOOK_ALIKES)
         .map(|(j, cosine)| LookAlike {
             effect: name(baseline, j),

@@ -1,5 +1,6 @@
 //! The answer in one plain sentence.
 
+use super::posterior::SEPARATE;
 use super::verdict::{Diagnosis, Hypothesis, PlaceFound, Strength, Verdict};
 
 /// Other explanations listed before "and others".
@@ -72,13 +73,17 @@ fn undecided(diagnosis: &Diagnosis) -> String {
     let experiments = diagnosis.next_experiment.as_ref();
     let best = experiments.and_then(|next| next.best.as_ref());
     let nearest = experiments.and_then(|next| next.candidates.first());
+    let groups = diagnosis.misfit.by_condition.iter();
+    let worst = groups.max_by(|a, b| a.share.total_cmp(&b.share));
+    let worst = worst.map_or(String::new(), |own| format!(" (condition {})", own.condition));
     let next = match (best, nearest) {
         (Some(best), _) => format!("to know it, measure {best}"),
         (None, Some(nearest)) if nearest.separation_sigma >= WORTH_SAYING => format!(
-            "to know it, repeat the readings that miss most; of what could be added, {} tells most ({:.1} standard deviations)",
+            "to know it, repeat the readings that miss most{worst}; of what could be added, {} comes nearest to a decision ({:.1} standard \
+             deviations of {SEPARATE})",
             nearest.name, nearest.separation_sigma
         ),
-        _ => "to know it, repeat the readings that miss most".to_string(),
+        _ => format!("to know it, repeat the readings that miss most{worst}"),
     };
     format!("Not decided: {most}; {next}.")
 }
@@ -117,7 +122,7 @@ fn effect(hypotheses: &[Hypothesis], probability: f64) -> String {
         return String::new();
     };
     format!(
-        "Missing: {} (probability {probability:.2}, {:.2} that nothing else is); no other effect that was tried explains the misfit.",
+        "Missing: {} (probability {probability:.2}; {:.2} that it alone is); no effect that was tried explains the misfit without it.",
         with_strength(first),
         first.probability
     )
@@ -164,6 +169,7 @@ fn place(place: &PlaceFound) -> String {
         .as_ref()
         .map_or(String::new(), |wing| format!(" on {wing}"));
     let unit = match place.unit.as_str() {
+        "1" if place.parameter == "from" => " of the rod's length".to_string(),
         "1" => String::new(),
         unit => format!(" {unit}"),
     };

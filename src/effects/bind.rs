@@ -133,11 +133,15 @@ pub fn is_applicable(card: &Card, design: &Design) -> bool {
 /// What to say where no effect has this name: the nearest, or all that there are.
 pub fn instead_of(name: &str) -> String {
     let names: Vec<&str> = all().map(|effect| effect.card().name).collect();
-    // the beginning of a name, or a part of it
-    let starts = names.iter().copied().find(|known| known.starts_with(name));
+    // the beginning of a name, whatever stands between its words, or a part of it
+    let plain = |text: &str| text.to_lowercase().replace(['-', '_', ' '], "");
+    let starts = names
+        .iter()
+        .copied()
+        .find(|known| plain(known).starts_with(&plain(name)));
     let holds = || names.iter().copied().find(|known| known.contains(name));
     let near = starts
-        .filter(|_| !name.is_empty())
+        .filter(|_| !plain(name).is_empty())
         .or_else(|| nearest(name, names.iter().copied()));
     match near.or_else(|| holds().filter(|_| name.len() > 2)) {
         Some(near) => format!("did you mean {near}? (washout effects)"),

@@ -17,6 +17,9 @@ const COARSE_SHARE: f64 = 0.02;
 /// Twist that no instrument reads, deg: what a mesh leaves below this is nobody's concern.
 const READABLE_DEG: f64 = 0.1;
 
+/// Angles below these are as likely meant in radians: of the half amplitude, and of the pitch stop, deg.
+const RADIANS_DEG: [f64; 2] = [2.0, 1.6];
+
 /// Sentences for a reader who must not take the numbers for more than they are; none if nothing is the matter.
 pub fn warnings(summary: &RunSummary) -> Vec<String> {
     let (solve, numbers) = (&summary.solve, &summary.engineering);
@@ -30,7 +33,7 @@ pub fn warnings(summary: &RunSummary) -> Vec<String> {
     if let Some(ratio) = numbers.frequency_ratio.filter(|ratio| *ratio < SLOW_RATIO) {
         warnings.push(format!(
             "the lowest natural frequency in air is only {} times that of the flapping: twist at mid-stroke is not the \
-             quasi-static one",
+             quasi-static one (a diagnosis tries that as the effect twist-dynamics)",
             number(ratio, 2)
         ));
     }
@@ -107,6 +110,20 @@ pub fn of_stroke(stroke: &StrokeSummary) -> Vec<String> {
 /// What in the design is unlikely to be meant, or beyond what a law was measured for; `tip_mm` is where the wing is cut.
 fn of_design(design: &Design, tip_mm: f64) -> Vec<String> {
     let mut warnings = Vec::new();
+    if let Some(own) = &design.flapping {
+        let angles = [
+            ("half_amplitude_deg", own.half_amplitude_deg.value()),
+            ("stop_angle_deg", own.stop_angle_deg.value()),
+        ];
+        for ((key, angle), limit) in angles.into_iter().zip(RADIANS_DEG) {
+            if angle > 0.0 && angle < limit {
+                warnings.push(format!(
+                    "flapping.{key} is {angle} deg: is it in radians? Then write {}",
+                    significant(angle.to_degrees(), 3)
+                ));
+            }
+        }
+    }
     let rod_end_mm = design.rod.iter().map(|piece| piece.to_mm.value());
     let rod_end_mm = rod_end_mm.fold(0.0, f64::max);
     if !design.rod.is_empty() && rod_end_mm < tip_mm * (1.0 - 1e-9) {

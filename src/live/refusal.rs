@@ -64,7 +64,7 @@ impl From<WingError> for Refusal {
                 cure: None,
             },
             WingError::Design { reason, .. } => Refusal::new(reason),
-            WingError::Solve { source, .. } => Refusal::new(source),
+            WingError::Solve { source, remark, .. } => Refusal::new(format!("{source}{remark}")),
             other => Refusal::new(other),
         }
     }

@@ -31,12 +31,14 @@ pub enum WingError {
         source: Box<EffectError>,
     },
     /// The wing has no solution that could be found.
-    #[error("{}: {source}", design.display())]
+    #[error("{}: {source}{remark}", design.display())]
     Solve {
         /// The design file.
         design: PathBuf,
         /// Why.
         source: CouplingError,
+        /// What of the design may be why, a sentence behind a space; empty if nothing stands out.
+        remark: String,
     },
     /// No solution at a phase of the stroke.
     #[error("{}: at phase {phase_deg:.1} deg of the stroke: {source}", design.display())]

@@ -15,6 +15,9 @@ use crate::progress::Progress;
 
 use super::error::WingError;
 
+/// Share of the length to which the last rod reaches on a wing of which nothing is said.
+const ROD_TO: f64 = 0.97;
+
 /// A wing that is ready to be solved.
 #[derive(Debug, Clone)]
 pub struct WingModel {
@@ -184,7 +187,22 @@ impl WingModel {
             source => WingError::Solve {
                 design: self.loaded.path.clone(),
                 source,
+                remark: self.bare_edge(),
             },
+        }
+    }
+
+    /// Where the leading edge has no rod before the tip, in words; empty if it has one.
+    fn bare_edge(&self) -> String {
+        let design = self.design();
+        let length_mm = design.planform.length_mm.value();
+        let end_mm = design.rod.last().map_or(length_mm, |rod| rod.to_mm.value());
+        match end_mm < ROD_TO * length_mm {
+            true => format!(
+                ". The rod ends at {end_mm} mm of {length_mm} mm, so that the film beyond hangs on itself alone: let the last rod \
+                 end at the tip if that is not meant"
+            ),
+            false => String::new(),
         }
     }
 }

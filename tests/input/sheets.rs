@@ -117,7 +117,8 @@ fn what_the_table_leaves_out_is_assumed_and_told() {
     ] {
         assert!(bare.iter().any(|own| own.starts_with(words)), "{words}: {bare:?}");
     }
-    let full = "r (mm),case,twist (deg),sigma,sign,instrument,run\n20,22 Hz,4,0.25,nose up,camera,a\n";
+    let full =
+        "r (mm),case,twist (deg),sigma,sign,instrument,run\n20,\"22 Hz, 30 deg\",4,0.25,nose up,camera,a\n";
     assert_eq!(told(full), [""; 0]);
     let row = understood(full).measurement.rows.remove(0);
     assert_eq!(
@@ -234,6 +235,59 @@ fn what_looks_wrong_is_proposed_and_not_changed() {
     }
     assert_eq!(doubted("r,22 Hz\n20,4\n40,6\n50,-0.1\n"), "");
     assert_eq!(doubted("r,twist at 22 Hz (rad)\n20,0.08\n40,0.1\n"), "");
+}
+
+#[test]
+fn a_condition_that_lacks_what_others_name_is_told() {
+    let doubted = |text: &str| understood(text).doubts.join("\n");
+    for text in [
+        "r,\"16 Hz, 30 deg\",45 deg\n20,4.5,6.25\n40,5.5,8\n",
+        "frequency_hz,half_amplitude_deg,r_mm,twist_deg\n16,30,20,4.5\n16,30,40,5.5\n,45,20,6.25\n",
+    ] {
+        let told = doubted(text);
+        assert!(
+            told.contains("The condition 45deg says nothing of flapping.frequency_hz"),
+            "{told}"
+        );
+    }
+    // where none names it, the design does, and that is told too
+    let sheet = understood("r,16 Hz,22 Hz\n20,4.5,6.25\n40,5.5,8\n");
+    let assumed: Vec<String> = sheet.assumed.iter().map(|pair| pair.join(": ")).collect();
+    let own = "flapping.half_amplitude_deg: ";
+    assert!(
+        assumed
+            .iter()
+            .any(|words| words.starts_with(own) && words.ends_with("of the design")),
+        "{assumed:?}"
+    );
+    assert_eq!(sheet.doubts, [""; 0]);
+}
+
+#[test]
+fn a_twist_that_stands_alone_among_its_neighbours_is_told() {
+    let twists = [10.5, 8.7, 8.9, 10.2, 10.9, 16.5, 17.0, 19.2];
+    let table = |twists: &[f64]| {
+        let rows = twists.iter().enumerate();
+        let rows: String = rows
+            .map(|(k, twist)| format!("{},{twist}\n", 5 + 8 * k))
+            .collect();
+        understood(&format!("r,22 Hz\n{rows}")).doubts.join("\n")
+    };
+    assert_eq!(table(&twists), "", "a rod that gives way at its break is no slip");
+    let mut point = twists;
+    point[2] = 89.0;
+    let told = table(&point);
+    assert!(
+        told.contains("Line 4, 22hz: 89 deg at 21 mm beside 8.7 and 10.2 deg"),
+        "{told}"
+    );
+    let mut swapped = twists;
+    swapped[7] = 91.2;
+    assert!(
+        table(&swapped).contains("91.2 deg at 61 mm"),
+        "{}",
+        table(&swapped)
+    );
 }
 
 #[test]

@@ -40,8 +40,10 @@ impl<'a> Cells<'a> {
         let [Some((line, column, value)), Some((other, ..))] = &self.marks else {
             return Ok(());
         };
-        let cure =
-            format!("Line {other} has a decimal point: write all numbers alike, without marks for thousands");
+        let cure = format!(
+            "Line {other} has a decimal point: write all numbers alike, without marks for thousands; in a workbook make the cell \
+                     a number, not text"
+        );
         let message = "has a decimal comma";
         Err(self.grid.fault(*line, column, value, message, cure))
     }

@@ -184,6 +184,36 @@ impl Condition {
     }
 }
 
+/// What moves the wing or its air, and no condition says: the numbers of the design are taken, in words.
+pub fn of_design(conditions: &[Condition], design: &Design) -> Vec<[String; 2]> {
+    let flapping = design.flapping.iter().flat_map(|own| {
+        [
+            ("flapping.frequency_hz", own.frequency_hz.value(), "Hz"),
+            (
+                "flapping.half_amplitude_deg",
+                own.half_amplitude_deg.value(),
+                "deg",
+            ),
+        ]
+    });
+    let steady = design.steady.iter().flat_map(|own| {
+        [
+            ("steady.speed_m_s", own.speed_m_s.value(), "m/s"),
+            ("steady.root_angle_deg", own.root_angle_deg.value(), "deg"),
+        ]
+    });
+    let is_named = |key: &str| {
+        let mut points = conditions.iter().flat_map(|condition| &condition.points);
+        points.any(|point| point.key == key)
+    };
+    let is_any = conditions.iter().any(|condition| !condition.points.is_empty());
+    let own = flapping
+        .chain(steady)
+        .filter(|(key, ..)| is_any && !is_named(key));
+    own.map(|(key, value, unit)| [key.to_string(), format!("{value} {unit}, of the design")])
+        .collect()
+}
+
 /// Conditions by what they set.
 pub fn families(conditions: &[Condition]) -> Vec<Family> {
     let mut families: Vec<Family> = Vec::new();

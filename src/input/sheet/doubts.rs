@@ -1,11 +1,13 @@
-//! What looks wrong in a table: metres or centimetres for millimetres, radians for degrees, the other sign, the whole stroke for its half.
-//! It is told with what to write; nothing is changed by a guess.
+//! What looks wrong in a table: metres or centimetres for millimetres, radians for degrees, the other sign, the whole stroke for its half,
+//! a condition that lacks what others name, a slip of the keys. It is told with what to write; nothing is changed by a guess.
+
+use std::collections::BTreeSet;
 
 use super::condition::Condition;
 use super::header::{Column, Role};
 use crate::input::design::Design;
 use crate::input::error::InputError;
-use crate::input::measurement::{Channel, Measurement};
+use crate::input::measurement::{Channel, Measurement, Row};
 
 /// Stations that all lie within this share of the length from the base are in metres.
 const METRES: f64 = 0.01;
@@ -13,6 +15,11 @@ const METRES: f64 = 0.01;
 const CENTIMETRES: f64 = 0.15;
 /// Largest twist, in the unit of the table, that may be in radians.
 const RADIANS: f64 = 0.8;
+/// A twist so many times as far from the line between its neighbours as the others at the median is a slip of the keys, if it is so many
+/// standard deviations off besides.
+const SLIP: (f64, f64) = (10.0, 10.0);
+/// Twists along a span that show how smooth they are.
+const ENOUGH: usize = 5;
 /// A half amplitude so many times that of the design may be the whole stroke.
 const WHOLE_STROKE: f64 = 1.6;
 
@@ -29,8 +36,92 @@ pub fn doubts(
     let mut doubts = Vec::new();
     doubts.extend(of_stations(table, design)?);
     doubts.extend(of_twists(table, columns));
+    doubts.extend(of_slips(table));
     doubts.extend(of_amplitude(conditions, design));
+    doubts.extend(of_conditions(conditions));
     Ok(doubts)
+}
+
+/// Twists that stand alone among their neighbours, the worst of each condition.
+fn of_slips(table: &Measurement) -> Vec<String> {
+    let twists = table.rows.iter().filter(|row| row.channel == Channel::Twist);
+    let mut runs: Vec<Vec<&Row>> = Vec::new();
+    for row in twists {
+        let is_same = |run: &&mut Vec<&Row>| run[0].case == row.case && run[0].run == row.run;
+        match runs.iter_mut().find(is_same) {
+            Some(run) => run.push(row),
+            None => runs.push(vec![row]),
+        }
+    }
+    runs.retain(|run| run.len() >= ENOUGH);
+    for run in &mut runs {
+        run.sort_by(|a, b| a.r_mm.partial_cmp(&b.r_mm).unwrap_or(std::cmp::Ordering::Equal));
+    }
+    // the one without which the others are smoothest
+    let without = |run: &[&Row], at: usize| -> Vec<f64> {
+        let rest: Vec<&Row> = [&run[..at], &run[at + 1..]].concat();
+        (0..rest.len()).map(|at| off_line(&rest, at)).collect()
+    };
+    let lone = runs.iter().filter_map(|run| {
+        let rough = |at: usize| without(run, at).iter().sum::<f64>();
+        let at = (0..run.len()).min_by(|a, b| rough(*a).total_cmp(&rough(*b)))?;
+        Some((run, at))
+    });
+    let lone: Vec<(&Vec<&Row>, usize)> = lone.collect();
+    let mut smooth: Vec<f64> = lone.iter().flat_map(|(run, at)| without(run, *at)).collect();
+    smooth.sort_by(f64::total_cmp);
+    let median = smooth.get(smooth.len() / 2).copied().unwrap_or_default();
+    let told = |(run, at): &(&Vec<&Row>, usize)| {
+        let (row, off) = (run[*at], off_line(run, *at));
+        (off > SLIP.0 * median && off > SLIP.1 * row.sigma).then(|| {
+            let beside = [at.checked_sub(1), Some(at + 1)].into_iter().flatten();
+            let beside: Vec<String> = beside
+                .filter_map(|at| Some(run.get(at)?.value.to_string()))
+                .collect();
+            format!(
+                "Line {}, {}: {} deg at {} mm beside {} deg: is it a slip of the keys?",
+                row.line,
+                row.case,
+                row.value,
+                row.r_mm.unwrap_or_default(),
+                beside.join(" and ")
+            )
+        })
+    };
+    lone.iter().filter_map(told).collect()
+}
+
+/// How far a twist is from the line through those on both sides of it, or through the two next to it where it is at an end, deg.
+fn off_line(run: &[&Row], at: usize) -> f64 {
+    let place = |row: &Row| row.r_mm.unwrap_or_default();
+    let [a, b] = match at {
+        0 => [1, 2],
+        last if last + 1 == run.len() => [last - 2, last - 1],
+        inner => [inner - 1, inner + 1],
+    };
+    let slope = (run[b].value - run[a].value) / (place(run[b]) - place(run[a]));
+    (run[at].value - run[a].value - slope * (place(run[at]) - place(run[a]))).abs()
+}
+
+/// Conditions that lack a number which others name.
+fn of_conditions(conditions: &[Condition]) -> Vec<String> {
+    let keys = |condition: &Condition| -> BTreeSet<String> {
+        condition.points.iter().map(|point| point.key.clone()).collect()
+    };
+    let all: BTreeSet<String> = conditions.iter().flat_map(keys).collect();
+    let lacking = |condition: &Condition| {
+        let own = keys(condition);
+        let lacks: Vec<&str> = all.difference(&own).map(String::as_str).collect();
+        (!lacks.is_empty()).then(|| {
+            format!(
+                "The condition {} says nothing of {}, as others do: the number of the design is taken. Name it in the head or in its \
+                 column if it was another.",
+                condition.case(),
+                lacks.join(", ")
+            )
+        })
+    };
+    conditions.iter().filter_map(lacking).collect()
 }
 
 fn of_stations(table: &Measurement, design: &Design) -> Result<Option<String>, InputError> {

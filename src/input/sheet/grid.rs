@@ -1,4 +1,4 @@
-//! The cells of a table: text with commas, semicolons or tabs, or the first filled sheet of a workbook.
+//! The cells of a table: text with commas, semicolons or tabs, or the first sheet of a workbook that holds one.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -91,23 +91,29 @@ impl Grid {
             .into_iter()
             .filter(|(_, range)| !range.is_empty())
             .collect();
-        let Some((sheet, range)) = sheets.first() else {
-            return Err(InputError::about_file(
-                &name,
-                "has no filled sheet",
-                "Put the readings into its first sheet",
-            ));
-        };
-        let above = range.start().map_or(0, |(row, _)| row as usize);
-        let lines = range.rows().enumerate().map(|(index, cells)| Line {
-            number: above + index + 1,
-            cells: cells.iter().map(words).collect(),
-        });
-        let dialect = match sheets.len() {
-            1 => format!("workbook, sheet \"{sheet}\""),
-            count => format!("workbook, sheet \"{sheet}\", the first of {count}; the others are not read"),
-        };
-        Grid::of_lines(lines.collect(), input, Vec::new(), dialect)
+        let names: Vec<&str> = sheets.iter().map(|(name, _)| name.as_str()).collect();
+        let mut first = None;
+        for (sheet, range) in &sheets {
+            let above = range.start().map_or(0, |(row, _)| row as usize);
+            let lines = range.rows().enumerate().map(|(index, cells)| Line {
+                number: above + index + 1,
+                cells: cells.iter().map(words).collect(),
+            });
+            let dialect = match names.as_slice() {
+                [_] => format!("workbook, sheet \"{sheet}\""),
+                _ => format!(
+                    "workbook, sheet \"{sheet}\" of {}; the others are not read",
+                    names.join(", ")
+                ),
+            };
+            match Grid::of_lines(lines.collect(), input.clone(), Vec::new(), dialect) {
+                Ok(found) => return Ok(found),
+                // notes before the readings
+                Err(error) => first = first.or(Some(error)),
+            }
+        }
+        let cure = "Put the readings into its first sheet";
+        Err(first.unwrap_or_else(|| InputError::about_file(&name, "has no filled sheet", cure)))
     }
 
     /// Reads a text.

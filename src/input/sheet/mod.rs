@@ -97,12 +97,14 @@ impl Sheet {
             [name, column.words()]
         });
         understood.extend(heads);
+        let mut assumed = read.assumed;
+        assumed.extend(condition::of_design(&read.conditions, &loaded.design));
         Ok(Sheet {
             families: condition::families(&read.conditions),
             loaded,
             measurement,
             understood,
-            assumed: read.assumed,
+            assumed,
             doubts,
         })
     }
