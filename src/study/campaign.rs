@@ -116,6 +116,15 @@ impl Campaign {
             case.rows = kept;
             conditions.push(case.condition());
         }
+        if observables.is_empty()
+            && let Some(first) = skipped.first()
+        {
+            return Err(StudyError::NothingRead {
+                rows: skipped.len(),
+                case: first.case.clone(),
+                reason: first.reason.clone(),
+            });
+        }
         let targets = Targets::new(study, &cases, &observables, candidates)?;
         Ok(Campaign {
             name: study.study.name.clone(),

@@ -76,6 +76,18 @@ pub enum StudyError {
         /// Why.
         reason: String,
     },
+    /// Not one of the measured numbers can be read off the model.
+    #[error(
+        "none of the {rows} measured numbers can be read off the model; the first, case {case}: {reason}"
+    )]
+    NothingRead {
+        /// How many there are.
+        rows: usize,
+        /// Name of the case of the first.
+        case: String,
+        /// Why it cannot.
+        reason: String,
+    },
     /// Something that is to be moved and cannot.
     #[error("{reason}")]
     Unknown {

@@ -200,3 +200,29 @@ fn a_table_of_readings_is_compared_and_its_sign_is_doubted_first() {
         said.err
     );
 }
+
+#[test]
+fn a_table_of_which_nothing_can_be_read_off_the_model_is_refused() {
+    let here = folder();
+    assert_eq!(washout(here.path(), &["init", "bare"]).code, Some(0));
+    let table = "r (mm);twist (deg);instrument\n30;9,0;camera\n50;9,0;camera\n";
+    fs::write(here.path().join("camera.csv"), table).unwrap();
+    for verb in ["compare", "diagnose"] {
+        let arguments = [
+            verb,
+            "bare.toml",
+            "--with",
+            "camera.csv",
+            "--set",
+            "mesh.refine=0.5",
+        ];
+        let said = washout(here.path(), &arguments);
+        assert_eq!(said.code, Some(2), "{verb}: {}", said.out);
+        assert!(
+            said.err.contains("none of the 2 measured numbers")
+                && said.err.contains("camera_axis is missing"),
+            "{verb}: {}",
+            said.err
+        );
+    }
+}
