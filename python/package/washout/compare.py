@@ -31,7 +31,7 @@ def compare(
     the pictures and tables in that folder, and each wing as calibrated. Gives what `washout compare --json` prints.
     """
     with nullcontext() if readings is None else file_of(readings) as table:
-        text = _washout.compare(file_of_design(design_or_study), settings(sets), table, sigma, case, reference, output, progress)
+        text = _washout.compare(file_of_design(design_or_study), settings(sets), table, None if sigma is None else float(sigma), case, reference, output, progress)
     document: Document = json.loads(text)
     return Comparison(document) if "comparison" in document else StudyComparison(document)
 

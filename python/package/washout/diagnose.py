@@ -45,7 +45,7 @@ def diagnose(
             seed,
             own_data,
             table,
-            sigma,
+            None if sigma is None else float(sigma),
             output,
             progress,
         )
@@ -53,7 +53,13 @@ def diagnose(
 
 
 class Diagnosis:
-    """What a study says about the model."""
+    """What a study says about the model.
+
+    Attributes: `sentence`, `verdict`, `p_nothing`, `tried`, `hypotheses`, `effects`, `unseen`, `misfit`, `added_variables`, `ladder`,
+    `predictions`, `next_experiment`, `unknown_cause`, `notes`, `residuals`; `document` holds all. Each table is a
+    `Columns`: `table["name"]`, `table.rows`, `table.to_frame()`. What their columns mean: `washout schema` and
+    docs/reference/outputs.md.
+    """
 
     def __init__(self, document: Document) -> None:
         self.document = document
@@ -81,6 +87,10 @@ class Diagnosis:
         """The error from the uncalibrated model down to the noise."""
         self.predictions = Columns(document["predictions"])
         """Held-out numbers, as measured, and as predicted by the `calibrated` and the `explained` model."""
+        self.next_experiment: Document | None = document["next_experiment"]
+        """What to measure next: `sentence`, `best`, `candidates`; None where nothing has to be decided."""
+        self.unknown_cause: Document = document["novel"]
+        """The cause that no known effect is: its `probability`, and what is known of it."""
         self.notes: list[str] = document["notes"]
         """What a reader must know besides."""
 

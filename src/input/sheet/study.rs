@@ -1,6 +1,7 @@
 //! The study of a table: its cases, and what the design assumes as what is uncertain.
 
 use std::fmt::Write;
+use std::path::Path;
 
 use super::Sheet;
 
@@ -19,6 +20,8 @@ impl Sheet {
     /// The text of a study file. What the design assumes is uncertain in it; all effects that can act may be tried.
     pub fn study(&self, names: Names) -> String {
         let text = |words: &str| toml::Value::from(words).to_string();
+        let path = Path::new(&self.measurement.file);
+        let file = path.file_name().unwrap_or(path.as_os_str());
         let mut study = format!(
             "# Made of a table of readings. All keys: washout schema --study, and docs/studies.md\n\n\
              format = 1\nname = {}\ntitle = {}\n\n\
@@ -26,7 +29,8 @@ impl Sheet {
             text(names.study),
             text(&format!(
                 "{}: the readings of {}",
-                self.loaded.design.name, self.measurement.file
+                self.loaded.design.name,
+                file.to_string_lossy()
             )),
         );
         for family in &self.families {
