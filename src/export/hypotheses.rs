@@ -38,9 +38,9 @@ pub fn falls(ladder: &[LadderStep]) -> String {
         .iter()
         .map(|step| {
             let name = match step.name.as_str() {
-                "raw" => "of the model as it is",
+                "raw" => "uncalibrated",
                 "calibrated" => "calibrated",
-                "noise" => "of the noise",
+                "noise" => "from the scatter alone",
                 own => &own.replacen("+ ", "with ", 1),
             };
             format!("{} {name}", significant(step.in_sample, 3))

@@ -166,6 +166,7 @@ fn natural_mistakes_are_refused_with_place_and_cure() {
             "column \"statoin\"",
             "Did you mean station?",
         ),
+        ("r,twst_deg\n20,4\n", "column \"twst_deg\"", "Did you mean twist?"),
         ("r (deg),22 Hz\n20,4\n", "unit that is no length", "r (mm)"),
         ("22 Hz,18 Hz\n4,5\n", "twist has no station", "r (mm)"),
         ("r,sigma\n20,4\n", "holds no readings", "22 Hz"),

@@ -284,10 +284,12 @@ fn cure_of(head: &str) -> String {
             "{unit} is no unit that is known: lengths are in mm, cm or m, angles in deg or rad. {usual}"
         );
     }
-    let words = NAMES.iter().flat_map(|(_, names)| names.iter().copied());
+    // of two that are as near, what is read comes first; a letter is near to every letter
+    let words = CHANNELS.iter().map(|(name, _)| *name);
     let words = words
+        .chain(NAMES.iter().flat_map(|(_, names)| names.iter().copied()))
         .chain(POINTS.iter().map(|(name, _)| *name))
-        .chain(CHANNELS.iter().map(|(name, _)| *name));
+        .filter(|name| name.len() > 1);
     let (_, left) = numbers(head);
     match nearest(&parted(&left).0, words) {
         Some(near) => format!("Did you mean {near}? {usual}"),
