@@ -486,6 +486,13 @@ const CASES: &[Case] = &[
          End the rod at 70 mm or before",
     ),
     (
+        "rod that ends far from the tip",
+        "to_mm = 70.0",
+        "to_mm = 50.0",
+        "wing.toml:22:9: rod[1].to_mm = 50.0: leaves the leading edge without a rod from 50 mm to the tip at 69.3 mm: the film hangs \
+         on nothing there.\n  Let the last rod end at the tip, or at 55.44 mm at least",
+    ),
+    (
         "rod of no length",
         "to_mm = 40.0",
         "to_mm = 0.0",

@@ -15,6 +15,10 @@ const NEAREST_FRACTION: f64 = 0.01;
 /// Largest thickness of a film over the chord: the elements are those of thin plates.
 const THICKEST: f64 = 0.1;
 
+/// Least share of the wing that the rod reaches along: a film that hangs on itself farther than that finds no shape of its own, and is
+/// searched for without end.
+const LEAST_REACH: f64 = 0.8;
+
 pub(super) fn check_rod(design: &Design, root: &Node) -> Result<(), InputError> {
     let length = design.planform.length_mm.value();
     if design.rod.is_empty() {
@@ -47,6 +51,20 @@ pub(super) fn check_rod(design: &Design, root: &Node) -> Result<(), InputError> 
             &format!("rod[{number}]"),
         )?;
         end = to;
+    }
+    let tip = length * design.planform.tip_cut.value();
+    let last = format!("rod[{}].to_mm", design.rod.len() - 1);
+    if design.film.is_some() && end < LEAST_REACH * tip * (1.0 - 1e-9) {
+        let message = format!(
+            "leaves the leading edge without a rod from {} mm to the tip at {} mm: the film hangs on nothing there",
+            Number(end),
+            Number(round(tip))
+        );
+        let cure = format!(
+            "Let the last rod end at the tip, or at {} mm at least",
+            Number(round(LEAST_REACH * tip))
+        );
+        return refuse(root, &last, message, &["planform.length_mm"], cure);
     }
     Ok(())
 }
