@@ -37,7 +37,7 @@ pub enum WingError {
         design: PathBuf,
         /// Why.
         source: CouplingError,
-        /// What of the design may be why, a sentence behind a space; empty if nothing stands out.
+        /// What of the design may be why, a sentence behind a full stop; empty if nothing stands out.
         remark: String,
     },
     /// No solution at a phase of the stroke.

@@ -15,8 +15,8 @@ const NEAREST_FRACTION: f64 = 0.01;
 /// Largest thickness of a film over the chord: the elements are those of thin plates.
 const THICKEST: f64 = 0.1;
 
-/// Least share of the wing that the rod reaches along: a film that hangs on itself farther than that finds no shape of its own, and is
-/// searched for without end.
+/// Least share of the wing that the rod reaches along. A choice: the farther a film hangs on itself, the longer its shape is searched for;
+/// one of 7 m on a rod of 70 mm was searched for ten minutes in vain.
 const LEAST_REACH: f64 = 0.8;
 
 pub(super) fn check_rod(design: &Design, root: &Node) -> Result<(), InputError> {

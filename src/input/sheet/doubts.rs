@@ -16,7 +16,7 @@ const CENTIMETRES: f64 = 0.15;
 /// Largest twist, in the unit of the table, that may be in radians.
 const RADIANS: f64 = 0.8;
 /// A twist so many times as far from the line between its neighbours as the others at the median is a slip of the keys, if it is so many
-/// standard deviations off besides.
+/// standard deviations off besides. A choice: a `Check:` that is not needed costs a look at the table, and changes nothing.
 const SLIP: (f64, f64) = (10.0, 10.0);
 /// Twists along a span that show how smooth they are.
 const ENOUGH: usize = 5;

@@ -91,29 +91,28 @@ impl Grid {
             .into_iter()
             .filter(|(_, range)| !range.is_empty())
             .collect();
-        let names: Vec<&str> = sheets.iter().map(|(name, _)| name.as_str()).collect();
-        let mut first = None;
-        for (sheet, range) in &sheets {
+        let tables = sheets.iter().map(|(sheet, range)| {
             let above = range.start().map_or(0, |(row, _)| row as usize);
             let lines = range.rows().enumerate().map(|(index, cells)| Line {
                 number: above + index + 1,
                 cells: cells.iter().map(words).collect(),
             });
-            let dialect = match names.as_slice() {
-                [_] => format!("workbook, sheet \"{sheet}\""),
-                _ => format!(
-                    "workbook, sheet \"{sheet}\" of {}; the others are not read",
-                    names.join(", ")
-                ),
-            };
-            match Grid::of_lines(lines.collect(), input.clone(), Vec::new(), dialect) {
-                Ok(found) => return Ok(found),
-                // notes before the readings
-                Err(error) => first = first.or(Some(error)),
-            }
+            (sheet, lines.collect::<Vec<Line>>())
+        });
+        let mut tables: Vec<_> = tables.collect();
+        // notes may stand before the readings; a table with a fault is not passed over
+        let is_table = |lines: &[Line]| lines.iter().filter(|line| line.filled() > 1).count() > 1;
+        let place = tables.iter().position(|(_, lines)| is_table(lines)).unwrap_or(0);
+        if tables.is_empty() {
+            let cure = "Put the readings into its first sheet";
+            return Err(InputError::about_file(&name, "has no filled sheet", cure));
         }
-        let cure = "Put the readings into its first sheet";
-        Err(first.unwrap_or_else(|| InputError::about_file(&name, "has no filled sheet", cure)))
+        let (sheet, lines) = tables.swap_remove(place);
+        let dialect = match sheets.len() {
+            1 => format!("workbook, sheet \"{sheet}\""),
+            count => format!("workbook, sheet \"{sheet}\", one of {count}; the others are not read"),
+        };
+        Grid::of_lines(lines, input, Vec::new(), dialect)
     }
 
     /// Reads a text.
