@@ -15,7 +15,7 @@ use crate::worker::work;
 
 /// Compares a design, or a study, with its measurements, and gives the document as JSON. Files are written into `output` where it is given.
 #[pyfunction]
-#[pyo3(signature = (path, sets, table=None, sigma=None, case=None, reference=None, output=None, listener=None))]
+#[pyo3(signature = (path, sets, table=None, sigma=None, hold_out=Vec::new(), case=None, reference=None, output=None, listener=None))]
 #[expect(clippy::too_many_arguments, reason = "the options of the verb")]
 pub fn compare(
     py: Python<'_>,
@@ -23,6 +23,7 @@ pub fn compare(
     sets: Vec<String>,
     table: Option<PathBuf>,
     sigma: Option<f64>,
+    hold_out: Vec<String>,
     case: Option<String>,
     reference: Option<PathBuf>,
     output: Option<PathBuf>,
@@ -32,6 +33,7 @@ pub fn compare(
         design: DesignArguments::of_file(&path, &sets, None),
         with: table,
         sigma,
+        hold_out,
         case,
         reference,
         output,
@@ -46,7 +48,7 @@ pub fn compare(
 /// Diagnoses a study, or a design with a table of readings, and gives the document as JSON. Files are written into `output` where it is
 /// given.
 #[pyfunction]
-#[pyo3(signature = (path, sets, effects, significance, seed, own_data, table=None, sigma=None, output=None, listener=None))]
+#[pyo3(signature = (path, sets, effects, significance, seed, own_data, table=None, sigma=None, hold_out=Vec::new(), output=None, listener=None))]
 #[expect(clippy::too_many_arguments, reason = "the options of the verb")]
 pub fn diagnose(
     py: Python<'_>,
@@ -58,6 +60,7 @@ pub fn diagnose(
     own_data: bool,
     table: Option<PathBuf>,
     sigma: Option<f64>,
+    hold_out: Vec<String>,
     output: Option<PathBuf>,
     listener: Option<Py<PyAny>>,
 ) -> PyResult<String> {
@@ -71,6 +74,7 @@ pub fn diagnose(
         study: path,
         with: table,
         sigma,
+        hold_out,
         set: sets,
         effect: effects,
         on: Vec::new(),

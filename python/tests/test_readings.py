@@ -98,4 +98,20 @@ def test_a_fault_of_a_frame_names_its_row_and_no_file_that_is_gone() -> None:
         washout.compare("format = 1\nname = 'x'\n", COLUMNS)
     with pytest.raises(washout.InputError, match="there is no effect") as refused:
         washout.diagnose(DESIGN, COLUMNS, effects=["nonsense"])
-    assert refused.value.key == "--effect" and "there is no effect" in refused.value.problem
+    assert refused.value.key == "effects" and "there is no effect" in refused.value.problem
+
+
+def test_a_condition_that_is_held_out_is_predicted_and_never_fitted(tmp_path: Path) -> None:
+    sets = {"mesh.refine": 0.4}
+    whole = washout.compare(DESIGN, COLUMNS, sets, sigma=0.3)
+    compared = washout.compare(DESIGN, COLUMNS, sets, sigma=0.3, hold_out="22 Hz")
+    assert isinstance(whole, washout.StudyComparison) and isinstance(compared, washout.StudyComparison)
+    held = {row["case"] for row in compared.rows.rows if row["is_held_out"]}
+    assert held == {"22hz"} and not any(row["is_held_out"] for row in whole.rows.rows)
+    diagnosis = washout.diagnose(DESIGN, COLUMNS, sets, sigma=0.3, hold_out=["22hz"], effects="coefficient-scale")
+    assert set(diagnosis.predictions["case"]) == {"22hz"}
+    study = washout.init_study("mine", DESIGN, COLUMNS, sigma=0.3, hold_out="22 Hz", folder=tmp_path)
+    assert '\nheld_out = ["22hz"]\n' in study.read_text()
+    with pytest.raises(washout.InputError, match="hold_out: 23 Hz is no condition of .*One of .*22hz") as refused:
+        washout.diagnose(DESIGN, COLUMNS, hold_out="23 Hz")
+    assert refused.value.problem

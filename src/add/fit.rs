@@ -9,6 +9,7 @@ use crate::input::study::LoadedStudy;
 use crate::origin::InputFile;
 use crate::progress::Progress;
 
+use super::OnBench;
 use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths};
 use super::effect_tables::EffectEntry;
 use super::error::AddError;
@@ -43,6 +44,8 @@ pub struct Fit {
     pub text: String,
     /// Fitted strength and standard error (0 if it is there wholly or not at all); none if it was taken out.
     pub strength: Option<[f64; 2]>,
+    /// What the strength does to the still wing; none if nothing, or the effect was taken out.
+    pub on_bench: Option<OnBench>,
     /// The other effects that are fitted in the study, with the strengths that it has now.
     pub others: Vec<Other>,
     /// What is to be thought of.
@@ -112,7 +115,15 @@ impl Joining {
         let stands = study.study.effect.iter().any(|effect| effect.name == self.effect);
         let change = self.change(added.contains(&self.effect), stands);
         progress.say(&change);
-        let after = compared(&study.path, &changed, progress)?;
+        let (with_effect, fitted) = solved(&study.path, &changed, progress)?;
+        let on_bench = match self.is_removed {
+            true => None,
+            false => {
+                let designs = fitted.calibrated_designs(&with_effect).unwrap_or_default();
+                OnBench::of(&with_effect, &designs, &self.effect, &progress.unseen())
+            }
+        };
+        let after = fitted.comparison;
         let key = format!("effects.{}.strength", self.effect);
         let found = after.unknowns.iter().find(|unknown| unknown.unknown.name == key);
         let whole = whole.filter(|_| !self.is_removed).map(|scale| [scale, 0.0]);
@@ -136,6 +147,7 @@ impl Joining {
         Ok(Fit {
             text: with_strengths(&written, &others)?,
             strength,
+            on_bench,
             others,
             notes,
             ladder,
@@ -253,11 +265,14 @@ fn steps_before(
 }
 
 fn compared(path: &Path, text: &str, progress: &Progress) -> Result<StudyComparison, AddError> {
+    Ok(solved(path, text, progress)?.1.comparison)
+}
+
+fn solved(path: &Path, text: &str, progress: &Progress) -> Result<(LoadedStudy, ComparedStudy), AddError> {
     let study = LoadedStudy::from_text(path, text, &[])?;
-    let compared = ComparedStudy::new(&study, progress);
-    let compared = compared.map_err(|source| AddError::Study {
+    let compared = ComparedStudy::new(&study, progress).map_err(|source| AddError::Study {
         study: path.to_path_buf(),
         source,
     })?;
-    Ok(compared.comparison)
+    Ok((study, compared))
 }

@@ -2,6 +2,8 @@
 
 mod added;
 
+mod bench;
+
 mod effect_tables;
 
 mod error;
@@ -15,6 +17,7 @@ mod moved;
 pub mod own;
 
 pub use added::Other;
+pub use bench::OnBench;
 pub use error::AddError;
 pub use fit::{Fit, Joining};
 pub use moved::{stages, with_sets, with_strength};

@@ -59,7 +59,7 @@ pub fn strength_seen_at(
     let sign = if sign < 0.0 && low >= 0.0 { 1.0 } else { sign };
     let sign = if sign > 0.0 && high <= 0.0 { -1.0 } else { sign };
     let most = if sign < 0.0 { -low } else { high };
-    let mut size = (effect.scale * target / effect.detectability).min(most);
+    let mut size = (effect.judged_at * target / effect.detectability).min(most);
     let mut best = (f64::INFINITY, size, 0.0);
     let [mut too_small, mut too_large] = [None, None];
     for _ in 0..TRIES {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::add::{Fit, Joining, with_sets};
-use crate::export::added::{AddReport, page};
+use crate::export::added::{AddReport, page, what};
 use crate::export::html::{self, Document};
 use crate::export::pictures::ladder::Fall;
 use crate::export::pictures::write::add_falls;
@@ -108,6 +108,8 @@ impl Add {
             written: file.target.clone(),
             effect: self.effect.clone(),
             strength: fit.strength,
+            what: what(&self.effect),
+            on_bench: fit.on_bench,
             others: fit.others,
             notes: fit.notes,
             ladder: fit.ladder,

@@ -59,6 +59,9 @@ pub struct Compare {
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
     #[arg(long, value_name = "SIGMA", requires = "with", allow_negative_numbers = true, value_parser = super::design_arguments::number)]
     pub sigma: Option<f64>,
+    /// A condition of the table that no fit sees, so that it tests what is found, e.g. 22hz; can be given many times
+    #[arg(long, value_name = "CONDITION", requires = "with")]
+    pub hold_out: Vec<String>,
     /// Case in that file, of a design only [default: the one that the design names, or the name of the wing]
     #[arg(long, value_name = "NAME")]
     pub case: Option<String>,
@@ -248,15 +251,25 @@ impl Compare {
         // only a table is given a sigma, also one that is not there
         let is_sheet = |table: &&PathBuf| match table.is_file() {
             true => !Measurement::is_file(table),
-            false => self.sigma.is_some(),
+            false => self.sigma.is_some() || !self.hold_out.is_empty(),
         };
         let Some(table) = self.with.as_ref().filter(is_sheet) else {
-            return match self.sigma {
-                Some(_) => Err(Failure::Option {
-                    option: "--sigma",
-                    reason:
-                        "is of a table of readings; a measurement file states that of its own. Leave it out"
-                            .to_string(),
+            let of_tables = [
+                (
+                    "--sigma",
+                    self.sigma.is_some(),
+                    "a measurement file states that of its own",
+                ),
+                (
+                    "--hold-out",
+                    !self.hold_out.is_empty(),
+                    "a measurement file is one case",
+                ),
+            ];
+            return match of_tables.into_iter().find(|(_, is_given, _)| *is_given) {
+                Some((option, _, why)) => Err(Failure::Option {
+                    option,
+                    reason: format!("is of a table of readings; {why}. Leave it out"),
                 }),
                 None => Ok(None),
             };
@@ -274,11 +287,10 @@ impl Compare {
                     table.display()
                 ),
             }),
-            None => Ok(Some(DesignReadings::load(
-                table,
-                &self.design.design,
-                self.sigma,
-            )?)),
+            None => {
+                let read = DesignReadings::load(table, &self.design.design, self.sigma)?;
+                Ok(Some(read.holding_out(&self.hold_out)?))
+            }
         }
     }
 

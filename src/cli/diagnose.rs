@@ -36,6 +36,8 @@ pub const DIAGNOSIS: &str = "diagnosis.json";
   washout diagnose studies/pre-pazy-skin.toml
   # a design and a table of readings, long or wide, or .xlsx
   washout diagnose my-wing.toml --with sheet.csv
+  # one condition is predicted, not fitted
+  washout diagnose my-wing.toml --with sheet.csv --hold-out 22hz
   # these two only
   washout diagnose my-study.toml --effect root-flexure --effect tip-loss-prandtl
   # what that wing has and the others have not
@@ -57,6 +59,9 @@ pub struct Diagnose {
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
     #[arg(long, value_name = "SIGMA", requires = "with", allow_negative_numbers = true, value_parser = super::design_arguments::number)]
     pub sigma: Option<f64>,
+    /// A condition of the table that no fit sees, so that it tests what is found, e.g. 22hz; can be given many times
+    #[arg(long, value_name = "CONDITION", requires = "with")]
+    pub hold_out: Vec<String>,
     /// Change a key in every design of the study; can be given many times
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
@@ -128,7 +133,7 @@ impl Diagnose {
         let table = self
             .with
             .as_ref()
-            .map(|table| DesignReadings::load(table, &self.study, self.sigma));
+            .map(|table| DesignReadings::load(table, &self.study, self.sigma)?.holding_out(&self.hold_out));
         let table = table.transpose()?;
         if let Some(table) = &table {
             console.note(understood(&table.sheet));

@@ -62,6 +62,9 @@ pub struct Init {
     /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
     #[arg(long, value_name = "SIGMA", requires = "readings", allow_negative_numbers = true, value_parser = super::design_arguments::number)]
     pub sigma: Option<f64>,
+    /// A condition of the table that no fit sees, so that it tests what is found, e.g. 22hz; can be given many times
+    #[arg(long, value_name = "CONDITION", requires = "readings")]
+    pub hold_out: Vec<String>,
     /// Folder to write into [default: this one]
     #[arg(long, short, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -83,7 +86,9 @@ impl Init {
         let folder = self.output.clone().unwrap_or_default();
         let name = checked(&self.name)?;
         let table = match (&self.readings, &self.design) {
-            (Some(readings), Some(design)) => Some(DesignReadings::load(readings, design, self.sigma)?),
+            (Some(readings), Some(design)) => {
+                Some(DesignReadings::load(readings, design, self.sigma)?.holding_out(&self.hold_out)?)
+            }
             _ => None,
         };
         let drawn = self

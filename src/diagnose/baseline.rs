@@ -12,7 +12,7 @@ use super::evidence::Likelihood;
 use super::fields::{Field, Law, fields};
 use super::library::{Family, Trial, families};
 use super::model_error::{ModelError, Size};
-use super::responses::Responses;
+use super::responses::{Response, Responses};
 use super::robust::outlier_widening;
 use super::scatter::Scatter;
 use super::screening::{Directions, effect_of};
@@ -287,11 +287,16 @@ pub fn distances(
         let (_, _, scale, _) = effect_of(&forward.unknowns()[i])?;
         let response = &responses.each[k];
         let size = if response.has(scale) { scale } else { -scale };
-        let change = response.has(size).then(|| response.at(size))?;
-        let change = DMatrix::from_column_slice(change.len(), 1, change.as_slice());
-        Some(whitened.directions(&change).norm())
+        response.has(size).then(|| distance(response, size, whitened))
     };
     data.missing.iter().enumerate().map(distance).collect()
+}
+
+/// How far an effect at a size that was solved is from none, in standard deviations, what calibration takes up left out.
+pub fn distance(response: &Response, size: f64, whitened: &Whitened) -> f64 {
+    let change = response.at(size);
+    let change = DMatrix::from_column_slice(change.len(), 1, change.as_slice());
+    whitened.directions(&change).norm()
 }
 
 /// Factors for numbers that are far from what all the others tell, whatever is missing.

@@ -8,11 +8,12 @@ use crate::progress::Progress;
 use crate::study::left_out::Local;
 use crate::study::{Forward, Linear};
 
-use super::baseline::distances;
+use super::baseline::{distance, distances};
 use super::data::{Data, start};
 use super::error::DiagnoseError;
 use super::model_error::{ModelError, Size};
 use super::posterior::SEPARATE;
+use super::responses::Response;
 use super::scatter::Scatter;
 use super::screening::{Directions, ENOUGH_POWER, effect_of, family_wise, is_one_sided, power_at_distance};
 use super::settings::Settings;
@@ -44,15 +45,17 @@ pub struct PlannedEffect {
     pub unit: String,
     /// Standard error that its strength would have.
     pub standard_error: f64,
-    /// Distance from none, in standard deviations, at its plausible size.
+    /// Size at which it is judged: the plausible one, or the largest at which the model has a solution.
+    pub judged_at: f64,
+    /// Distance from none, in standard deviations, at that size.
     pub detectability: f64,
-    /// Whether the model has no solution at that size: the distance is what the derivative says.
+    /// Whether the model has no solution at the plausible size.
     pub has_no_solution: bool,
-    /// Probability to see it at its plausible size.
+    /// Probability to see it at the size at which it is judged.
     pub power: f64,
     /// Share of its signature that the model's own unknowns would absorb.
     pub absorbed: f64,
-    /// Effects of other families that could not be told from it at its plausible size, nearest first.
+    /// Effects of other families that could not be told from it at that size, nearest first.
     pub confused_with: Vec<LookAlike>,
 }
 
@@ -122,7 +125,11 @@ impl Outlook {
         let distances = distances(forward, &data, responses, &whitened);
         let effects = (0..data.missing.len()).filter_map(|k| {
             let whole = before.column(k).norm();
-            planned(forward, &data, &directions, (k, distances[k]), whole, level)
+            let (_, _, scale, _) = effect_of(&forward.unknowns()[data.missing[k]])?;
+            let judged = distances[k]
+                .map(|distance| (scale, distance))
+                .or_else(|| largest(&responses.each[k], &whitened));
+            planned(forward, &data, &directions, (k, judged), whole, level)
         });
         let effects = most_visible(effects.collect());
         Ok(Outlook {
@@ -207,7 +214,7 @@ fn planned(
     forward: &dyn Forward,
     data: &Data,
     directions: &Directions,
-    (k, by_model): (usize, Option<f64>),
+    (k, by_model): (usize, Option<(f64, f64)>),
     whole: f64,
     level: f64,
 ) -> Option<PlannedEffect> {
@@ -215,15 +222,16 @@ fn planned(
     let (effect, family, scale, one_sided) = effect_of(unknown)?;
     let length = directions.lengths[k];
     let by_slope = scale / unknown.sigma * length;
-    let detectability = by_model.unwrap_or(by_slope);
+    let (judged_at, detectability) = by_model.unwrap_or((scale, by_slope));
     Some(PlannedEffect {
         effect: effect.to_string(),
         family: family.to_string(),
         scale,
         unit: unknown.unit.clone(),
         standard_error: unknown.sigma / length.max(1e-9),
+        judged_at,
         detectability,
-        has_no_solution: by_model.is_none(),
+        has_no_solution: by_model.is_none_or(|(at, _)| at != scale),
         power: power_at_distance(detectability, one_sided, level),
         absorbed: if whole > 0.0 {
             1.0 - (length / whole).min(1.0)
@@ -232,6 +240,13 @@ fn planned(
         },
         confused_with: confused(forward, data, directions, (k, detectability)),
     })
+}
+
+/// The largest size at which the model was solved with an effect, and its distance from none there.
+fn largest(response: &Response, whitened: &Whitened) -> Option<(f64, f64)> {
+    let [low, high] = response.reach()?;
+    let strength = if -low > high { low } else { high };
+    (strength != 0.0).then(|| (strength.abs(), distance(response, strength, whitened)))
 }
 
 /// The effects, the most visible first; of one that may sit anywhere, its most visible place.

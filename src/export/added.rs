@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::add::Other;
-use crate::compare::StudyLadderStep;
+use crate::add::{OnBench, Other};
+use crate::compare::{StepGroup, StudyLadderStep};
+use crate::effects::named;
 use crate::origin::MadeOf;
 use crate::page::text::significant;
 use crate::page::{Page, Part};
@@ -22,6 +23,10 @@ pub struct AddReport {
     pub effect: String,
     /// Its fitted strength and standard error (0 if it is there wholly or not at all); none if it was taken out.
     pub strength: Option<[f64; 2]>,
+    /// What it is, one sentence, and what a strength of 1 means; none of an effect of one's own.
+    pub what: Option<[String; 2]>,
+    /// What the strength does to the still wing under a torque; none if nothing, or the effect was taken out.
+    pub on_bench: Option<OnBench>,
     /// The other effects that are fitted in the study, with the strengths that it has now.
     pub others: Vec<Other>,
     /// What is to be thought of: strengths that are not plausible, an error that does not fall, wings that change.
@@ -33,6 +38,17 @@ pub struct AddReport {
     pub made_of: MadeOf,
     /// Files of the folder, this one among them.
     pub files: Vec<String>,
+}
+
+/// What an effect of the library is, and what its strength means, with its unit.
+pub fn what(effect: &str) -> Option<[String; 2]> {
+    let card = named(effect)?.card();
+    let strength = card.parameters.first()?;
+    let unit = match strength.unit {
+        "1" => String::new(),
+        unit => format!(" ({unit})"),
+    };
+    Some([card.summary.to_string(), format!("{}{unit}", strength.meaning)])
 }
 
 /// What `washout add` says.
@@ -56,6 +72,7 @@ pub fn page(report: &AddReport) -> Page {
         title: format!("{}: {what}", report.written.display()),
         kind: "ladder",
         lead: vec![
+            Part::Sentence(words(report)),
             Part::List(report.others.iter().map(again).collect()),
             Part::Notes(report.notes.clone()),
         ],
@@ -65,6 +82,58 @@ pub fn page(report: &AddReport) -> Page {
     page.section("ladder", "Error step by step", vec![steps]);
     page.section("wings", "Error wing by wing", ladder::groups(&report.ladder));
     page
+}
+
+/// What joined or left, what that does to the error, and what it would do on a bench.
+fn words(report: &AddReport) -> String {
+    let what = report.what.as_ref().filter(|_| report.strength.is_some());
+    let what = what.map(|[summary, strength]| format!("{summary} Its strength is the {strength}."));
+    let on_bench = report.on_bench.as_ref().map(|bench| {
+        format!(
+            "On a bench, {} turns there by {} deg with it and by {} deg without: a way to check it by hand.",
+            bench.load,
+            significant(bench.with_effect_deg, 3),
+            significant(bench.without_deg, 3)
+        )
+    });
+    let parts = [what, fall(&report.ladder), on_bench];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(" ")
+}
+
+/// How the last step moves the error: in the unit of the channel where one wing was read in one channel, else of all in σ.
+fn fall(ladder: &[StudyLadderStep]) -> Option<String> {
+    let [.., before, after, noise] = ladder else {
+        return None;
+    };
+    let first = before.groups.first()?;
+    let is_one = |group: &StepGroup| (&group.wing, group.channel) == (&first.wing, first.channel);
+    let (of, unit) = match before.groups.iter().all(is_one) {
+        true => (first.channel.name(), first.unit.as_str()),
+        false => ("all channels", "sigma"),
+    };
+    let error = |step: &StudyLadderStep, is_held_out: bool| match unit {
+        "sigma" if is_held_out => step.held_out_sigma,
+        "sigma" => step.in_sample_sigma,
+        _ => {
+            let mut groups = step.groups.iter();
+            groups
+                .find(|group| group.is_held_out == is_held_out)
+                .map(|group| group.rmse)
+        }
+    };
+    let pair = |is_held_out: bool, used: &str| {
+        let [before, after] =
+            [error(before, is_held_out)?, error(after, is_held_out)?].map(|error| significant(error, 3));
+        Some(format!("from {before} to {after} {unit} where it was {used}"))
+    };
+    let pairs: Vec<String> = [pair(false, "fitted"), pair(true, "held out")]
+        .into_iter()
+        .flatten()
+        .collect();
+    let noise = error(noise, false).map_or(String::new(), |noise| {
+        format!("; the scatter alone would leave {}", significant(noise, 3))
+    });
+    (!pairs.is_empty()).then(|| format!("The error of {of} goes {}{noise}.", pairs.join(" and ")))
 }
 
 /// An effect that was fitted again beside the one that joined.

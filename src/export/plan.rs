@@ -34,7 +34,7 @@ pub fn page(study: &str, plan: &Plan) -> Page {
 fn table(plan: &Plan) -> Table {
     Rows::of("/effects", &plan.effects)
         .words("effect", |row| row.effect.as_str())
-        .number(["scale", "plausible size", ""], Significant(3), |row| row.scale)
+        .number(["judged_at", "size", ""], Significant(3), |row| row.judged_at)
         .number(["standard_error", "standard error", ""], Significant(2), |row| {
             row.standard_error
         })
@@ -44,7 +44,7 @@ fn table(plan: &Plan) -> Table {
         .number(["absorbed", "absorbed", ""], After(2), |row| row.absorbed)
         .words("not told from (σ apart)", look_alikes)
         .caption(
-            "Detectable: distance from none at the plausible size. Power: share of campaigns that would show it. Absorbed: share of its \
+            "Size: plausible. Detectable: distance from none at that size. Power: share of campaigns that would show it. Absorbed: share of its \
              signature that the model's own unknowns could take up.",
         )
         .table()
@@ -56,7 +56,7 @@ fn without_solution(effects: &[PlannedEffect]) -> Option<String> {
     let names: Vec<&str> = names.map(|effect| effect.effect.as_str()).collect();
     (!names.is_empty()).then(|| {
         format!(
-            "The model has no solution at the plausible size of {}: detectable is what the derivative says.",
+            "The model has no solution at the plausible size of {}: these are judged at the largest size that has one.",
             names.join(", ")
         )
     })

@@ -82,7 +82,7 @@ fn conditions(sheet: &Sheet) -> String {
 /// # Errors
 /// If the readings cannot be put into words.
 pub fn files(of: &DesignReadings, name: &str, folder: &Path) -> Result<Files, ExportError> {
-    let study = of.sheet.study(Names {
+    let study = of.text(Names {
         study: name,
         design: &seen_from(&folder.join(name), &of.design).display().to_string(),
         readings: &format!("{name}-measured.csv"),
@@ -99,10 +99,16 @@ pub fn to_keep(of: &DesignReadings) -> String {
     let sigma = of
         .sigma
         .map_or(String::new(), |sigma| format!(" --sigma {sigma}"));
+    let held: Vec<String> = of
+        .held_out
+        .iter()
+        .map(|case| format!(" --hold-out {case}"))
+        .collect();
     format!(
-        "  washout init {} --study --design {} --readings {}{sigma}\n",
+        "  washout init {} --study --design {} --readings {}{sigma}{}\n",
         of.name(),
         of.design.display(),
-        of.table.display()
+        of.table.display(),
+        held.concat()
     )
 }

@@ -13,7 +13,7 @@ pub(super) const STILL_HZ: f64 = 0.1;
 const STILL_SPEED: f64 = 0.01;
 
 /// The still wing under a torque at its tip that twists its rods so far: at its outermost spar, if it has any.
-pub(super) fn torque(case: &LoadedCase, twist_deg: f64) -> Option<LoadedCase> {
+pub fn torque(case: &LoadedCase, twist_deg: f64) -> Option<LoadedCase> {
     let design = &case.loaded.design;
     let outermost = spars_mm(design).max_by(f64::total_cmp);
     let at_mm = outermost.or_else(|| tip_mm(design))?;

@@ -4,7 +4,7 @@ mod answers;
 
 pub mod band;
 
-mod bench;
+pub mod bench;
 
 mod best_fit;
 

@@ -163,6 +163,26 @@ fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_
         diagnosis
     );
 
+    // GJ / (1 + s): the rod alone turns by 1 + s as far, at any torque
+    let ladder = fs::read_to_string(folder.path().join("output/bench-ladder/ladder.json")).unwrap();
+    let ladder: serde_json::Value = serde_json::from_str(&ladder).unwrap();
+    let on_bench = |key: &str| ladder["on_bench"][key].as_f64().unwrap();
+    let ratio = on_bench("with_effect_deg") / on_bench("without_deg");
+    let softer = 1.0 + ladder["strength"][0].as_f64().unwrap();
+    assert!((ratio - softer).abs() < 1e-4, "{ratio}, {softer}");
+    for words in [
+        "Its strength is the ",
+        "goes from ",
+        " where it was held out",
+        "On a bench, the still wing rod",
+    ] {
+        assert!(
+            added.out.replace('\n', " ").contains(words),
+            "{words}: {}",
+            added.out
+        );
+    }
+
     let removed = run(&["add", "rod-shear-modulus", "--to", "study.toml", "--remove"]);
     assert_eq!(removed.code, Some(0), "{}", removed.err);
     let text = fs::read_to_string(folder.path().join("study.toml")).unwrap();

@@ -180,7 +180,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     (
         "add",
         &[
-            "progress", "origin", "input", "effects", "study", "compare", "page",
+            "progress", "origin", "input", "effects", "wing", "study", "compare", "page",
         ],
     ),
     (

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use washout::input::measurement::{Channel, SigmaKind};
-use washout::input::sheet::Sheet;
 use washout::input::sheet::study::Names;
+use washout::input::sheet::{DesignReadings, Sheet};
 use washout::input::study::LoadedStudy;
 use washout::input::{Design, InputError};
 
@@ -305,7 +305,12 @@ fn the_study_of_a_table_loads_with_its_readings_and_leaves_no_row_out() {
         readings: &sheet.measurement.file,
     };
     let path = folder.path().join("mine.toml");
-    let study = LoadedStudy::with_readings(Path::new(&path), &sheet.study(names), &[], &sheet.measurement);
+    let study = LoadedStudy::with_readings(
+        Path::new(&path),
+        &sheet.study(names, &[]),
+        &[],
+        &sheet.measurement,
+    );
     let study = study.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(study.study.candidates, None, "no effect is left out in silence");
     assert!(study.unused.is_empty());
@@ -338,4 +343,39 @@ fn the_study_of_a_table_loads_with_its_readings_and_leaves_no_row_out() {
             "{error}"
         );
     }
+}
+
+#[test]
+fn a_condition_that_is_held_out_is_named_as_the_table_has_it_or_as_its_case() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let design = folder.path().join("wing.toml");
+    std::fs::write(&design, WING).expect("written");
+    let table = folder.path().join("sheet.csv");
+    std::fs::write(&table, "r (mm);18 Hz, 30 deg;22 Hz, 30 deg\n20;4;5\n40;6;7\n").expect("written");
+    let read = || DesignReadings::load(&table, &design, Some(0.25)).unwrap_or_else(|error| panic!("{error}"));
+    for named in ["22hz-30deg", "22 Hz, 30 deg", "22Hz 30deg", " 22 hz,30 DEG"] {
+        let held = read().holding_out(&[named.to_string()]);
+        let held = held.unwrap_or_else(|error| panic!("{error}"));
+        let study = held.study(&[]).unwrap_or_else(|error| panic!("{error}"));
+        let cases: Vec<_> = study
+            .cases
+            .iter()
+            .map(|case| (case.name.as_str(), case.is_held_out))
+            .collect();
+        assert_eq!(cases, [("18hz-30deg", false), ("22hz-30deg", true)], "{named}");
+    }
+    let refused = |conditions: &[&str]| {
+        let conditions: Vec<String> = conditions.iter().map(ToString::to_string).collect();
+        read().holding_out(&conditions).expect_err("refused").to_string()
+    };
+    let error = refused(&["2 Hz, 30 deg"]);
+    assert!(
+        error.contains("is no condition") && error.contains("One of 18hz-30deg, 22hz-30deg"),
+        "{error}"
+    );
+    let error = refused(&["18hz-30deg", "22hz-30deg"]);
+    assert!(
+        error.contains("holds out all there are") && error.contains("Leave at least one"),
+        "{error}"
+    );
 }

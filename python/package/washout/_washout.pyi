@@ -16,6 +16,7 @@ def compare(
     sets: list[str],
     table: _Path | None = None,
     sigma: float | None = None,
+    hold_out: list[str] = [],
     case: str | None = None,
     reference: _Path | None = None,
     output: _Path | None = None,
@@ -30,6 +31,7 @@ def diagnose(
     own_data: bool,
     table: _Path | None = None,
     sigma: float | None = None,
+    hold_out: list[str] = [],
     output: _Path | None = None,
     listener: _Listener = None,
 ) -> str: ...

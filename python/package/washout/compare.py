@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 
 from washout import _washout, notebook
 from washout.columns import Columns, Numbers
+from washout.errors import by_argument
 from washout.readings import Readings, file_of
-from washout.verb import Document, FilePath, Progress, Setting, file_of_design, settings
+from washout.verb import Document, FilePath, Progress, Setting, file_of_design, names, settings
 
 
+@by_argument()
 def compare(
     design_or_study: FilePath,
     readings: Readings | None = None,
     sets: Mapping[str, Setting] | None = None,
     *,
     sigma: float | None = None,
+    hold_out: str | Sequence[str] = (),
     case: str | None = None,
     reference: FilePath | None = None,
     output: FilePath | None = None,
@@ -26,12 +29,22 @@ def compare(
     """Compares a design with its measurement, or all cases of a study before and after calibration.
 
     Of a design, `readings` are what was measured on it: a pandas.DataFrame, columns by their heads, or the file of a table; it is
-    compared as a study then, and `sigma` is the standard deviation of readings that state none. They may also be a measurement file,
-    with `case` in it; without them the design names its own. `reference` is the design that measured ratios refer to. `output` keeps
+    compared as a study then, and `sigma` is the standard deviation of readings that state none, `hold_out` conditions that no fit sees. They may also be a
+    measurement file, with `case` in it; without them the design names its own. `reference` is the design that measured ratios refer to. `output` keeps
     the pictures and tables in that folder, and each wing as calibrated. Gives what `washout compare --json` prints.
     """
     with nullcontext() if readings is None else file_of(readings) as table:
-        text = _washout.compare(file_of_design(design_or_study), settings(sets), table, None if sigma is None else float(sigma), case, reference, output, progress)
+        text = _washout.compare(
+            file_of_design(design_or_study),
+            settings(sets),
+            table,
+            None if sigma is None else float(sigma),
+            names(hold_out),
+            case,
+            reference,
+            output,
+            progress,
+        )
     document: Document = json.loads(text)
     return Comparison(document) if "comparison" in document else StudyComparison(document)
 

@@ -10,16 +10,19 @@ import numpy as np
 
 from washout import _washout, notebook
 from washout.columns import Columns, Numbers
+from washout.errors import by_argument
 from washout.readings import Readings, file_of
-from washout.verb import Document, FilePath, Progress, Setting, file_of_design, settings
+from washout.verb import Document, FilePath, Progress, Setting, file_of_design, names, settings
 
 
+@by_argument()
 def diagnose(
     design_or_study: FilePath,
     readings: Readings | None = None,
     sets: Mapping[str, Setting] | None = None,
     *,
     sigma: float | None = None,
+    hold_out: str | Sequence[str] = (),
     effects: str | Sequence[str] = (),
     significance: float = 0.01,
     seed: int = 1,
@@ -30,7 +33,8 @@ def diagnose(
     """Finds which effect the model of a study lacks, how sure that is, and what else it could be.
 
     Of a design, `readings` are what was measured on it: a pandas.DataFrame, columns by their heads, or the file of a table, long or
-    wide; `sigma` is the standard deviation of those that state none. A study names its own.
+    wide; `sigma` is the standard deviation of those that state none, and `hold_out` are conditions that no fit sees, such as "22 Hz", so
+    that they test what is found. A study names its own.
 
     `effects`: try these only; `significance`: accepted probability of a false alarm; `seed`: of the draws of noise;
     `own_data`: even data that `washout synthesize` made with the same formulas; `output` keeps pictures and tables in that
@@ -40,12 +44,13 @@ def diagnose(
         text = _washout.diagnose(
             file_of_design(design_or_study),
             settings(sets),
-            [effects] if isinstance(effects, str) else list(effects),
+            names(effects),
             significance,
             seed,
             own_data,
             table,
             None if sigma is None else float(sigma),
+            names(hold_out),
             output,
             progress,
         )

@@ -1,6 +1,10 @@
-"""What washout raises. Each message is the one of the command line, with the cure."""
+"""What washout raises. Each message is the one of the command line, with the cure; options have the names of the arguments here."""
 
 from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 
 class WashoutError(Exception):
@@ -40,3 +44,33 @@ class InputError(WashoutError):
 
 class NotConverged(WashoutError):
     """The equations have no solution that was found, or the wing would not stay in it (exit code 3 of the command line)."""
+
+
+@contextmanager
+def by_argument() -> Iterator[None]:
+    """What goes wrong within names the arguments of Python (`sets`) where the command line names its options (`--set`)."""
+    try:
+        yield
+    except InputError as error:
+        error.args = (in_python(str(error)),)
+        error.key, error.problem, error.cure = in_python(error.key), in_python(error.problem), in_python(error.cure)
+        raise
+
+
+ARGUMENTS = {
+    "--" + option: argument
+    for option, argument in {
+        **{name: name for name in ("case", "design", "ladder", "on", "output", "readings", "reference", "seed", "sigma", "significance")},
+        **{"effect": "effects", "hold-out": "hold_out", "number": "numbers", "set": "sets", "to": "study", "with": "readings"},
+        **{"stroke": "stroke", "stroke-quasi-static": "stroke_quasi_static", "uncertainty": "uncertainty"},
+    }.items()
+}
+"""The argument for an option."""
+
+
+def in_python(message: str) -> str:
+    """A message with arguments for options; whole commands, which stand in backquotes, stay."""
+    parts = message.split("`")
+    for place in range(0, len(parts), 2):
+        parts[place] = re.sub(r"--[a-z-]*[a-z]", lambda found: ARGUMENTS.get(found[0], found[0]), parts[place])
+    return "`".join(parts)

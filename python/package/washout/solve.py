@@ -12,11 +12,13 @@ import numpy as np
 
 from washout import _washout, notebook
 from washout.columns import Columns, Numbers
+from washout.errors import by_argument
 from washout.solved import Forces, Shape, SolvedWing
 from washout.verb import Document, FilePath, Progress, Setting
 from washout.wing import Wing
 
 
+@by_argument()
 def solve(
     design: FilePath,
     sets: Mapping[str, Setting] | None = None,

@@ -6,31 +6,38 @@ import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from washout.errors import by_argument
 from washout.readings import Readings, file_of
-from washout.verb import Document, FilePath, Progress, run
+from washout.verb import Document, FilePath, Progress, names, run
 
 
+@by_argument()
 def init_study(
     name: str,
     design: FilePath,
     readings: Readings,
     *,
     sigma: float | None = None,
+    hold_out: str | Sequence[str] = (),
     folder: FilePath = ".",
 ) -> Path:
     """Writes a study of a design and readings, with its measurement file, and gives its path; no file is written over.
 
-    The study holds what `diagnose(design, readings)` uses. In it cases can be held out, and effects be added.
+    The study holds what `diagnose(design, readings)` uses. `hold_out` are conditions that no fit sees, such as "22 Hz". Effects can be
+    added to it.
     """
     with file_of(readings) as table:
         arguments = [name, "--study", "--design", os.fspath(design), "--readings", os.fspath(table)]
         arguments += ["--output", os.fspath(folder)]
         if sigma is not None:
             arguments += ["--sigma", repr(float(sigma))]
+        for condition in names(hold_out):
+            arguments += ["--hold-out", condition]
         document = run("init", *arguments)
     return Path(document["file"])
 
 
+@by_argument()
 def add(
     effect: str,
     study: FilePath,
@@ -51,7 +58,7 @@ def add(
     arguments: list[FilePath] = [effect, "--to", os.fspath(study)]
     for key, value in (numbers or {}).items():
         arguments += ["--number", f"{key}={value!r}"]
-    for wing in [on] if isinstance(on, str) else on:
+    for wing in names(on):
         arguments += ["--on", wing]
     if remove:
         arguments.append("--remove")

@@ -50,6 +50,11 @@ def file_of_design(design: FilePath) -> FilePath:
     return design
 
 
+def names(given: str | Sequence[str]) -> list[str]:
+    """One name or several."""
+    return [given] if isinstance(given, str) else list(given)
+
+
 def settings(sets: Mapping[str, Setting] | None) -> list[str]:
     """`KEY=VALUE` for each key of a design."""
     return [f"{key}={toml(value)}" for key, value in (sets or {}).items()]

@@ -10,6 +10,7 @@ from functools import cached_property
 
 from washout import _washout, notebook
 from washout.columns import Nodes, Numbers
+from washout.errors import InputError, by_argument
 from washout.solved import SolvedWing
 from washout.verb import Document, FilePath, Progress, Setting, settings
 
@@ -43,6 +44,7 @@ class Wing:
         self._native = native
 
     @classmethod
+    @by_argument()
     def open(cls, design: FilePath, sets: Mapping[str, Setting] | None = None) -> Wing:
         """Reads a design and meshes the wing; solves nothing.
 

@@ -21,6 +21,8 @@ pub struct DesignReadings {
     pub table: PathBuf,
     /// Standard deviation that was given for readings that state none.
     pub sigma: Option<f64>,
+    /// The conditions that no fit sees, by the names of their cases.
+    pub held_out: Vec<String>,
 }
 
 impl DesignReadings {
@@ -49,7 +51,47 @@ impl DesignReadings {
             design: design.to_path_buf(),
             table: table.to_path_buf(),
             sigma,
+            held_out: Vec::new(),
         })
+    }
+
+    /// The same with conditions that no fit sees, so that they test it: each as the table names it (`22 Hz`) or as its case (`22hz`).
+    ///
+    /// # Errors
+    /// If there is no such condition, or none is left to be fitted.
+    pub fn holding_out(mut self, conditions: &[String]) -> Result<DesignReadings, InputError> {
+        let cases: Vec<&String> = self
+            .sheet
+            .families
+            .iter()
+            .flat_map(|family| &family.cases)
+            .collect();
+        let refused = |message: String, cure: &str| Err(InputError::about_file("--hold-out", message, cure));
+        let names = || {
+            cases
+                .iter()
+                .map(|case| case.as_str())
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
+        let mut held_out = Vec::new();
+        for condition in conditions {
+            match cases.iter().find(|case| plain(case) == plain(condition)) {
+                Some(case) => held_out.push((*case).clone()),
+                None => {
+                    return refused(
+                        format!("{condition} is no condition of {}", self.sheet.measurement.file),
+                        &format!("One of {}", names()),
+                    );
+                }
+            }
+        }
+        if cases.iter().all(|case| held_out.contains(case)) {
+            let cure = "Leave at least one condition to be fitted";
+            return refused(format!("holds out all there are: {}", names()), cure);
+        }
+        self.held_out = held_out;
+        Ok(self)
     }
 
     /// What looks wrong in the table, to be said before any answer; none if nothing does.
@@ -77,12 +119,17 @@ impl DesignReadings {
     pub fn study(&self, sets: &[String]) -> Result<LoadedStudy, InputError> {
         let name = self.name();
         let path = PathBuf::from(format!("{name}.toml"));
-        let text = self.sheet.study(Names {
+        let text = self.text(Names {
             study: &name,
             design: &self.design.display().to_string(),
             readings: &self.sheet.measurement.file,
         });
         LoadedStudy::with_readings(&path, &text, sets, &self.sheet.measurement)
+    }
+
+    /// The text of the study, as [`Sheet::study`] has it.
+    pub fn text(&self, names: Names) -> String {
+        self.sheet.study(names, &self.held_out)
     }
 
     /// Name of the study: of its design and its table.
@@ -98,4 +145,18 @@ impl DesignReadings {
         let stem: String = stem.chars().map(plain).collect();
         format!("{}-{stem}", self.sheet.loaded.design.name)
     }
+}
+
+/// A condition without what may be written in several ways: `22 Hz, 35 deg` and `22hz-35deg` are one.
+fn plain(condition: &str) -> String {
+    let parts = condition.split([',', ';']).flat_map(str::split_whitespace);
+    let mut plain = String::new();
+    for part in parts {
+        // a number begins the next point of the condition
+        if !plain.is_empty() && part.starts_with(|c: char| c.is_ascii_digit()) {
+            plain.push('-');
+        }
+        plain += &part.to_lowercase();
+    }
+    plain
 }

@@ -17,8 +17,9 @@ pub struct Names<'a> {
 }
 
 impl Sheet {
-    /// The text of a study file. What the design assumes is uncertain in it; all effects that can act may be tried.
-    pub fn study(&self, names: Names) -> String {
+    /// The text of a study file in which no fit sees the cases `held_out`. What the design assumes is uncertain in it; all effects that
+    /// can act may be tried.
+    pub fn study(&self, names: Names, held_out: &[String]) -> String {
         let text = |words: &str| toml::Value::from(words).to_string();
         let path = Path::new(&self.measurement.file);
         let file = path.file_name().unwrap_or(path.as_os_str());
@@ -35,17 +36,23 @@ impl Sheet {
         );
         for family in &self.families {
             let set: Vec<String> = family.set.iter().map(|set| text(set)).collect();
+            let held = family.cases.iter().filter(|case| held_out.contains(case));
+            let held: Vec<String> = held.map(|case| text(case)).collect();
+            let last = text(family.cases.last().map_or("", String::as_str));
+            let line = match held.is_empty() {
+                true => format!("# held_out = [{last}]"),
+                false => format!("held_out = [{}]", held.join(", ")),
+            };
             // writing to a String cannot fail
             let _ = write!(
                 study,
                 "\n# {}\n[[case]]\ndesign = {}\nset = [{}]\nmeasurement = {}\nmeasured = {}\n\
-                 # Cases that no fit ever sees, so that they test it.\n# held_out = [{}]\n",
+                 # Cases that no fit ever sees, so that they test it.\n{line}\n",
                 family.cases.join(", "),
                 text(names.design),
                 set.join(", "),
                 text(names.readings),
                 text(&family.form),
-                text(family.cases.last().map_or("", String::as_str)),
             );
         }
         let set: Vec<&str> = self
