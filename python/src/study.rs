@@ -10,6 +10,8 @@ use washout::cli::{Console, Failure};
 use washout::export::json;
 use washout::progress::Progress;
 
+use washout::input::sheet::Sigmas;
+
 use crate::failure::refused;
 use crate::worker::work;
 
@@ -22,7 +24,7 @@ pub fn compare(
     path: PathBuf,
     sets: Vec<String>,
     table: Option<PathBuf>,
-    sigma: Option<f64>,
+    sigma: Option<String>,
     hold_out: Vec<String>,
     case: Option<String>,
     reference: Option<PathBuf>,
@@ -32,7 +34,7 @@ pub fn compare(
     let verb = Compare {
         design: DesignArguments::of_file(&path, &sets, None),
         with: table,
-        sigma,
+        sigma: sigmas(py, sigma)?,
         hold_out,
         case,
         reference,
@@ -59,7 +61,7 @@ pub fn diagnose(
     seed: i128,
     own_data: bool,
     table: Option<PathBuf>,
-    sigma: Option<f64>,
+    sigma: Option<String>,
     hold_out: Vec<String>,
     output: Option<PathBuf>,
     listener: Option<Py<PyAny>>,
@@ -73,7 +75,7 @@ pub fn diagnose(
     let verb = Diagnose {
         study: path,
         with: table,
-        sigma,
+        sigma: sigmas(py, sigma)?,
         hold_out,
         set: sets,
         effect: effects,
@@ -89,6 +91,15 @@ pub fn diagnose(
         Some(_) => kept(progress, |console| verb.run(console)),
         None => Ok(json::text(&verb.document(&Console::keeping(progress.clone()))?)?),
     })
+}
+
+/// Standard deviations as a table takes them: `0.3`, or `0.3 deg, 0.05 mm`.
+fn sigmas(py: Python<'_>, sigma: Option<String>) -> PyResult<Option<Sigmas>> {
+    let parsed = sigma.map(|text| {
+        text.parse()
+            .map_err(|reason| refused(py, &format!("sigma = {text}: {reason}")))
+    });
+    parsed.transpose()
 }
 
 /// The document that a verb gives to its console.

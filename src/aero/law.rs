@@ -47,7 +47,7 @@ impl AirLaw {
                 CoefficientLaw::Table(CoefficientTable::new(table.ok_or(AeroError::TableMissing)?)?)
             }
         };
-        let centre_of_pressure = match air.centre_of_pressure {
+        let centre_of_pressure = match air.centre_of_pressure() {
             CentreOfPressure::Dickson => CentreOfPressureLaw::Dickson,
             CentreOfPressure::Purdue => CentreOfPressureLaw::Purdue,
             CentreOfPressure::Fixed => CentreOfPressureLaw::Fixed {
@@ -113,6 +113,19 @@ mod tests {
     }
 
     #[test]
+    fn a_thin_airfoil_has_its_load_at_a_quarter_of_the_chord_unless_the_design_says_otherwise() {
+        let mut design = design();
+        design.air.coefficients = Coefficients::ThinAirfoil;
+        let centre = |design: &Design| {
+            let law = AirLaw::from_design(design, None).expect("a law");
+            law.centre_of_pressure.fraction(0.1_f64)
+        };
+        assert_eq!(centre(&design), 0.25);
+        design.air.centre_of_pressure = Some(CentreOfPressure::Dickson);
+        assert!((centre(&design) - (0.82 * 0.1 / std::f64::consts::PI + 0.05)).abs() < 1e-12);
+    }
+
+    #[test]
     fn a_table_is_asked_for_used_and_checked() {
         let mut design = design();
         design.air.coefficients = Coefficients::Table;
@@ -125,7 +138,7 @@ mod tests {
     #[test]
     fn a_centre_that_no_one_signed_pressure_has_is_refused() {
         let mut design = design();
-        design.air.centre_of_pressure = CentreOfPressure::Fixed;
+        design.air.centre_of_pressure = Some(CentreOfPressure::Fixed);
         design.air.centre_of_pressure_fraction = 0.0.into();
         let error = AirLaw::from_design(&design, None).expect_err("too far forward");
         assert_eq!(

@@ -19,7 +19,7 @@ use crate::export::run::RunFolder;
 use crate::export::sheet::understood;
 use crate::export::study::{StudyReport, page as page_of_study};
 use crate::input::measurement::Measurement;
-use crate::input::sheet::DesignReadings;
+use crate::input::sheet::{DesignReadings, Sigmas};
 use crate::input::study::LoadedStudy;
 use crate::input::{Loaded, seen_from};
 use crate::study::UnknownKind;
@@ -56,9 +56,9 @@ pub struct Compare {
     /// Measurement file or table of readings (.csv, .tsv, .xlsx, .ods), of a design only [default: the file that the design names]
     #[arg(long, value_name = "FILE")]
     pub with: Option<PathBuf>,
-    /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "with", allow_negative_numbers = true, value_parser = super::design_arguments::number)]
-    pub sigma: Option<f64>,
+    /// Standard deviation of readings of the table that state none, e.g. 0.3, or "0.3 deg, 0.05 mm" [default: 0.5 deg, 0.5 mm]
+    #[arg(long, value_name = "SIGMA", requires = "with", allow_negative_numbers = true)]
+    pub sigma: Option<Sigmas>,
     /// A condition of the table that no fit sees, so that it tests what is found, e.g. 22hz; can be given many times
     #[arg(long, value_name = "CONDITION", requires = "with")]
     pub hold_out: Vec<String>,
@@ -288,7 +288,11 @@ impl Compare {
                 ),
             }),
             None => {
-                let read = DesignReadings::load(table, &self.design.design, self.sigma)?;
+                let read = DesignReadings::load(
+                    table,
+                    &self.design.design,
+                    &self.sigma.clone().unwrap_or_default(),
+                )?;
                 Ok(Some(read.holding_out(&self.hold_out)?))
             }
         }

@@ -76,14 +76,6 @@ impl DesignArguments {
     }
 }
 
-/// A number of an option, with a decimal point or comma as tables have it.
-pub(super) fn number(text: &str) -> Result<f64, String> {
-    let plain = text.trim().replace(',', ".");
-    plain
-        .parse()
-        .map_err(|_| "is no number; write e.g. 0.4 or 0,4".to_string())
-}
-
 /// A size of memory, GB.
 fn gigabytes(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {

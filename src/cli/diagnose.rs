@@ -18,7 +18,7 @@ use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
 use crate::export::sheet::{to_keep, understood};
-use crate::input::sheet::DesignReadings;
+use crate::input::sheet::{DesignReadings, Sigmas};
 use crate::input::study::LoadedStudy;
 use crate::page::Part;
 use crate::page::text::significant;
@@ -56,9 +56,9 @@ pub struct Diagnose {
     /// A table of readings, measured on the design: .csv, .tsv, .xlsx or .ods; what was understood is printed first
     #[arg(long, value_name = "TABLE", conflicts_with_all = ["plan", "on"])]
     pub with: Option<PathBuf>,
-    /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "with", allow_negative_numbers = true, value_parser = super::design_arguments::number)]
-    pub sigma: Option<f64>,
+    /// Standard deviation of readings of the table that state none, e.g. 0.3, or "0.3 deg, 0.05 mm" [default: 0.5 deg, 0.5 mm]
+    #[arg(long, value_name = "SIGMA", requires = "with", allow_negative_numbers = true)]
+    pub sigma: Option<Sigmas>,
     /// A condition of the table that no fit sees, so that it tests what is found, e.g. 22hz; can be given many times
     #[arg(long, value_name = "CONDITION", requires = "with")]
     pub hold_out: Vec<String>,
@@ -130,10 +130,10 @@ impl Diagnose {
                     .to_string(),
             });
         }
-        let table = self
-            .with
-            .as_ref()
-            .map(|table| DesignReadings::load(table, &self.study, self.sigma)?.holding_out(&self.hold_out));
+        let table = self.with.as_ref().map(|table| {
+            DesignReadings::load(table, &self.study, &self.sigma.clone().unwrap_or_default())?
+                .holding_out(&self.hold_out)
+        });
         let table = table.transpose()?;
         if let Some(table) = &table {
             console.note(understood(&table.sheet));
@@ -207,7 +207,8 @@ impl Diagnose {
         });
         let next = match to_add(&path, &self.on, &report.diagnosis) {
             commands if commands.is_empty() && !keep.is_empty() => {
-                format!("To go on with a study, which can be changed\n{keep}\n")
+                let plan = format!("  washout diagnose {} --plan\n", path.display());
+                format!("To go on with a study, and to see what more readings could show\n{keep}{plan}\n")
             }
             commands if commands.is_empty() => String::new(),
             commands if report.diagnosis.verdict == Verdict::Set => {

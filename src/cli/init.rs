@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::export::drawn::Drawn;
 use crate::export::file::{refuse_any, write_new};
 use crate::export::sheet::{files, understood};
-use crate::input::sheet::DesignReadings;
+use crate::input::sheet::{DesignReadings, Sigmas};
 
 use super::{Console, Failure};
 
@@ -59,9 +59,14 @@ pub struct Init {
     /// A table of readings that were measured on the design: .csv, .tsv, .xlsx or .ods
     #[arg(long, value_name = "TABLE", requires_all = ["study", "design"])]
     pub readings: Option<PathBuf>,
-    /// Standard deviation of readings of the table that state none, in their unit [default: 0.5 deg, 0.5 mm]
-    #[arg(long, value_name = "SIGMA", requires = "readings", allow_negative_numbers = true, value_parser = super::design_arguments::number)]
-    pub sigma: Option<f64>,
+    /// Standard deviation of readings of the table that state none, e.g. 0.3, or "0.3 deg, 0.05 mm" [default: 0.5 deg, 0.5 mm]
+    #[arg(
+        long,
+        value_name = "SIGMA",
+        requires = "readings",
+        allow_negative_numbers = true
+    )]
+    pub sigma: Option<Sigmas>,
     /// A condition of the table that no fit sees, so that it tests what is found, e.g. 22hz; can be given many times
     #[arg(long, value_name = "CONDITION", requires = "readings")]
     pub hold_out: Vec<String>,
@@ -86,9 +91,10 @@ impl Init {
         let folder = self.output.clone().unwrap_or_default();
         let name = checked(&self.name)?;
         let table = match (&self.readings, &self.design) {
-            (Some(readings), Some(design)) => {
-                Some(DesignReadings::load(readings, design, self.sigma)?.holding_out(&self.hold_out)?)
-            }
+            (Some(readings), Some(design)) => Some(
+                DesignReadings::load(readings, design, &self.sigma.clone().unwrap_or_default())?
+                    .holding_out(&self.hold_out)?,
+            ),
             _ => None,
         };
         let drawn = self

@@ -17,7 +17,7 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
     let scale = baseline.size.scale;
     if baseline.on_trust() {
         notes.push(format!(
-            "Only {numbers} numbers: the noise level is taken on trust, and trusted little."
+            "Only {numbers} numbers, too few to check the stated sigma: it is taken as stated, with much doubt."
         ));
     } else if (scale - 1.0).abs() > 0.2 {
         notes.push(format!(
@@ -83,7 +83,7 @@ fn without_solution(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
     let unsolved = unsolved(baseline);
     if !unsolved.is_empty() {
         notes.push(format!(
-            "{}: with some of the sizes that were looked at the wing has no equilibrium; these effects are weighed by their other sizes alone.",
+            "{}: at their larger sizes the wing of the model has no equilibrium, so that they were tried at smaller sizes alone.",
             unsolved.join(", ")
         ));
     }

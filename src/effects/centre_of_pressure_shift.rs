@@ -11,7 +11,7 @@ pub struct CentreOfPressureShift;
 const CARD: Card = Card {
     name: "centre-of-pressure-shift",
     family: "centre-of-pressure",
-    summary: "The air load acts further behind the leading edge than the law says, by the same share of the chord everywhere.",
+    summary: "The air load acts further behind the leading edge than the law says (negative: further forward), by the same share of the chord everywhere.",
     formula: "x' = x + s",
     source: "definition; the laws of Dickson 2006 and of the Purdue robot differ by up to 0.1",
     when_right: "camber or separation moves the load along the chord at all angles alike",
@@ -20,8 +20,8 @@ const CARD: Card = Card {
     seam: Seam::Air,
     parameters: &[Parameter {
         name: "strength",
-        unit: "1",
-        meaning: "shift toward the trailing edge, in chords",
+        unit: "chord",
+        meaning: "shift toward the trailing edge from where the design's law has it (air.centre_of_pressure)",
         default: 0.0,
         range: [-0.3, 0.5],
         plausible: [-0.08, 0.08],

@@ -87,7 +87,7 @@ pub fn page(report: &AddReport) -> Page {
 /// What joined or left, what that does to the error, and what it would do on a bench.
 fn words(report: &AddReport) -> String {
     let what = report.what.as_ref().filter(|_| report.strength.is_some());
-    let what = what.map(|[summary, strength]| format!("{summary} Its strength is the {strength}."));
+    let what = what.map(|[summary, strength]| format!("{summary} Strength: {strength}."));
     let on_bench = report.on_bench.as_ref().map(|bench| {
         format!(
             "On a bench, {} turns there by {} deg with it and by {} deg without: a way to check it by hand.",

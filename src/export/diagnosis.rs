@@ -14,7 +14,7 @@ use crate::page::text::{number, significant};
 use crate::page::{Digits, Page, Part, Rows, Table};
 use crate::study::Work;
 
-use super::hypotheses::{brief, falls, hypotheses};
+use super::hypotheses::{brief, falls, hypotheses, meanings};
 use super::pictures::ladder::{self, Fall};
 use super::pictures::{diagnosis as pictures, in_sigma};
 
@@ -58,11 +58,8 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
         kind: "diagnosis",
         lead: vec![
             Part::Sentence(found.sentence.clone()),
-            Part::Text(
-                format!("{} {}", falls(&found.ladder), tried(found))
-                    .trim()
-                    .to_string(),
-            ),
+            Part::Text(format!("{} {}", falls(found), tried(found)).trim().to_string()),
+            Part::List(meanings(found)),
         ],
         brief: brief(found),
         sections: Vec::new(),

@@ -1,11 +1,19 @@
 //! The hypotheses of a diagnosis for people, and how the error falls with the most probable.
 
-use crate::diagnose::Diagnosis;
 use crate::diagnose::ladder::LadderStep;
 use crate::diagnose::verdict::{Hypothesis, Strength};
+use crate::diagnose::{Diagnosis, Verdict};
 use crate::page::Digits::{After, Significant};
 use crate::page::text::significant;
 use crate::page::{Fact, Part, Rows, Table};
+
+use super::added::what;
+
+/// Share by which the scatter may be off what is stated without a word.
+const OFF: f64 = 0.05;
+
+/// A held-out error up to so many times the scatter may be scatter: of a dozen readings, one draw in a hundred is larger.
+const AS_SCATTER: f64 = 1.5;
 
 /// What the column of the set holds.
 const IN_SET: &str = " In set: the most probable, which hold 95 % together.";
@@ -18,7 +26,12 @@ pub fn brief(found: &Diagnosis) -> Vec<Part> {
     let in_set = found.hypotheses.iter().filter(|row| row.in_set).count();
     let mut parts = hypotheses(found);
     if let Some(Part::Table(table)) = parts.last_mut() {
-        *table = table.clone().without(&["gain_left_out_conditions", "in set"]);
+        // all are plausible as a rule
+        let is_plain = found.hypotheses.iter().all(|row| row.plausible || !row.in_set);
+        let plausible = if is_plain { "plausible" } else { "" };
+        *table = table
+            .clone()
+            .without(&["gain_left_out_conditions", "in set", plausible]);
         table.caption = table.caption.replace(IN_SET, "");
         table.most_in_text = in_set.clamp(3, 7);
     }
@@ -32,29 +45,69 @@ pub fn brief(found: &Diagnosis) -> Vec<Part> {
     parts
 }
 
-/// How the error falls, in one sentence.
-pub fn falls(ladder: &[LadderStep]) -> String {
-    let steps: Vec<String> = ladder
-        .iter()
-        .map(|step| {
-            let name = match step.name.as_str() {
-                "raw" => "uncalibrated",
-                "calibrated" => "calibrated",
-                "noise" => "from the scatter alone",
-                own => &own.replacen("+ ", "with ", 1),
-            };
-            format!("{} {name}", significant(step.in_sample, 3))
-        })
-        .collect();
-    let Some(first) = ladder.first() else {
+/// How the error falls, in a sentence or two: where it was fitted, and where it was held out. Where nothing is missing no effect has a
+/// part in that.
+pub fn falls(found: &Diagnosis) -> String {
+    let is_step = |step: &&LadderStep| found.verdict != Verdict::Nothing || !step.name.starts_with('+');
+    let steps: Vec<&LadderStep> = found.ladder.iter().filter(is_step).collect();
+    let Some(first) = steps.first() else {
         return String::new();
+    };
+    let names = |step: &LadderStep| match step.name.as_str() {
+        "raw" => "uncalibrated".to_string(),
+        "calibrated" => "calibrated".to_string(),
+        own => own.replacen("+ ", "with ", 1),
+    };
+    let (noise, models): (Vec<&LadderStep>, Vec<&LadderStep>) =
+        steps.iter().copied().partition(|step| step.name == "noise");
+    let list = |error: fn(&LadderStep) -> Option<f64>| {
+        let each = models
+            .iter()
+            .filter_map(|step| Some(format!("{} {}", significant(error(step)?, 3), names(step))));
+        each.collect::<Vec<_>>().join(", ")
+    };
+    let times = match found.noise.scale {
+        scale if (scale - 1.0).abs() < OFF => String::new(),
+        scale => format!(" (it is {} times as stated)", significant(scale, 2)),
+    };
+    let scatter = noise.first().map_or(String::new(), |noise| {
+        format!(
+            "; the scatter alone would leave {}{times}",
+            significant(noise.in_sample, 3)
+        )
+    });
+    let last = models.iter().rev().find_map(|step| step.held_out);
+    let held_out = match (list(|step| step.held_out), last, noise.first()) {
+        (list, Some(last), Some(noise)) => {
+            let is_within = last <= AS_SCATTER * noise.in_sample;
+            let than = if is_within { "no more" } else { "more" };
+            format!(" Where it was held out: {list}; that is {than} than the scatter explains.")
+        }
+        _ => String::new(),
     };
     let channel = first.channel.name().replace('_', " ");
     format!(
-        "Error of the {channel}, rms in {}: {}.",
+        "Error of the {channel}, rms in {}: {}{scatter}.{held_out}",
         first.channel.unit(),
-        steps.join(", ")
+        list(|step| Some(step.in_sample)),
     )
+}
+
+/// What the most probable effects are, and what their strengths mean; where nothing is missing, what could not have been seen.
+pub fn meanings(found: &Diagnosis) -> Vec<String> {
+    if found.verdict == Verdict::Nothing && found.unseen.len() > 1 {
+        return vec![format!("Could not have been seen: {}.", found.unseen.join(", "))];
+    }
+    let leads = match found.verdict {
+        Verdict::Effect | Verdict::Set => found.hypotheses.iter().find(|row| !row.families.is_empty()),
+        Verdict::Nothing | Verdict::Novel | Verdict::Undecidable => None,
+    };
+    let effects = leads.map_or(&[][..], |row| row.effects.as_slice());
+    let words = effects.iter().filter_map(|effect| {
+        let [what, strength] = what(effect)?;
+        Some(format!("{effect}: {what} Strength: {strength}."))
+    });
+    words.collect()
 }
 
 /// How probable nothing, an unknown cause and each explanation are.

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::ExportError;
 use super::measurement::measurement_csv;
+use crate::input::measurement::{Channel, Row};
 use crate::input::seen_from;
 use crate::input::sheet::study::Names;
 use crate::input::sheet::{DesignReadings, Sheet};
@@ -31,6 +32,9 @@ pub fn understood(sheet: &Sheet) -> String {
         text += "\nNot in the table, so taken to be\n";
         text += &pairs(["what", "is"], &sheet.assumed);
     }
+    if sheet.doubts.is_empty() {
+        text += "\nNothing in the table looks wrong.\n";
+    }
     for doubt in &sheet.doubts {
         text += &format!("\n{}", wrapped(&format!("Check: {doubt}"), 0));
     }
@@ -44,15 +48,6 @@ fn conditions(sheet: &Sheet) -> String {
         for case in &family.cases {
             let rows = sheet.measurement.rows.iter().filter(|row| row.case == *case);
             let rows: Vec<_> = rows.collect();
-            let ends = |values: Vec<f64>| match values.iter().copied().reduce(f64::min) {
-                None => String::new(),
-                Some(least) => {
-                    let most = values.iter().copied().fold(least, f64::max);
-                    format!("{} … {}", significant(least, 4), significant(most, 4))
-                }
-            };
-            let units: Vec<&str> = rows.iter().map(|row| row.channel.unit()).collect();
-            let is_one = units.iter().all(|unit| *unit == units[0]);
             cases.row([
                 case.clone(),
                 family
@@ -62,19 +57,38 @@ fn conditions(sheet: &Sheet) -> String {
                     .collect::<Vec<_>>()
                     .join(", "),
                 rows.len().to_string(),
-                ends(rows.iter().filter_map(|row| row.r_mm).collect()),
-                match is_one {
-                    true => format!(
-                        "{} {}",
-                        ends(rows.iter().map(|row| row.value).collect()),
-                        units[0]
-                    ),
-                    false => "several channels".to_string(),
-                },
+                ends(rows.iter().filter_map(|row| row.r_mm)),
+                values(&rows),
             ]);
         }
     }
     cases.render()
+}
+
+/// The smallest and the largest of some numbers.
+fn ends(values: impl Iterator<Item = f64>) -> String {
+    let ends = values.fold(None, |ends: Option<[f64; 2]>, value| {
+        let [least, most] = ends.unwrap_or([value, value]);
+        Some([least.min(value), most.max(value)])
+    });
+    ends.map_or(String::new(), |[least, most]| {
+        format!("{} … {}", significant(least, 4), significant(most, 4))
+    })
+}
+
+/// The same of each channel, with its unit.
+fn values(rows: &[&Row]) -> String {
+    let mut channels: Vec<Channel> = Vec::new();
+    for row in rows {
+        if !channels.contains(&row.channel) {
+            channels.push(row.channel);
+        }
+    }
+    let of = |channel: &Channel| {
+        let own = rows.iter().filter(|row| row.channel == *channel);
+        format!("{} {}", ends(own.map(|row| row.value)), channel.unit())
+    };
+    channels.iter().map(of).collect::<Vec<_>>().join("; ")
 }
 
 /// The texts of the study and of its measurement file, for a study of this name in this folder.
@@ -96,9 +110,12 @@ pub fn files(of: &DesignReadings, name: &str, folder: &Path) -> Result<Files, Ex
 
 /// The command that writes the study.
 pub fn to_keep(of: &DesignReadings) -> String {
-    let sigma = of
-        .sigma
-        .map_or(String::new(), |sigma| format!(" --sigma {sigma}"));
+    let sigma = of.sigma.to_string();
+    let sigma = match sigma.contains(' ') {
+        _ if sigma.is_empty() => sigma,
+        true => format!(" --sigma \"{sigma}\""),
+        false => format!(" --sigma {sigma}"),
+    };
     let held: Vec<String> = of
         .held_out
         .iter()

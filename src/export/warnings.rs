@@ -70,7 +70,7 @@ fn of_mesh(summary: &RunSummary) -> Option<String> {
     let share = error / tip.abs();
     (share > COARSE_SHARE && error > READABLE_DEG).then(|| {
         format!(
-            "the mesh leaves about {} deg of the tip's twist ({} %), by a mesh half as fine; --accuracy 1 refines it until 1 % is left",
+            "the mesh leaves about {} deg of the tip's twist ({} %), by a mesh half as fine; a finer mesh leaves less (--accuracy 1: until 1 % is left)",
             number(error, 1),
             significant(100.0 * share, 2)
         )

@@ -40,6 +40,11 @@ pub struct LiftReport {
     pub stroke_mean: Option<Forces>,
 }
 
+/// Whether a drag is one, and not what is left of forces that cancel: a thin aerofoil has none.
+fn is_more_than_rounding(drag_n: f64, lift_n: f64) -> bool {
+    drag_n > 1e-12 * lift_n.abs()
+}
+
 impl Forces {
     /// From newtons and watts.
     pub fn new(name: impl Into<String>, lift_n: f64, drag_n: f64, power_w: f64) -> Self {
@@ -48,8 +53,9 @@ impl Forces {
             lift_mn: lift_n * 1e3,
             drag_mn: drag_n * 1e3,
             power_mw: power_w * 1e3,
-            lift_to_drag: (drag_n > 0.0).then(|| lift_n / drag_n),
-            lift_per_power_n_per_w: (power_w > 0.0).then(|| lift_n / power_w),
+            lift_to_drag: is_more_than_rounding(drag_n, lift_n).then(|| lift_n / drag_n),
+            lift_per_power_n_per_w: (power_w > 0.0 && is_more_than_rounding(drag_n, lift_n))
+                .then(|| lift_n / power_w),
         }
     }
 

@@ -126,7 +126,9 @@ fn place(design: &Design, number: &DesignNumber, is_uncertain: bool) -> Option<P
         ("flapping" | "steady", _) => PlaceOf::new("Motion", words),
         ("air", _) => match rest {
             "lift_slope_per_rad" if design.air.coefficients != Coefficients::ThinAirfoil => None,
-            "centre_of_pressure_fraction" if design.air.centre_of_pressure != CentreOfPressure::Fixed => None,
+            "centre_of_pressure_fraction" if design.air.centre_of_pressure() != CentreOfPressure::Fixed => {
+                None
+            }
             _ => PlaceOf::new("Air", words),
         },
         ("rod", Some(index)) => rod(design, index, rest, &words),

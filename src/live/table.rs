@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::export::sheet::{files, understood};
 use crate::input::measurement::Measurement;
 use crate::input::seen_from;
-use crate::input::sheet::DesignReadings;
+use crate::input::sheet::{DesignReadings, Sigmas};
 
 use super::opened::{Opened, Readings};
 use super::refusal::Refusal;
@@ -32,7 +32,7 @@ impl Table {
         let folder = tempfile::tempdir().map_err(Refusal::new)?;
         let path = folder.path().join(name);
         std::fs::write(&path, &bytes).map_err(Refusal::new)?;
-        let read = DesignReadings::load(&path, &opened.path, None);
+        let read = DesignReadings::load(&path, &opened.path, &Sigmas::default());
         let mut readings = read.map_err(|error| {
             // the table has no place but its name
             let from = folder.path().display().to_string();

@@ -97,7 +97,10 @@ impl Meshes {
                 return Ok(meshes);
             }
             let refine = meshes.wing.model.design().mesh.refine / COARSER;
-            if refine > REFINE[1] {
+            // what the finest mesh would leave if the error fell with the square of the elements, which it does at best
+            let finer = ((REFINE[1] / refine).log2().floor() + 1.0).max(0.0);
+            let at_best = found * COARSER.powf(2.0 * finer);
+            if refine > REFINE[1] || at_best > share * tip.abs() {
                 return Err(WingError::MeshTooCoarse {
                     design: model.loaded.path.clone(),
                     refine: refine * COARSER,

@@ -66,8 +66,8 @@ pub enum WingError {
     },
     /// No mesh that is tried leaves as little as was asked for.
     #[error(
-        "{}: at mesh.refine = {refine} the mesh leaves {found_percent:.2} % of the tip's twist, {asked_percent} % was asked for, and no finer \
-         mesh is tried; ask for less, or read the twist where spars hold the film",
+        "{}: at mesh.refine = {refine} the mesh leaves {found_percent:.2} % of the tip's twist, {asked_percent} % was asked for, and no mesh \
+         up to mesh.refine = 4 would leave as little; ask for less, or read the twist where spars hold the film",
         design.display()
     )]
     MeshTooCoarse {

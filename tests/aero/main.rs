@@ -5,6 +5,7 @@ use std::path::Path;
 use washout::aero::{AirLaw, Flow, pressure_weights, strip_force};
 use washout::geometry::Planform;
 use washout::input::Design;
+use washout::input::design::Coefficients;
 use washout::lift::{
     Ratios, Stroke, StrokeMeans, TwistAlongSpan, TwistHistory, implied_amplitude_ratio, stroke_means,
 };
@@ -173,4 +174,44 @@ fn the_pressure_on_every_chord_line_of_the_mesh_keeps_force_and_centre() {
         }
     }
     assert!(lines > 190, "only {lines} of 199 chord lines found");
+}
+
+/// A table is read by monotone cubics (Fritsch and Carlson 1980, with the three-point slopes at the ends of Fritsch and Butland 1984).
+/// Values of SciPy's `PchipInterpolator` between uneven knots; the ends of lift have the slope 0 and three times the secant, those of
+/// drag the slope of three points.
+#[test]
+fn a_table_of_coefficients_is_read_as_scipy_reads_it() {
+    let table = [
+        [-10.0, -0.5, 0.4],
+        [-4.0, -0.3, 0.1],
+        [1.0, 0.2, 0.5],
+        [8.0, 0.9, 0.45],
+        [20.0, 0.7, 0.1],
+    ];
+    let expected = [
+        [-9.0, -0.492236467236, 0.293813131313],
+        [-6.0, -0.39698005698, 0.12404040404],
+        [-2.0, -0.135446153846, 0.2408],
+        [5.0, 0.697959183673, 0.480352624782],
+        [10.0, 0.899074074074, 0.420906855745],
+        [14.0, 0.875, 0.323271133527],
+        [19.0, 0.745949074074, 0.142250440976],
+    ];
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("designs/twist-v2.toml");
+    let mut design = Design::load(&path, &[])
+        .expect("a design of this repository")
+        .design;
+    design.air.coefficients = Coefficients::Table;
+    let law = AirLaw::from_design(&design, Some(&table)).expect("a law");
+    for [alpha_deg, lift, drag] in expected {
+        let (own_lift, own_drag) = law.coefficients.lift_and_drag(f64::to_radians(alpha_deg));
+        assert!(
+            (own_lift - lift).abs() < 1e-11,
+            "{alpha_deg} deg: lift {own_lift}, {lift}"
+        );
+        assert!(
+            (own_drag - drag).abs() < 1e-11,
+            "{alpha_deg} deg: drag {own_drag}, {drag}"
+        );
+    }
 }

@@ -140,6 +140,49 @@ fn a_mesh_given_back_gives_the_same_solution() {
 }
 
 #[test]
+fn a_profile_has_fifty_places_from_base_to_tip_and_every_spar_and_none_twice() {
+    let here = folder();
+    let said = washout(
+        here.path(),
+        &[
+            "solve",
+            &design("twist-v2.toml"),
+            "--refine",
+            "0.5",
+            "--output",
+            "a",
+        ],
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let text = fs::read_to_string(here.path().join("a/profile.csv")).expect("a profile");
+    let rows: Vec<Vec<&str>> = text
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').collect())
+        .collect();
+    let places: Vec<f64> = rows.iter().map(|row| row[1].parse().expect("a number")).collect();
+    assert!(
+        places.windows(2).all(|pair| pair[0] + 1e-6 < pair[1]),
+        "{places:?}"
+    );
+    let tip = places.last().expect("a tip");
+    let is_there = |r_mm: f64| places.iter().any(|own| (own - r_mm).abs() < 1e-6);
+    // the tip stands at the station where twist is read, the built wing ends beyond it
+    let spars = rows.iter().filter(|row| row[0].starts_with("spar")).count();
+    assert_eq!(spars, 5, "{text}");
+    let step = places
+        .iter()
+        .zip(places.iter().skip(1))
+        .map(|(a, b)| b - a)
+        .fold(0.0, f64::max);
+    assert!(
+        (1..40).all(|k| is_there(step * f64::from(k))),
+        "{step}: {places:?}"
+    );
+    assert!(step > tip / 50.0 && step < tip / 47.0, "{step}");
+}
+
+#[test]
 fn the_band_of_the_assumed_ranges_holds_the_solved_twist() {
     let here = folder();
     let said = washout(

@@ -70,6 +70,22 @@ fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_
     let strength = diagnosis["hypotheses"][0]["strength"].as_f64().unwrap();
     assert!((strength - 0.25).abs() < 0.03, "{strength}");
 
+    // σ is 0.01 deg everywhere, so that a root mean square in deg and one in σ are one number
+    let groups = diagnosis["misfit"]["by_condition"].as_array().unwrap();
+    let of = |group: &serde_json::Value, key: &str| group[key].as_f64().unwrap();
+    assert!(!groups.is_empty());
+    let shares: f64 = groups.iter().map(|group| of(group, "share")).sum();
+    assert!((shares - 1.0).abs() < 1e-9, "{shares}");
+    let sigma = of(&groups[0], "rms") / of(&groups[0], "rms_sigma");
+    for group in groups {
+        let (rms, mean) = (of(group, "rms"), of(group, "mean_error"));
+        assert!(rms >= mean.abs() * (1.0 - 1e-12), "{group}");
+        assert!(
+            (rms / of(group, "rms_sigma") / sigma - 1.0).abs() < 1e-9,
+            "{group}"
+        );
+    }
+
     let added = run(&["add", "rod-shear-modulus", "--to", "study.toml"]);
     assert_eq!(added.code, Some(0), "{}", added.err);
     let text = fs::read_to_string(folder.path().join("study.toml")).unwrap();
@@ -171,7 +187,7 @@ fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_
     let softer = 1.0 + ladder["strength"][0].as_f64().unwrap();
     assert!((ratio - softer).abs() < 1e-4, "{ratio}, {softer}");
     for words in [
-        "Its strength is the ",
+        "Strength: ",
         "goes from ",
         " where it was held out",
         "On a bench, the still wing rod",

@@ -168,7 +168,7 @@ fn a_poor_campaign_is_modest() {
         let nature = Nature::drawn(draws, vec![Hidden::Known("lift_gain", 0.8)]);
         measure(&mut toy, &nature, draws, 1.0);
         let said = said(&toy);
-        assert!(said.noise.on_trust && said.notes[0].contains("on trust"));
+        assert!(said.noise.on_trust && said.notes[0].contains("taken as stated"));
         assert!(said.verdict != Verdict::Effect, "{}", said.sentence);
         assert!(!said.unseen.is_empty());
     }

@@ -531,3 +531,21 @@ fn the_propeller_moment_of_a_plate_is_a_third_of_m_c_squared() {
         assert_near(more, 0.1 * (plate_kg + rod_kg) * unit, 1e-6);
     }
 }
+
+/// A wing that turns as a rigid body strains its root spring alone: ½ k θ².
+#[test]
+fn a_rigid_turn_stores_energy_in_the_root_spring_alone() {
+    let stiffness = 0.02;
+    let base = film(&format!("[root]\npitch_stiffness_n_m_per_rad = {stiffness:?}\n"));
+    let (wing, mesh) = wing(&base);
+    let mut state = State::at_rest(mesh.nodes.len());
+    let angle = 0.3_f64;
+    let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), angle);
+    let root = Vector3::from(mesh.nodes[*mesh.rod_nodes().first().unwrap()]);
+    for (node, place) in mesh.nodes.iter().enumerate() {
+        let arm = Vector3::from(*place) - root;
+        state.displacement[node] = turn * arm - arm;
+        state.rotation[node] = turn;
+    }
+    assert_near(wing.model.energy(&state), 0.5 * stiffness * angle * angle, 1e-6);
+}

@@ -126,7 +126,7 @@ fn tables_of_readings() {
             &text(bytes),
             "sheet.csv",
             design.clone(),
-            Some(0.5),
+            &0.5.into(),
         ))
     });
 }
@@ -137,7 +137,7 @@ fn workbooks() {
     let design = Path::new(env!("CARGO_MANIFEST_DIR")).join(DESIGNS[0]);
     fuzz("workbook", &files(&["tests/input/sheet.xlsx"]), 1000, |bytes| {
         fs::write(&path, bytes).expect("written");
-        judged(Sheet::load(&path, &design, Some(0.5)))
+        judged(Sheet::load(&path, &design, &0.5.into()))
     });
 }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use washout::input::measurement::{Channel, SigmaKind};
 use washout::input::sheet::study::Names;
-use washout::input::sheet::{DesignReadings, Sheet};
+use washout::input::sheet::{DesignReadings, Sheet, Sigmas};
 use washout::input::study::LoadedStudy;
 use washout::input::{Design, InputError};
 
@@ -15,7 +15,7 @@ fn wing() -> Design {
 }
 
 fn read(text: &str) -> Result<Sheet, InputError> {
-    Sheet::from_text(text, "sheet.csv", wing(), None)
+    Sheet::from_text(text, "sheet.csv", wing(), &Sigmas::default())
 }
 
 fn understood(text: &str) -> Sheet {
@@ -62,7 +62,7 @@ fn all_usual_forms_of_a_table_say_the_same() {
 #[test]
 fn a_workbook_is_read_as_a_text_is() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/input");
-    let read = |file: &str| Sheet::load(&folder.join(file), &folder.join("wing.toml"), None);
+    let read = |file: &str| Sheet::load(&folder.join(file), &folder.join("wing.toml"), &Sigmas::default());
     let sheet = read("sheet.xlsx").unwrap_or_else(|error| panic!("{error}"));
     let wanted = readings(&understood("r (mm),16 Hz,22 Hz\n20,4.5,6.25\n40,5.5,8\n"));
     assert_eq!(readings(&sheet), wanted);
@@ -119,7 +119,7 @@ fn what_the_table_leaves_out_is_assumed_and_told() {
     }
     let full =
         "r (mm),case,twist (deg),sigma,sign,instrument,run\n20,\"22 Hz, 30 deg\",4,0.25,nose up,camera,a\n";
-    assert_eq!(told(full), [""; 0]);
+    assert_eq!(told(full), ["root.chord: \"free\", of the design; not doubted"]);
     let row = understood(full).measurement.rows.remove(0);
     assert_eq!(
         (row.value, row.sigma, row.sigma_kind),
@@ -298,7 +298,7 @@ fn the_study_of_a_table_loads_with_its_readings_and_leaves_no_row_out() {
     std::fs::write(&design, WING).expect("written");
     let table = folder.path().join("sheet.csv");
     std::fs::write(&table, "r (mm);18 Hz;22 Hz\n20;4;5\n40;6;7\n").expect("written");
-    let sheet = Sheet::load(&table, &design, Some(0.25)).unwrap_or_else(|error| panic!("{error}"));
+    let sheet = Sheet::load(&table, &design, &0.25.into()).unwrap_or_else(|error| panic!("{error}"));
     let names = Names {
         study: "mine",
         design: "wing.toml",
@@ -352,7 +352,8 @@ fn a_condition_that_is_held_out_is_named_as_the_table_has_it_or_as_its_case() {
     std::fs::write(&design, WING).expect("written");
     let table = folder.path().join("sheet.csv");
     std::fs::write(&table, "r (mm);18 Hz, 30 deg;22 Hz, 30 deg\n20;4;5\n40;6;7\n").expect("written");
-    let read = || DesignReadings::load(&table, &design, Some(0.25)).unwrap_or_else(|error| panic!("{error}"));
+    let read =
+        || DesignReadings::load(&table, &design, &0.25.into()).unwrap_or_else(|error| panic!("{error}"));
     for named in ["22hz-30deg", "22 Hz, 30 deg", "22Hz 30deg", " 22 hz,30 DEG"] {
         let held = read().holding_out(&[named.to_string()]);
         let held = held.unwrap_or_else(|error| panic!("{error}"));
@@ -364,6 +365,30 @@ fn a_condition_that_is_held_out_is_named_as_the_table_has_it_or_as_its_case() {
             .collect();
         assert_eq!(cases, [("18hz-30deg", false), ("22hz-30deg", true)], "{named}");
     }
+    std::fs::write(&table, "r (mm);-5 deg, 8 m/s;5 deg, 8 m/s\n20;4;5\n40;6;7\n").expect("written");
+    let gliding = folder.path().join("glider.toml");
+    let begin = WING.find("[flapping]").expect("it flaps");
+    let end = begin
+        + WING[begin..]
+            .find("\n[")
+            .map_or(WING.len() - begin, |end| end + 1);
+    let stream = "[steady]\nspeed_m_s = 8.0\nroot_angle_deg = 5.0\n";
+    std::fs::write(&gliding, format!("{}{stream}{}", &WING[..begin], &WING[end..])).expect("written");
+    for (named, case) in [
+        ("-5 deg, 8 m/s", "-5deg-8m_s"),
+        ("5deg 8 m/s", "5deg-8m_s"),
+        ("-5deg-8m_s", "-5deg-8m_s"),
+    ] {
+        let read =
+            DesignReadings::load(&table, &gliding, &0.25.into()).unwrap_or_else(|error| panic!("{error}"));
+        let held = read.holding_out(&[named.to_string()]);
+        assert_eq!(
+            held.unwrap_or_else(|error| panic!("{error}")).held_out,
+            [case],
+            "{named}"
+        );
+    }
+    std::fs::write(&table, "r (mm);18 Hz, 30 deg;22 Hz, 30 deg\n20;4;5\n40;6;7\n").expect("written");
     let refused = |conditions: &[&str]| {
         let conditions: Vec<String> = conditions.iter().map(ToString::to_string).collect();
         read().holding_out(&conditions).expect_err("refused").to_string()

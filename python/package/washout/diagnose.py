@@ -21,7 +21,7 @@ def diagnose(
     readings: Readings | None = None,
     sets: Mapping[str, Setting] | None = None,
     *,
-    sigma: float | None = None,
+    sigma: float | str | None = None,
     hold_out: str | Sequence[str] = (),
     effects: str | Sequence[str] = (),
     significance: float = 0.01,
@@ -33,7 +33,7 @@ def diagnose(
     """Finds which effect the model of a study lacks, how sure that is, and what else it could be.
 
     Of a design, `readings` are what was measured on it: a pandas.DataFrame, columns by their heads, or the file of a table, long or
-    wide; `sigma` is the standard deviation of those that state none, and `hold_out` are conditions that no fit sees, such as "22 Hz", so
+    wide; `sigma` is the standard deviation of those that state none, such as 0.3 or "0.3 deg, 0.05 mm", and `hold_out` are conditions that no fit sees, such as "22 Hz", so
     that they test what is found. A study names its own.
 
     `effects`: try these only; `significance`: accepted probability of a false alarm; `seed`: of the draws of noise;
@@ -49,7 +49,7 @@ def diagnose(
             seed,
             own_data,
             table,
-            None if sigma is None else float(sigma),
+            None if sigma is None else str(sigma),
             names(hold_out),
             output,
             progress,

@@ -17,7 +17,7 @@ def init_study(
     design: FilePath,
     readings: Readings,
     *,
-    sigma: float | None = None,
+    sigma: float | str | None = None,
     hold_out: str | Sequence[str] = (),
     folder: FilePath = ".",
 ) -> Path:
@@ -30,7 +30,7 @@ def init_study(
         arguments = [name, "--study", "--design", os.fspath(design), "--readings", os.fspath(table)]
         arguments += ["--output", os.fspath(folder)]
         if sigma is not None:
-            arguments += ["--sigma", repr(float(sigma))]
+            arguments += ["--sigma", str(sigma)]
         for condition in names(hold_out):
             arguments += ["--hold-out", condition]
         document = run("init", *arguments)

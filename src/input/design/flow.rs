@@ -60,9 +60,11 @@ pub struct Air {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = ["coefficients.csv"]))]
     pub table: Option<String>,
-    /// The law of the centre of pressure.
+    /// The law of the centre of pressure; without it `fixed` with `thin-airfoil` coefficients, whose theory has a quarter of the chord, and
+    /// `dickson` with all others.
+    #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = ["dickson"]))]
-    pub centre_of_pressure: CentreOfPressure,
+    pub centre_of_pressure: Option<CentreOfPressure>,
     /// The centre of pressure for `fixed`, as a fraction of the chord from the leading edge.
     #[schemars(extend("minimum" = 0.01, "maximum" = 0.99, "examples" = [0.25]))]
     pub centre_of_pressure_fraction: Quantity,
@@ -94,6 +96,18 @@ pub enum CentreOfPressure {
     Fixed,
 }
 
+impl Air {
+    /// The law of the centre of pressure that is in force.
+    pub fn centre_of_pressure(&self) -> CentreOfPressure {
+        self.centre_of_pressure.unwrap_or(match self.coefficients {
+            Coefficients::ThinAirfoil => CentreOfPressure::Fixed,
+            Coefficients::Dickinson | Coefficients::WhitneyWood | Coefficients::Table => {
+                CentreOfPressure::Dickson
+            }
+        })
+    }
+}
+
 fn stop_angle() -> Quantity {
     Quantity::Stated(45.0)
 }
@@ -105,7 +119,7 @@ impl Default for Air {
             coefficients: Coefficients::Dickinson,
             lift_slope_per_rad: Quantity::Stated(std::f64::consts::TAU),
             table: None,
-            centre_of_pressure: CentreOfPressure::Dickson,
+            centre_of_pressure: None,
             centre_of_pressure_fraction: Quantity::Stated(0.25),
         }
     }

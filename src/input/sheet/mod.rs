@@ -21,10 +21,13 @@ mod of_design;
 
 mod rows;
 
+mod sigmas;
+
 pub mod study;
 
 pub use condition::Family;
 pub use of_design::DesignReadings;
+pub use sigmas::Sigmas;
 
 /// A table that was read for a design, with all that was understood of it and all that was assumed.
 #[derive(Debug, Clone)]
@@ -44,11 +47,11 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// Reads the table at `path`, measured on the design at `design`; `sigma`: the standard deviation of readings that have none.
+    /// Reads the table at `path`, measured on the design at `design`; `sigma`: the standard deviations of readings that have none.
     ///
     /// # Errors
     /// If either cannot be read, or a header or a cell is not understood: with its place and what to write.
-    pub fn load(path: &Path, design: &Path, sigma: Option<f64>) -> Result<Sheet, InputError> {
+    pub fn load(path: &Path, design: &Path, sigma: &Sigmas) -> Result<Sheet, InputError> {
         let loaded = Design::load(design, &[])?;
         Sheet::of_grid(grid::Grid::load(path)?, loaded, sigma)
     }
@@ -65,21 +68,16 @@ impl Sheet {
     ///
     /// let design = Design::load(Path::new("designs/twist-v2.toml"), &[])?.design;
     /// let table = "r (mm);22 Hz, 30 deg;23 Hz, 34 deg\n40;5,1;6,0\n60;11,2;13,4\n";
-    /// let sheet = Sheet::from_text(table, "sheet.csv", design, Some(0.5))?;
+    /// let sheet = Sheet::from_text(table, "sheet.csv", design, &0.5.into())?;
     /// assert_eq!(sheet.measurement.rows.len(), 4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn from_text(
-        text: &str,
-        file: &str,
-        design: Design,
-        sigma: Option<f64>,
-    ) -> Result<Sheet, InputError> {
+    pub fn from_text(text: &str, file: &str, design: Design, sigma: &Sigmas) -> Result<Sheet, InputError> {
         let input = crate::origin::InputFile::new(file, text.as_bytes());
         Sheet::of_grid(grid::Grid::of_text(text, input)?, Loaded::alone(design), sigma)
     }
 
-    fn of_grid(grid: grid::Grid, loaded: Loaded, sigma: Option<f64>) -> Result<Sheet, InputError> {
+    fn of_grid(grid: grid::Grid, loaded: Loaded, sigma: &Sigmas) -> Result<Sheet, InputError> {
         let columns = header::columns(&grid, &loaded.design)?;
         let read = rows::Reader::new(&grid, &columns, &loaded.design, sigma).read()?;
         let measurement = Measurement {
@@ -90,6 +88,7 @@ impl Sheet {
             rows: read.rows,
         };
         let doubts = doubts::doubts(&measurement, &columns, &read.conditions, &loaded.design)?;
+        let doubts: Vec<String> = doubts.into_iter().chain(of_sigma(&read.assumed, sigma)).collect();
         measurement.check_stations(&loaded.design)?;
         let mut understood = vec![["file".to_string(), grid.dialect.clone()]];
         let heads = columns.iter().map(|column| {
@@ -99,6 +98,7 @@ impl Sheet {
         understood.extend(heads);
         let mut assumed = read.assumed;
         assumed.extend(condition::of_design(&read.conditions, &loaded.design));
+        assumed.extend(choices(&loaded.design));
         Ok(Sheet {
             families: condition::families(&read.conditions),
             loaded,
@@ -108,4 +108,42 @@ impl Sheet {
             doubts,
         })
     }
+}
+
+/// Choices among words of the design, which no fit doubts.
+fn choices(design: &Design) -> Vec<[String; 2]> {
+    let own = |choice: &str, is: String| {
+        let is = is.trim_matches('"').to_string();
+        [
+            choice.to_string(),
+            format!("\"{is}\", of the design; not doubted"),
+        ]
+    };
+    let chord = design
+        .film
+        .as_ref()
+        .map(|_| own("root.chord", json_word(&design.root.chord)));
+    chord.into_iter().collect()
+}
+
+fn json_word(word: &impl serde::Serialize) -> String {
+    serde_json::to_string(word).unwrap_or_default()
+}
+
+/// That one standard deviation without a unit was taken for readings of several.
+fn of_sigma(assumed: &[[String; 2]], sigma: &Sigmas) -> Option<String> {
+    let any = sigma.any()?;
+    let taken = assumed
+        .iter()
+        .filter(|[what, is]| what.starts_with("sigma of ") && is.starts_with(&format!("{any} ")));
+    let taken: Vec<&str> = taken.map(|[_, is]| is.as_str()).collect();
+    let mut units = taken.clone();
+    units.sort_unstable();
+    units.dedup();
+    (units.len() > 1).then(|| {
+        format!(
+            "the same sigma was taken for all channels: {}. Give one for each: --sigma \"0.3 deg, 0.05 mm\"",
+            units.join(" and ")
+        )
+    })
 }

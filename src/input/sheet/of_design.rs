@@ -2,13 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use super::Sheet;
 use super::study::Names;
+use super::{Sheet, Sigmas};
 use crate::input::error::InputError;
 use crate::input::study::LoadedStudy;
-
-/// Standard deviations that a reading can have, in its unit.
-const SIGMAS: [f64; 2] = [1e-9, 1e9];
 
 /// A table, read for a design, and where both came from.
 #[derive(Debug)]
@@ -19,8 +16,8 @@ pub struct DesignReadings {
     pub design: PathBuf,
     /// The table.
     pub table: PathBuf,
-    /// Standard deviation that was given for readings that state none.
-    pub sigma: Option<f64>,
+    /// Standard deviations that were given for readings that state none.
+    pub sigma: Sigmas,
     /// The conditions that no fit sees, by the names of their cases.
     pub held_out: Vec<String>,
 }
@@ -29,16 +26,8 @@ impl DesignReadings {
     /// Reads a table.
     ///
     /// # Errors
-    /// As [`Sheet::load`], or if `sigma` is no standard deviation, or the design is a study.
-    pub fn load(table: &Path, design: &Path, sigma: Option<f64>) -> Result<DesignReadings, InputError> {
-        let [low, high] = SIGMAS;
-        if sigma.is_some_and(|sigma| !(low..=high).contains(&sigma)) {
-            return Err(InputError::about_file(
-                "--sigma",
-                format!("must lie in {low:e} … {high:e}"),
-                "Give one standard deviation of a reading, in its unit",
-            ));
-        }
+    /// As [`Sheet::load`], or if the design is a study.
+    pub fn load(table: &Path, design: &Path, sigma: &Sigmas) -> Result<DesignReadings, InputError> {
         if LoadedStudy::is_study(design)? {
             return Err(InputError::about_file(
                 &design.display().to_string(),
@@ -50,7 +39,7 @@ impl DesignReadings {
             sheet: Sheet::load(table, design, sigma)?,
             design: design.to_path_buf(),
             table: table.to_path_buf(),
-            sigma,
+            sigma: sigma.clone(),
             held_out: Vec::new(),
         })
     }
@@ -147,16 +136,22 @@ impl DesignReadings {
     }
 }
 
-/// A condition without what may be written in several ways: `22 Hz, 35 deg` and `22hz-35deg` are one.
+/// A condition without what may be written in several ways: `22 Hz, 35 deg` and `22hz-35deg` are one, `10 m/s` and `10m_s`. A stroke before a
+/// number that no letter or digit precedes is its sign.
 fn plain(condition: &str) -> String {
-    let parts = condition.split([',', ';']).flat_map(str::split_whitespace);
     let mut plain = String::new();
-    for part in parts {
-        // a number begins the next point of the condition
-        if !plain.is_empty() && part.starts_with(|c: char| c.is_ascii_digit()) {
-            plain.push('-');
+    let mut before = ' ';
+    let mut rest = condition.chars().peekable();
+    while let Some(c) = rest.next() {
+        let is_sign = c == '-'
+            && !before.is_alphanumeric()
+            && rest
+                .peek()
+                .is_some_and(|next| next.is_ascii_digit() || *next == '.');
+        if c.is_alphanumeric() || c == '.' || is_sign {
+            plain.extend(c.to_lowercase());
         }
-        plain += &part.to_lowercase();
+        before = c;
     }
     plain
 }

@@ -6,6 +6,7 @@ use super::cells::{Cells, Checked};
 use super::condition::{Condition, Point, key, numbers};
 use super::grid::{Grid, Line};
 use super::header::{Column, Role, reading_factor};
+use super::sigmas::Sigmas;
 use crate::input::design::{Design, Instrument};
 use crate::input::error::InputError;
 use crate::input::measurement::{Bound, CHANNELS, Channel, Row, SigmaKind};
@@ -37,13 +38,13 @@ pub struct Read {
 pub struct Reader<'a> {
     cells: Cells<'a>,
     design: &'a Design,
-    sigma: Option<f64>,
+    sigma: &'a Sigmas,
     rows: Vec<Row>,
     conditions: Vec<Condition>,
 }
 
 impl<'a> Reader<'a> {
-    pub fn new(grid: &'a Grid, columns: &'a [Column], design: &'a Design, sigma: Option<f64>) -> Reader<'a> {
+    pub fn new(grid: &'a Grid, columns: &'a [Column], design: &'a Design, sigma: &'a Sigmas) -> Reader<'a> {
         Reader {
             cells: Cells::new(grid, columns),
             design,
@@ -172,7 +173,7 @@ impl<'a> Reader<'a> {
             .word(line, "run")
             .map_or(String::new(), |(cell, _)| cell.to_string());
         if run.is_empty() {
-            self.cells.assume("run", "one for all: they share a zero");
+            self.cells.assume("run", "one for all readings");
         }
         run
     }
@@ -288,7 +289,7 @@ impl<'a> Reader<'a> {
             return Ok((sigma, true));
         }
         let has_usual = channel == Channel::Twist || channel.is_displacement();
-        let Some(sigma) = self.sigma.or(has_usual.then_some(SIGMA)) else {
+        let Some(sigma) = self.sigma.of(channel).or(has_usual.then_some(SIGMA)) else {
             let message = format!("{} has no sigma", channel.name());
             let cure = format!("Add a column sigma ({}), or give --sigma", channel.unit());
             return Err(self
