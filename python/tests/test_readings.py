@@ -109,9 +109,12 @@ def test_a_condition_that_is_held_out_is_predicted_and_never_fitted(tmp_path: Pa
     held = {row["case"] for row in compared.rows.rows if row["is_held_out"]}
     assert held == {"22hz"} and not any(row["is_held_out"] for row in whole.rows.rows)
     diagnosis = washout.diagnose(DESIGN, COLUMNS, sets, sigma=0.3, hold_out=["22hz"], effects="coefficient-scale")
-    assert set(diagnosis.predictions["case"]) == {"22hz"}
+    assert set(diagnosis.predictions["condition"]) == {"22hz"}
+    shown = str(diagnosis)
+    assert shown.startswith(diagnosis.sentence) and "held out" in shown and "calibrated" in shown
+    assert all(f"{meaning.split(':')[0]}: " in shown for meaning in diagnosis.meanings)
     study = washout.init_study("mine", DESIGN, COLUMNS, sigma=0.3, hold_out="22 Hz", folder=tmp_path)
     assert '\nheld_out = ["22hz"]\n' in study.read_text()
-    with pytest.raises(washout.InputError, match="hold_out: 23 Hz is no condition of .*One of .*22hz") as refused:
+    with pytest.raises(washout.InputError, match=r"(?s)hold_out: 23 Hz is no condition of .*One of .*22hz") as refused:
         washout.diagnose(DESIGN, COLUMNS, hold_out="23 Hz")
     assert refused.value.problem

@@ -12,7 +12,7 @@ from washout import _washout, notebook
 from washout.columns import Columns, Numbers
 from washout.errors import by_argument
 from washout.readings import Readings, file_of
-from washout.verb import Document, FilePath, Progress, Setting, file_of_design, names, settings
+from washout.verb import Document, FilePath, Progress, Setting, file_of_design, names, run, settings
 
 
 @by_argument()
@@ -60,7 +60,7 @@ def diagnose(
 class Diagnosis:
     """What a study says about the model.
 
-    Attributes: `sentence`, `verdict`, `p_nothing`, `tried`, `hypotheses`, `effects`, `unseen`, `misfit`, `added_variables`, `ladder`,
+    `print(diagnosis)` shows the verdict, what it means, the error step by step and the rivals. Attributes: `sentence`, `verdict`, `p_nothing`, `tried`, `hypotheses`, `effects`, `unseen`, `misfit`, `added_variables`, `ladder`,
     `predictions`, `next_experiment`, `unknown_cause`, `notes`, `residuals`; `document` holds all. Each table is a
     `Columns`: `table["name"]`, `table.rows`, `table.to_frame()`. What their columns mean: `washout schema` and
     docs/reference/outputs.md.
@@ -77,8 +77,9 @@ class Diagnosis:
         """Probability that nothing is missing."""
         self.tried: int = document["tried"]
         """How many of the known effects were tried."""
-        self.hypotheses = Columns([{"what": what(row), **row} for row in document["hypotheses"]])
-        """What may be missing, most probable first: `what`, `probability`, `strength`, `standard_error`, `in_set`, …"""
+        self.hypotheses = Columns([{"what": what(row), **row, "standard_error": row.get("standard_error") or None} for row in document["hypotheses"]])
+        """What may be missing, most probable first: `what`, `probability`, `strength`, `standard_error` (none where a strength is all or
+        none, or stands in steps), `in_set`, …"""
         self.effects = Columns(document["effects"])
         """Every effect that was tried: `effect`, `score`, `detectability`, `probability`, `refitted`, …"""
         self.unseen: list[str] = document["unseen"]
@@ -102,6 +103,35 @@ class Diagnosis:
     def __repr__(self) -> str:
         return f"<washout.Diagnosis: {self.sentence}>"
 
+    def __str__(self) -> str:
+        parts = [self.sentence, *self.meanings, "", self._errors(), ""]
+        parts.append(aligned([["what is missing", "probability", "strength", "error"], *self._most_probable()]))
+        if self.next_experiment is not None:
+            parts += ["", self.next_experiment["sentence"]]
+        parts += ["", *(f"Note: {note}" for note in self.notes)]
+        return "\n".join(parts)
+
+    @property
+    def meanings(self) -> list[str]:
+        """What each effect of the most probable explanation is, and what its strength means."""
+        leads = next((row for row in self.hypotheses.rows if row["families"]), None)
+        if self.verdict not in ("effect", "set") or leads is None:
+            return []
+        cards = [run("effects", effect) for effect in leads["effects"]]
+        return [f"{card['name']}: {card['summary']} Strength: {card['parameters'][0]['meaning']}." for card in cards]
+
+    def _errors(self) -> str:
+        """The error step by step, in the unit of the channel."""
+        rows = self.ladder.rows
+        heads = [f"error of {rows[0]['channel']}, rms" if rows else "error", "fitted", "held out"]
+        steps = [row for row in rows if self.verdict != "nothing" or not row["name"].startswith("+")]
+        return aligned([heads, *([step["name"].replace("raw", "uncalibrated"), shown(step["in_sample"]), shown(step["held_out"])] for step in steps)])
+
+    def _most_probable(self) -> list[list[str]]:
+        """The hypotheses that count, cell by cell."""
+        names = ("probability", "strength", "standard_error")
+        return [[str(row["what"]), *(shown(row.get(name)) for name in names)] for row in self.hypotheses.rows[:6]]
+
     def _repr_html_(self) -> str:
         heads = ("what is missing", "probability", "strength", "error")
         names = ("what", "probability", "strength", "standard_error")
@@ -116,6 +146,17 @@ class Diagnosis:
         """Measured less calibrated model of every fitted number, in sigma; empty where no effect can be seen."""
         points = next(iter(self.added_variables.values()), None)
         return np.zeros(0) if points is None else points["residual"]
+
+
+def shown(value: float | None) -> str:
+    """A number for people."""
+    return "" if value is None else f"{value:.3g}"
+
+
+def aligned(rows: Sequence[Sequence[str]]) -> str:
+    """Cells in columns."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows)
 
 
 def what(hypothesis: Mapping[str, Sequence[str]]) -> str:

@@ -53,6 +53,7 @@ def by_argument() -> Iterator[None]:
         yield
     except InputError as error:
         error.args = (in_python(str(error)),)
+        error.file = error.file and in_python(error.file)
         error.key, error.problem, error.cure = in_python(error.key), in_python(error.problem), in_python(error.cure)
         raise
 
