@@ -14,6 +14,7 @@ use crate::input::sheet::{DesignReadings, Sigmas};
 use super::{Console, Failure};
 
 const TEMPLATE: &str = include_str!("init_design.toml");
+const STEADY: &str = include_str!("init_steady.toml");
 const STUDY: &str = include_str!("init_study.toml");
 const READINGS: &str = include_str!("init_measured.csv");
 
@@ -29,6 +30,8 @@ chordwise = 6
 #[command(after_help = "Examples:
   # writes my-wing.toml here
   washout init my-wing
+  # a wing in a stream, as in a wind tunnel
+  washout init my-glider --steady
   # writes designs/my-wing.toml
   washout init my-wing --output designs
   # solves it
@@ -44,6 +47,9 @@ chordwise = 6
 pub struct Init {
     /// Name of the wing or study: letters, digits, '-' and '_'
     pub name: String,
+    /// A wing in a steady stream, as in a wind tunnel, instead of one that flaps
+    #[arg(long, conflicts_with_all = ["outline", "study"])]
+    pub steady: bool,
     /// Take the outline from a drawing, DXF or SVG: its largest closed line, the leading edge level on top, the base at the left
     #[arg(long, value_name = "DRAWING", conflicts_with = "study")]
     pub outline: Option<PathBuf>,
@@ -104,6 +110,7 @@ impl Init {
         let drawn = drawn.transpose()?;
         let text = match &drawn {
             Some(drawn) => drawn.design(&design(name)),
+            None if self.steady => STEADY.replace("NAME", name),
             None => design(name),
         };
         let files = match &table {
@@ -177,11 +184,15 @@ mod tests {
     use crate::input::Design;
 
     #[test]
-    fn the_template_is_a_design_without_faults() {
+    fn the_templates_are_designs_without_faults() {
         let found = Design::from_toml(&design("first-wing"), "first-wing.toml");
         let found = found.unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(found.name, "first-wing");
         assert_eq!(found.assumptions().len(), 2);
+        let found = Design::from_toml(&STEADY.replace("NAME", "glider"), "glider.toml");
+        let found = found.unwrap_or_else(|error| panic!("{error}"));
+        assert!(found.steady.is_some() && found.flapping.is_none());
+        assert_eq!((found.name.as_str(), found.assumptions().len()), ("glider", 1));
     }
 
     #[test]

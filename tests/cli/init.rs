@@ -18,6 +18,19 @@ fn the_new_design_can_be_meshed_as_it_is() {
 }
 
 #[test]
+fn a_new_design_in_a_stream_is_solved_as_it_is_at_the_speed_of_a_tunnel() {
+    let here = folder();
+    let said = washout(here.path(), &["init", "glider", "--steady"]);
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    let solved = washout(here.path(), &["solve", "glider.toml", "--json"]);
+    assert_eq!(solved.code, Some(0), "{}", solved.err);
+    let flow = &solved.document()["flow"];
+    assert_eq!(flow["kind"], "steady", "{flow}");
+    let refused = washout(here.path(), &["init", "other", "--steady", "--study"]);
+    assert_eq!(refused.code, Some(2), "{}", refused.err);
+}
+
+#[test]
 fn an_existing_file_is_not_touched() {
     let here = folder();
     fs::write(here.path().join("wing.toml"), "mine").expect("written");
