@@ -7,7 +7,7 @@ use crate::input::Design;
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::bench::torque;
-use crate::wing::{SolvedWing, WingModel};
+use crate::wing::{WingError, WingModel};
 
 /// Twist that the torque is to make in the rods, deg.
 const TWIST_DEG: f64 = 10.0;
@@ -27,40 +27,65 @@ pub struct OnBench {
 }
 
 impl OnBench {
-    /// The first wing that the effect moves on a bench, of designs as calibrated with it; none if it moves no wing there, or it has no
-    /// equilibrium.
+    /// The first wing that the effect moves on a bench, of designs as calibrated with it; none if it moves no wing there.
+    ///
+    /// # Errors
+    /// If it moves none that has an equilibrium there, and one has none, or the user asked to stop: why.
     pub fn of(
         study: &LoadedStudy,
         calibrated: &[Design],
         effect: &str,
         progress: &Progress,
-    ) -> Option<OnBench> {
-        let mut wings = calibrated.iter();
-        wings.find_map(|design| on_bench(study, design, effect, progress))
+    ) -> Result<Option<OnBench>, WingError> {
+        let mut unsolved = None;
+        for design in calibrated
+            .iter()
+            .filter(|design| design.effects.contains_key(effect))
+        {
+            match on_bench(study, design, effect, progress) {
+                Ok(Some(found)) => return Ok(Some(found)),
+                Ok(None) => {}
+                Err(error) => unsolved = Some(error),
+            }
+        }
+        unsolved.map_or(Ok(None), Err)
     }
 }
 
-fn on_bench(study: &LoadedStudy, calibrated: &Design, effect: &str, progress: &Progress) -> Option<OnBench> {
-    let numbers = calibrated.effects.get(effect)?;
-    let strength = numbers.get("strength")?.as_float()?;
-    let mut case = study
+/// The same of one wing; none if the effect does not move it, or no torque can be put on it.
+fn on_bench(
+    study: &LoadedStudy,
+    calibrated: &Design,
+    effect: &str,
+    progress: &Progress,
+) -> Result<Option<OnBench>, WingError> {
+    let own = study
         .cases
         .iter()
-        .find(|case| case.loaded.design.name == calibrated.name)?
-        .clone();
-    case.loaded.design = calibrated.clone();
-    let still = torque(&case, TWIST_DEG)?;
-    let at_m = 1e-3 * still.loaded.design.load.first()?.at_mm.value();
-    let wing = WingModel::new(still.loaded).ok()?;
-    let twist_deg = |strength: f64| -> Option<f64> {
-        let solved: SolvedWing = wing.with_effect(effect, strength).ok()?.solve(progress).ok()?;
-        Some(solved.twist_at(at_m)?.to_degrees())
+        .find(|case| case.loaded.design.name == calibrated.name);
+    let Some(mut case) = own.cloned() else {
+        return Ok(None);
     };
-    let (with_effect_deg, without_deg) = (twist_deg(strength)?, twist_deg(0.0)?);
-    let is_seen = (with_effect_deg - without_deg).abs() > SEEN * without_deg.abs();
-    is_seen.then_some(OnBench {
+    case.loaded.design = calibrated.clone();
+    let Some(still) = torque(&case, TWIST_DEG) else {
+        return Ok(None);
+    };
+    let at_m = still
+        .loaded
+        .design
+        .load
+        .first()
+        .map_or(0.0, |load| 1e-3 * load.at_mm.value());
+    let wing = WingModel::new(still.loaded)?;
+    let with_effect = wing.solve(progress)?;
+    let without = wing.with_effect(effect, 0.0)?.solve(progress)?;
+    let Some((with_effect, without)) = with_effect.twist_at(at_m).zip(without.twist_at(at_m)) else {
+        return Ok(None);
+    };
+    let is_seen = (with_effect - without).abs() > SEEN * without.abs();
+    Ok(is_seen.then(|| OnBench {
         load: still.name,
-        with_effect_deg,
-        without_deg,
-    })
+        with_effect_deg: with_effect.to_degrees(),
+        without_deg: without.to_degrees(),
+    }))
 }

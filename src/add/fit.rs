@@ -8,6 +8,7 @@ use crate::effects::{Card, named};
 use crate::input::study::LoadedStudy;
 use crate::origin::InputFile;
 use crate::progress::Progress;
+use crate::study::StudyError;
 
 use super::OnBench;
 use super::added::{Other, elsewhere, implausible, no_fall, others, with_strengths};
@@ -117,9 +118,10 @@ impl Joining {
         progress.say(&change);
         let (with_effect, fitted) = solved(&study.path, &changed, progress)?;
         let on_bench = match self.is_removed {
-            true => None,
+            true => Ok(None),
             false => {
-                let designs = fitted.calibrated_designs(&with_effect).unwrap_or_default();
+                let designs = fitted.calibrated_designs(&with_effect);
+                let designs = designs.map_err(|source| of_study(&study.path, source))?;
                 OnBench::of(&with_effect, &designs, &self.effect, &progress.unseen())
             }
         };
@@ -133,6 +135,12 @@ impl Joining {
             None => others(study, &after, &self.effect),
         };
         let mut notes = implausible(&after);
+        if let Err(reason) = &on_bench {
+            notes.push(format!(
+                "What {} does to the still wing on a bench is not known: {reason}.",
+                self.effect
+            ));
+        }
         notes.extend(elsewhere(study, &self.effect, &self.on));
         steps.push((change, after));
         let ladder = ladder(&steps);
@@ -147,7 +155,7 @@ impl Joining {
         Ok(Fit {
             text: with_strengths(&written, &others)?,
             strength,
-            on_bench,
+            on_bench: on_bench.ok().flatten(),
             others,
             notes,
             ladder,
@@ -270,9 +278,13 @@ fn compared(path: &Path, text: &str, progress: &Progress) -> Result<StudyCompari
 
 fn solved(path: &Path, text: &str, progress: &Progress) -> Result<(LoadedStudy, ComparedStudy), AddError> {
     let study = LoadedStudy::from_text(path, text, &[])?;
-    let compared = ComparedStudy::new(&study, progress).map_err(|source| AddError::Study {
+    let compared = ComparedStudy::new(&study, progress).map_err(|source| of_study(path, source))?;
+    Ok((study, compared))
+}
+
+fn of_study(path: &Path, source: StudyError) -> AddError {
+    AddError::Study {
         study: path.to_path_buf(),
         source,
-    })?;
-    Ok((study, compared))
+    }
 }

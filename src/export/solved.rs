@@ -47,7 +47,7 @@ pub fn solved(summary: &RunSummary) -> Vec<Line> {
             .words(" as built; the tip is the station at ")
             .number("/wing/tip_mm", wing.tip_mm, After(1))
             .words(" mm"),
-        air(summary.flow.as_ref()),
+        air(summary),
         counted.words(source.unwrap_or_default()),
         steps
             .words(", last change of twist ")
@@ -91,8 +91,24 @@ fn stop_moment_mn_mm(summary: &RunSummary) -> Option<f64> {
     (is_rigid && flaps).then(|| -summary.solve.reaction_moment_mn_mm[0])
 }
 
+/// The air and its laws in a line.
+fn air(summary: &RunSummary) -> Line {
+    let line = stream(summary.flow.as_ref());
+    if summary.flow.is_none() {
+        return line;
+    }
+    let air = &summary.design.air;
+    let word =
+        |word: Result<toml::Value, _>| word.map_or(String::new(), |word: toml::Value| word.to_string());
+    let coefficients = word(toml::Value::try_from(air.coefficients));
+    let centre = word(toml::Value::try_from(air.centre_of_pressure()));
+    line.words(format!(
+        "; coefficients {coefficients}, centre of pressure {centre}"
+    ))
+}
+
 /// The air in a line.
-fn air(flow: Option<&FlowSummary>) -> Line {
+fn stream(flow: Option<&FlowSummary>) -> Line {
     let line = Line::new("air");
     match flow {
         None => line.words("none; bench loads only"),

@@ -78,7 +78,7 @@ const SEVERAL: &str =
     "candidates = ['rod-shear-modulus', 'root-flexure', 'rod-split', 'tip-mass', 'warping-restraint']";
 
 #[test]
-fn with_fewer_than_24_numbers_the_noise_is_said_to_be_taken_on_trust() {
+fn with_fewer_than_24_numbers_the_noise_is_said_to_be_taken_as_stated() {
     for softer in [1.0, 1.3] {
         let said = on_bench(&bench(&[1, 2], softer, 1.0, None, 1), SEVERAL);
         assert_eq!(said["noise"]["on_trust"], true);

@@ -1,11 +1,12 @@
 //! A table of readings as people keep it: long or wide, from a spreadsheet or a text file, made into a measurement and a study.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::design::Design;
 use super::error::InputError;
 use super::load::Loaded;
-use super::measurement::{Made, Measurement};
+use super::measurement::{Made, Measurement, SigmaKind};
 
 mod cells;
 
@@ -88,7 +89,7 @@ impl Sheet {
             rows: read.rows,
         };
         let doubts = doubts::doubts(&measurement, &columns, &read.conditions, &loaded.design)?;
-        let doubts: Vec<String> = doubts.into_iter().chain(of_sigma(&read.assumed, sigma)).collect();
+        let doubts: Vec<String> = doubts.into_iter().chain(of_sigma(&measurement, sigma)).collect();
         measurement.check_stations(&loaded.design)?;
         let mut understood = vec![["file".to_string(), grid.dialect.clone()]];
         let heads = columns.iter().map(|column| {
@@ -98,7 +99,7 @@ impl Sheet {
         understood.extend(heads);
         let mut assumed = read.assumed;
         assumed.extend(condition::of_design(&read.conditions, &loaded.design));
-        assumed.extend(choices(&loaded.design));
+        assumed.extend(choice(&loaded.design));
         Ok(Sheet {
             families: condition::families(&read.conditions),
             loaded,
@@ -110,40 +111,32 @@ impl Sheet {
     }
 }
 
-/// Choices among words of the design, which no fit doubts.
-fn choices(design: &Design) -> Vec<[String; 2]> {
-    let own = |choice: &str, is: String| {
-        let is = is.trim_matches('"').to_string();
-        [
-            choice.to_string(),
-            format!("\"{is}\", of the design; not doubted"),
-        ]
-    };
-    let chord = design
-        .film
-        .as_ref()
-        .map(|_| own("root.chord", json_word(&design.root.chord)));
-    chord.into_iter().collect()
-}
-
-fn json_word(word: &impl serde::Serialize) -> String {
-    serde_json::to_string(word).unwrap_or_default()
+/// How the root edge of a film is held, which is a choice among words that no fit doubts.
+fn choice(design: &Design) -> Option<[String; 2]> {
+    design.film.as_ref()?;
+    let word = toml::Value::try_from(design.root.chord).ok()?;
+    Some([
+        "root.chord".to_string(),
+        format!("{word}, of the design; not doubted"),
+    ])
 }
 
 /// That one standard deviation without a unit was taken for readings of several.
-fn of_sigma(assumed: &[[String; 2]], sigma: &Sigmas) -> Option<String> {
+fn of_sigma(table: &Measurement, sigma: &Sigmas) -> Option<String> {
     let any = sigma.any()?;
-    let taken = assumed
+    let rows = table
+        .rows
         .iter()
-        .filter(|[what, is]| what.starts_with("sigma of ") && is.starts_with(&format!("{any} ")));
-    let taken: Vec<&str> = taken.map(|[_, is]| is.as_str()).collect();
-    let mut units = taken.clone();
-    units.sort_unstable();
-    units.dedup();
+        .filter(|row| row.sigma_kind == SigmaKind::Assumed);
+    let units: BTreeSet<&str> = rows
+        .filter(|row| sigma.of(row.channel) == Some(any))
+        .map(|row| row.channel.unit())
+        .collect();
     (units.len() > 1).then(|| {
+        let taken: Vec<String> = units.iter().map(|unit| format!("{any} {unit}")).collect();
         format!(
             "the same sigma was taken for all channels: {}. Give one for each: --sigma \"0.3 deg, 0.05 mm\"",
-            units.join(" and ")
+            taken.join(" and ")
         )
     })
 }
