@@ -346,6 +346,18 @@ fn the_study_of_a_table_loads_with_its_readings_and_leaves_no_row_out() {
 }
 
 #[test]
+fn one_sigma_for_readings_of_several_units_is_doubted() {
+    let doubts = |sigma: &str| {
+        let sigma: Sigmas = sigma.parse().expect("a sigma");
+        let text = "r (mm),twist at 22 Hz (deg),deflection at 22 Hz (mm)\n20,4,0.4\n40,5,0.6\n";
+        let sheet = Sheet::from_text(text, "sheet.csv", wing(), &sigma).expect("a table");
+        sheet.doubts.join(" ")
+    };
+    assert!(doubts("0.3").contains("0.3 deg and 0.3 mm"), "{}", doubts("0.3"));
+    assert!(!doubts("0.3 deg, 0.05 mm").contains("the same sigma"));
+}
+
+#[test]
 fn a_condition_that_is_held_out_is_named_as_the_table_has_it_or_as_its_case() {
     let folder = tempfile::tempdir().expect("a folder");
     let design = folder.path().join("wing.toml");
