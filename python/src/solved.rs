@@ -151,6 +151,7 @@ impl Solved {
 
 fn written(wing: &SolvedWing, target: &Path, report: bool, progress: &Progress) -> Result<PathBuf, Failure> {
     let mut folder = RunFolder::create(target, "solve")?;
+    let other_equilibrium = wing.with_usual_options(progress)?;
     let solved = collect::Solved {
         wing,
         reading: &Reading::of(wing, &BTreeMap::new())?,
@@ -158,6 +159,7 @@ fn written(wing: &SolvedWing, target: &Path, report: bool, progress: &Progress) 
             unknown_because: Some("the wing was solved on one mesh only".to_string()),
             ..DiscretizationError::default()
         },
+        other_equilibrium: other_equilibrium.as_ref(),
         uncertainty: None,
         engineering: &wing.engineering(progress)?,
     };

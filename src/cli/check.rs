@@ -7,8 +7,8 @@ use clap::Args;
 use crate::export::ExportError;
 use crate::export::check::{FileSince, RunCheck, SHAPE, ShapeCheck, WrittenShape};
 use crate::export::run::Since;
-use crate::page::text::significant;
-use crate::wing::{WingError, WingModel};
+use crate::page::text::{hanging, significant};
+use crate::wing::{OtherEquilibrium, WingError, WingModel};
 
 use super::{Console, Failure};
 
@@ -19,7 +19,7 @@ use super::{Console, Failure};
   # are its files and inputs unchanged, and does its shape meet the equations?
   washout check output/twist-v2
 
-Every file of the run and every file that it was made of is held against its SHA-256. The shape of a solved wing is read from wing.vtu and put into the equations again. That gives the residual, forces and moments of loads and supports, work of loads and internal forces, twist and lift. Only the unloaded shape is solved anew, and the motion over the stroke where an effect needs it. Of other runs the files are checked.
+Every file of the run and every file that it was made of is held against its SHA-256. The shape of a solved wing is read from wing.vtu and put into the equations again. That gives the residual, forces and moments of loads and supports, work of loads and internal forces, twist and lift. Only the unloaded shape is solved anew, and the motion over the stroke where an effect needs it. Then the wing is solved with another accelerator, with load increments, and with a tenth and ten times of the film's drilling stiffness: a wing with one equilibrium has the same twist then; a slack or buckled film may have several. Of other runs the files are checked.
 
 Exit code 1 if anything does not hold.")]
 pub struct Check {
@@ -34,7 +34,10 @@ impl Check {
         let mut check = RunCheck::of_files(&self.run)?;
         if check.has_shape() {
             match self.shape(console) {
-                Ok((found, stated)) => check.add_shape(found, stated),
+                Ok((found, stated, others)) => {
+                    check.add_shape(found, stated);
+                    check.other_equilibria = others;
+                }
                 Err(interrupted @ Failure::Wing(WingError::Interrupted(_))) => return Err(interrupted),
                 Err(reason) => check.refuse_shape(reason),
             }
@@ -49,8 +52,8 @@ impl Check {
         }
     }
 
-    /// What is found of the shape, and the residual that the run says it has.
-    fn shape(&self, console: &Console) -> Result<(ShapeCheck, Option<f64>), Failure> {
+    /// What is found of the shape, the residual that the run says it has, and other shapes that bear the same load.
+    fn shape(&self, console: &Console) -> Result<(ShapeCheck, Option<f64>, Vec<OtherEquilibrium>), Failure> {
         let (summary, shape) = WrittenShape::read(&self.run)?;
         let wing = WingModel::new(summary.design.clone().resolved(summary.design_file.as_ref())?)?;
         if wing.mesh.nodes.len() != shape.nodes() {
@@ -67,6 +70,7 @@ impl Check {
         Ok((
             ShapeCheck::new(&solved, &balance, &summary)?,
             summary.solve.residual,
+            solved.other_equilibria(console.progress())?,
         ))
     }
 }
@@ -101,7 +105,10 @@ fn page(check: &RunCheck) -> String {
         text += &format!("  program   washout {version}, {program}\n");
     }
     match &check.balance {
-        Some(shape) => text += &shape_lines(shape),
+        Some(shape) => {
+            text += &shape_lines(shape);
+            text += &others(&check.other_equilibria);
+        }
         None if check.is_solved_wing() && !check.has_shape() => {
             text +=
                 &format!("  shape     not checked, for {SHAPE} or summary.json is not as it was written\n");
@@ -109,6 +116,16 @@ fn page(check: &RunCheck) -> String {
         None => {}
     }
     text
+}
+
+fn others(found: &[OtherEquilibrium]) -> String {
+    if found.is_empty() {
+        return "  others    none found by other accelerator, increments, drilling stiffness\n".to_string();
+    }
+    found
+        .iter()
+        .map(|other| hanging("  others    ", &other.words(), 12))
+        .collect()
 }
 
 fn shape_lines(shape: &ShapeCheck) -> String {

@@ -113,7 +113,7 @@ impl Console {
     /// Prints an answer and what is to be done after it; to people what fits on a screen, unless they asked for all.
     pub fn answer(&self, page: &Page, after: &str, document: &impl Document) -> Result<(), Failure> {
         let text = match page.brief().filter(|_| !self.verbose) {
-            Some(brief) => format!("{brief}\n{after}Full output: --verbose\n"),
+            Some(brief) => page.ended(format!("{brief}\n{after}Full output: --verbose\n")),
             None => format!("{}\n{after}", page.text()),
         };
         self.result(&text, document)

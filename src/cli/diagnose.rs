@@ -170,18 +170,15 @@ impl Diagnose {
     ) -> Result<(Campaign, DiagnosisReport), Failure> {
         let (effects, cache) = (candidates(study, &self.effect, console)?, Cache::of_user());
         let found = StudyDiagnosis::new(study, &effects, self.settings(), &cache, console.progress());
-        let found = found.map_err(|error| Failure::of_diagnosis(&study.path, error))?;
-        let mut report = DiagnosisReport::new(found.diagnosis, found.work, study);
-        let doubts = table.and_then(DesignReadings::doubts);
-        report.diagnosis.sentence = doubts
-            .into_iter()
-            .chain([report.diagnosis.sentence])
-            .collect::<Vec<_>>()
-            .join(" ");
-        report
-            .diagnosis
-            .notes
-            .extend(table.and_then(DesignReadings::assumed));
+        let of_study = |error| Failure::of_diagnosis(&study.path, error);
+        let found = found.map_err(of_study)?;
+        let found = match table {
+            Some(table) => found
+                .of_table(table, &self.set, console.progress())
+                .map_err(of_study)?,
+            None => found,
+        };
+        let report = DiagnosisReport::new(found.diagnosis, found.work, study);
         Ok((found.campaign, report))
     }
 

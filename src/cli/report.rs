@@ -31,6 +31,7 @@ use crate::export::verification::VerifyReport;
 use crate::export::{ExportError, json};
 use crate::input::study::LoadedStudy;
 use crate::page::Page as Answer;
+use crate::page::text::hanging;
 
 use super::add::LADDER;
 use super::compare::COMPARISON;
@@ -106,12 +107,13 @@ impl Report {
             sections: shown.map(|section| section.title.to_string()).collect(),
         };
         let kilobytes = made.bytes.div_ceil(1000);
-        let text = format!(
-            "{}\n\nReport in {} ({kilobytes} kB): {}\n",
-            page.title,
-            made.file,
-            made.sections.join(", ")
+        let sections = made.sections.join(", ");
+        let report = hanging(
+            "",
+            &format!("Report in {} ({kilobytes} kB): {sections}", made.file),
+            2,
         );
+        let text = format!("{}\n\n{report}", page.title);
         console.result(&text, &made)
     }
 

@@ -11,11 +11,15 @@ pub fn target(output: Option<&PathBuf>, name: &str, verb: &str) -> PathBuf {
         .unwrap_or_else(|| PathBuf::from("output").join(format!("{name}-{verb}")))
 }
 
+/// Files that are named; of more, how many they are.
+const NAMED: usize = 7;
+
 /// Which files were written, as the last line of a page.
 pub fn listed(folder: &Path, files: &[String]) -> String {
-    hanging(
-        "",
-        &format!("Files in {}: {}", folder.display(), files.join(" ")),
-        2,
-    )
+    let folder = folder.display();
+    let line = match files.len() {
+        0..=NAMED => format!("Files in {folder}: {}", files.join(" ")),
+        count => format!("{count} files in {folder}"),
+    };
+    hanging("", &line, 2)
 }

@@ -26,7 +26,7 @@ pub mod study;
 
 pub mod study_comparison;
 
-mod study_words;
+pub mod study_words;
 
 pub mod verdict;
 

@@ -1,32 +1,12 @@
 //! A study as compared, in words: how far the model is from what was measured, and what calibration had to move.
 
-use super::study_comparison::{CalibratedUnknown, StudyComparison};
+use std::collections::BTreeSet;
+
+use super::study_comparison::{CalibratedUnknown, GroupMisfit, StudyComparison};
 
 /// A sentence for each wing and channel, for each input that was moved far, and for what the data say little of.
 pub(super) fn words(comparison: &StudyComparison) -> Vec<String> {
-    let mut words = Vec::new();
-    for group in &comparison.groups {
-        let held = if group.is_held_out { " (held out)" } else { "" };
-        let total = group.sigma_of_measurement.hypot(group.sigma_of_inputs);
-        let verdict = if group.explained >= 1.0 {
-            "which the known uncertainty of ruler and inputs explains".to_string()
-        } else {
-            format!(
-                "of which the known uncertainty ({total:.3} {}) explains {:.0} % (of the mean square)",
-                group.unit,
-                100.0 * group.explained
-            )
-        };
-        words.push(format!(
-            "{}, {}{held}: the uncalibrated model misses by {:.3} {} (root mean square of {}), {verdict}; calibrated, by {:.3}.",
-            group.wing,
-            group.channel.name(),
-            group.rmse[0],
-            group.unit,
-            group.count,
-            group.rmse[1],
-        ));
-    }
+    let mut words: Vec<String> = comparison.groups.iter().map(of_group).collect();
     let moved: Vec<&CalibratedUnknown> = comparison
         .unknowns
         .iter()
@@ -39,15 +19,40 @@ pub(super) fn words(comparison: &StudyComparison) -> Vec<String> {
             unknown.unknown.name, unknown.pull
         ));
     }
-    let unseen: Vec<&str> = (comparison.unknowns.iter())
+    let unseen = (comparison.unknowns.iter())
         .filter(|unknown| unknown.is_at_its_prior())
-        .map(|unknown| unknown.unknown.name.as_str())
-        .collect();
+        .map(|unknown| unknown.unknown.name.as_str());
+    // wings with a part of one name each
+    let unseen: BTreeSet<&str> = unseen.collect();
     if !unseen.is_empty() {
         words.push(format!(
             "These data say little of {}: they stay at their priors.",
-            unseen.join(", ")
+            unseen.into_iter().collect::<Vec<_>>().join(", ")
         ));
     }
     words
+}
+
+/// How far the model is from a channel of a wing.
+pub fn of_group(group: &GroupMisfit) -> String {
+    let held = if group.is_held_out { " (held out)" } else { "" };
+    let total = group.sigma_of_measurement.hypot(group.sigma_of_inputs);
+    let verdict = if group.explained >= 1.0 {
+        "which the known uncertainty of ruler and inputs explains".to_string()
+    } else {
+        format!(
+            "of which the known uncertainty ({total:.3} {}) explains {:.0} % (of the mean square)",
+            group.unit,
+            100.0 * group.explained
+        )
+    };
+    format!(
+        "{}, {}{held}: the uncalibrated model misses by {:.3} {} (root mean square of {}), {verdict}; calibrated, by {:.3}.",
+        group.wing,
+        group.channel.name(),
+        group.rmse[0],
+        group.unit,
+        group.count,
+        group.rmse[1],
+    )
 }

@@ -62,6 +62,8 @@ pub mod responses;
 
 pub mod root;
 
+mod root_edge;
+
 pub mod robust;
 
 pub mod rows;

@@ -10,7 +10,7 @@ use super::rows::name;
 use super::screening::effect_of;
 use super::words::short;
 
-/// The notes of a diagnosis.
+/// The notes of a diagnosis, what changes an answer most first.
 pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
     let mut notes = Vec::new();
     let numbers = baseline.data.rows.len();
@@ -28,6 +28,12 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
         .beliefs
         .first()
         .is_some_and(|first| first.case == Case::Nothing);
+    if let Some([without, with]) = held_out_worse(baseline, judgement).filter(|_| !is_nothing) {
+        notes.push(format!(
+            "What was held out is met worse with the first of these, by {with:.1} sigma instead of {without:.1}."
+        ));
+    }
+    notes.extend(at_end(baseline, judgement));
     let of_motion = of_motion(baseline);
     if !is_nothing && !of_motion.is_empty() {
         notes.push(format!(
@@ -36,12 +42,6 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
             of_motion.join(", ")
         ));
     }
-    if let Some([without, with]) = held_out_worse(baseline, judgement).filter(|_| !is_nothing) {
-        notes.push(format!(
-            "What was held out is met worse with the first of these, by {with:.1} sigma instead of {without:.1}."
-        ));
-    }
-    notes.extend(at_end(baseline, judgement));
     notes.extend(without_solution(baseline, judgement));
     notes
 }

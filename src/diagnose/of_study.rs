@@ -1,6 +1,7 @@
 //! A study, diagnosed: its campaign made ready, what it lacks, and what to measure next.
 
 use crate::input::measurement::InCommon;
+use crate::input::sheet::DesignReadings;
 use crate::input::study::LoadedStudy;
 use crate::progress::Progress;
 use crate::study::{Campaign, Forward, Proposals, Work};
@@ -12,6 +13,7 @@ use super::error::DiagnoseError;
 use super::next::Experiments;
 use super::plan::{Plan, plan};
 use super::prepared::Prepared;
+use super::root_edge::RootEdge;
 use super::settings::Settings;
 use super::verdict::Diagnosis;
 
@@ -74,10 +76,11 @@ impl StudyDiagnosis {
             )
         });
         let not_compared = campaign.not_compared().into_iter();
+        // what had no part in it comes first
         let not_compared = not_compared.map(|row| format!("Not compared: {row}"));
+        diagnosis.notes.splice(0..0, not_compared);
         let left_out = candidates.left_out.iter().cloned();
-        let notes = on.into_iter().chain(left_out).chain(note).chain(not_compared);
-        diagnosis.notes.extend(notes);
+        diagnosis.notes.extend(on.into_iter().chain(left_out).chain(note));
         let mut work = campaign.work();
         work += beside;
         Ok(StudyDiagnosis {
@@ -85,6 +88,29 @@ impl StudyDiagnosis {
             diagnosis,
             work,
         })
+    }
+
+    /// The same of a study that was made of a table, with what changes its design: what looks wrong in the table is said first; what is
+    /// assumed of it last, and what the root edge of the film held otherwise would make.
+    ///
+    /// # Errors
+    /// As [`RootEdge::of_table`].
+    pub fn of_table(
+        mut self,
+        table: &DesignReadings,
+        sets: &[String],
+        progress: &Progress,
+    ) -> Result<StudyDiagnosis, DiagnoseError> {
+        let Diagnosis { sentence, notes, .. } = &mut self.diagnosis;
+        if let Some(doubts) = table.doubts() {
+            *sentence = format!("{doubts} {sentence}");
+        }
+        notes.extend(table.assumed());
+        match RootEdge::of_table(table, sets, progress)? {
+            Some(edge) if edge.is_otherwise_nearer() => notes.insert(0, edge.words()),
+            edge => notes.extend(edge.map(|edge| edge.words())),
+        }
+        Ok(self)
     }
 }
 

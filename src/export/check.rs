@@ -17,7 +17,7 @@ use crate::coupling::balance::Balance;
 use crate::origin::{MadeOf, program_sha256};
 use crate::structure::larger;
 use crate::structure::state::State;
-use crate::wing::{SolvedWing, WingError};
+use crate::wing::{OtherEquilibrium, SolvedWing, WingError};
 
 /// The file that holds the shape of a run.
 pub const SHAPE: &str = "wing.vtu";
@@ -47,6 +47,9 @@ pub struct RunCheck {
     pub inputs: Vec<FileSince>,
     /// The shape, put into the equations again; absent for runs that hold none.
     pub balance: Option<ShapeCheck>,
+    /// Other shapes in which the wing rests under the same load, as far as other options of the solver lead to them.
+    #[serde(default)]
+    pub other_equilibria: Vec<OtherEquilibrium>,
     /// What does not hold; empty where all does.
     pub faults: Vec<String>,
 }
@@ -105,6 +108,7 @@ impl RunCheck {
             files: files.into_iter().map(since).collect(),
             inputs: Vec::new(),
             balance: None,
+            other_equilibria: Vec::new(),
             faults: Vec::new(),
         };
         if let Some(made_of) = made_of(folder, &check.files) {

@@ -13,7 +13,7 @@ use crate::origin::MadeOf;
 use crate::solve::SolvedDesign;
 use crate::study::Uncertainty;
 
-use crate::wing::{DiscretizationError, SolvedWing, WingModel};
+use crate::wing::{DiscretizationError, OtherEquilibrium, SolvedWing, WingModel};
 
 use super::html::{self, REPORT};
 use super::run::RunFolder;
@@ -34,6 +34,8 @@ pub struct Solved<'a> {
     pub reading: &'a Reading,
     /// What the mesh leaves.
     pub mesh_error: &'a DiscretizationError,
+    /// Another shape in which it rests under the same load, where one was found.
+    pub other_equilibrium: Option<&'a OtherEquilibrium>,
     /// Band from the assumed ranges.
     pub uncertainty: Option<&'a Uncertainty>,
     /// What a builder wants to know besides.
@@ -47,6 +49,7 @@ impl<'a> Solved<'a> {
             wing: &design.wing,
             reading: &design.reading,
             mesh_error: &design.mesh_error,
+            other_equilibrium: design.other_equilibrium.as_ref(),
             uncertainty: design.uncertainty.as_ref(),
             engineering: &design.engineering,
         }
@@ -78,6 +81,7 @@ pub fn summarize(solved: &Solved) -> RunSummary {
         tip: tip(solved),
         lift: reading.lift.clone(),
         mesh_error: solved.mesh_error.clone(),
+        other_equilibrium: solved.other_equilibrium.cloned(),
         stroke: None,
         engineering: solved.engineering.clone(),
         uncertainty: solved.uncertainty.cloned(),
@@ -278,6 +282,7 @@ mod tests {
             wing: &SolvedWing::new(model, solution),
             reading: &reading,
             mesh_error: &DiscretizationError::default(),
+            other_equilibrium: None,
             uncertainty: None,
             engineering: &Engineering::default(),
         };

@@ -21,9 +21,14 @@ const IN_SET: &str = " In set: the most probable, which hold 95 % together.";
 /// What the column of errors holds.
 const ERROR: &str = "Error: one standard error; none where a strength is all or none, or stands in steps.";
 
-/// The hypotheses that count, and what to measure next.
+/// Hypotheses that a screen has room for; of a set with more the most probable.
+const ROWS: usize = 3;
+
+/// Notes that a screen has room for: the one that changes the answer most.
+const NOTES: usize = 1;
+
+/// The most probable hypotheses, the first notes, and what to measure next: with the answer above, what fits on a screen.
 pub fn brief(found: &Diagnosis) -> Vec<Part> {
-    let in_set = found.hypotheses.iter().filter(|row| row.in_set).count();
     let mut parts = hypotheses(found);
     if let Some(Part::Table(table)) = parts.last_mut() {
         // all are plausible as a rule
@@ -32,10 +37,15 @@ pub fn brief(found: &Diagnosis) -> Vec<Part> {
         *table = table
             .clone()
             .without(&["gain_left_out_conditions", "in set", plausible]);
-        table.caption = table.caption.replace(IN_SET, "");
-        table.most_in_text = in_set.clamp(3, 7);
+        table.caption = String::new();
+        table.most_in_text = ROWS;
     }
-    parts.push(Part::Notes(found.notes.clone()));
+    parts.push(Part::Notes(found.notes.iter().take(NOTES).cloned().collect()));
+    match found.notes.len().saturating_sub(NOTES) {
+        0 => {}
+        1 => parts.push(Part::Text("One more note: --verbose".to_string())),
+        more => parts.push(Part::Text(format!("{more} more notes: --verbose"))),
+    }
     parts.extend(
         found
             .next_experiment
@@ -71,17 +81,14 @@ pub fn falls(found: &Diagnosis) -> String {
         scale => format!(" (it is {} times as stated)", significant(scale, 2)),
     };
     let scatter = noise.first().map_or(String::new(), |noise| {
-        format!(
-            "; the scatter alone would leave {}{times}",
-            significant(noise.in_sample, 3)
-        )
+        format!("; {} by scatter alone{times}", significant(noise.in_sample, 3))
     });
     let last = models.iter().rev().find_map(|step| step.held_out);
     let held_out = match (list(|step| step.held_out), last, noise.first()) {
         (list, Some(last), Some(noise)) => {
             let is_within = last <= AS_SCATTER * noise.in_sample;
             let than = if is_within { "no more" } else { "more" };
-            format!(" Where it was held out: {list}; that is {than} than the scatter explains.")
+            format!(" Held out: {list}; {than} than scatter explains.")
         }
         _ => String::new(),
     };
@@ -121,11 +128,7 @@ pub fn hypotheses(found: &Diagnosis) -> Vec<Part> {
     };
     vec![
         Part::Headline(vec![
-            fact(
-                "/p_nothing",
-                "Probability that nothing is missing",
-                found.p_nothing,
-            ),
+            fact("/p_nothing", "Probability of nothing missing", found.p_nothing),
             fact(
                 "/novel/probability",
                 "Probability of an unknown cause",

@@ -8,12 +8,14 @@ use crate::page::Digits::{After, Significant};
 use crate::page::{Page, Part, Rows, Table};
 
 /// Effects that a screen shows.
-const SHOWN: usize = 12;
+const SHOWN: usize = 10;
+/// Of the effects that one is not told from, those that are named.
+const NAMED: usize = 3;
 
 /// What `washout diagnose --plan` says.
 pub fn page(study: &str, plan: &Plan) -> Page {
-    let table = table(plan);
-    let mut first = table.clone();
+    let mut first = table(plan, 1).without(&["standard_error", "power", "absorbed"]);
+    first.caption = "Detectable: distance from none at that size.".to_string();
     first.most_in_text = SHOWN;
     let parts = |table: Table| {
         let mut parts = vec![Part::Table(table)];
@@ -27,11 +29,16 @@ pub fn page(study: &str, plan: &Plan) -> Page {
         brief: parts(first),
         ..Page::default()
     };
-    page.section("effects", "What could be seen, and told apart", parts(table));
+    page.section(
+        "effects",
+        "What could be seen, and told apart",
+        parts(table(plan, NAMED)),
+    );
     page
 }
 
-fn table(plan: &Plan) -> Table {
+/// The effects, with this many of those that each is not told from.
+fn table(plan: &Plan, named: usize) -> Table {
     Rows::of("/effects", &plan.effects)
         .words("effect", |row| row.effect.as_str())
         .number(["judged_at", "size", ""], Significant(3), |row| row.judged_at)
@@ -42,7 +49,7 @@ fn table(plan: &Plan) -> Table {
         .number(["detectability", "detectable", "σ"], After(1), |row| row.detectability)
         .number(["power", "power", ""], After(2), |row| row.power)
         .number(["absorbed", "absorbed", ""], After(2), |row| row.absorbed)
-        .words("not told from (σ apart)", look_alikes)
+        .words("not told from (σ apart)", |row| look_alikes(row, named))
         .caption(
             "Size: plausible. Detectable: distance from none at that size. Power: share of campaigns that would show it. Absorbed: share of its \
              signature that the model's own unknowns could take up.",
@@ -62,15 +69,15 @@ fn without_solution(effects: &[PlannedEffect]) -> Option<String> {
     })
 }
 
-/// Those that could be seen and yet not be told apart; nothing where the effect itself is not seen.
-fn look_alikes(effect: &PlannedEffect) -> String {
+/// Those that could be seen and yet not be told apart, the first by name; nothing where the effect itself is not seen.
+fn look_alikes(effect: &PlannedEffect, named: usize) -> String {
     if effect.power < ENOUGH_POWER {
         return "not seen".to_string();
     }
     let mut names: Vec<String> = effect
         .confused_with
         .iter()
-        .take(3)
+        .take(named)
         .map(|other| format!("{} ({:.1})", other.effect, other.separation_sigma))
         .collect();
     if effect.confused_with.len() > names.len() {

@@ -30,17 +30,17 @@ Studies that are shipped, in `studies/`: the paper's wings and the bench wings (
 
 ## What happens in it
 
-Let y be the readings, f(x) the model as the instrument sees it, x the uncertain inputs, nuisances of the instrument and strengths of
-effects, each with a prior N(mean, σ²) cut off at its range. Calibration minimises
+Let y be the readings, and f(x) the model as the instrument sees it. x are the uncertain inputs, nuisances of the
+instrument and strengths of effects. Each has a prior N(mean, σ²), cut off at its range. Calibration minimises
 
     Σ ((y − f(x))/σ_y)² + Σ ((x − mean)/σ_x)²
 
-over the cases that are fitted. An input of which the data say little stays at its prior, and is reported as such; one that moves
+over the cases that are fitted. An input of which the data say little stays at its prior, and is reported as such. One that moves
 by more than two of its σ is reported too: the prior is too narrow, or it stands in for something that the model lacks. Cases held
 out are predicted with what the others gave and never touch a fit.
 
 *As stated* is the model with every input at its stated value. *Explained* is the share of its mean square error that the
-uncertainty of readings and inputs would give on average (ASME V&V 20); where it is less than all, the model lacks something.
+uncertainty of readings and inputs would give on average (ASME V&V 20). Where it is less than all, the model lacks something.
 
 Three rules keep a comparison honest. Write every σ and prior down before the first comparison, and say in the file if it was
 not so. Give each run of loading its own zero, where its readings have one. What changes the wing or the air is an uncertain

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::compare::StudyComparison;
+use crate::compare::study_words::of_group;
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
 use crate::page::Digits::{After, Significant};
@@ -37,6 +38,10 @@ impl StudyReport {
     }
 }
 
+/// Wings and channels of which a screen has room for a sentence each, and for a line each.
+const FEW: usize = 3;
+const GROUPS: usize = 8;
+
 /// Measured numbers that text shows when there are more.
 const SHOWN: usize = 12;
 
@@ -55,11 +60,7 @@ pub fn page(comparison: &StudyComparison) -> Page {
         title: comparison.study.clone(),
         kind: "comparison",
         lead: vec![chi_square(comparison), Part::Text(counts)],
-        brief: vec![
-            Part::List(comparison.words.clone()),
-            Part::List(comparison.not_compared.clone()),
-            Part::Table(groups(comparison).without(&["bias/0", "bias/1", "sigma_of_inputs", "explained"])),
-        ],
+        brief: brief(comparison),
         sections: Vec::new(),
     };
     let found = Compared::of_study(comparison);
@@ -96,6 +97,30 @@ pub fn page(comparison: &StudyComparison) -> Page {
         vec![Part::List(comparison.not_compared.clone())],
     );
     page
+}
+
+/// What is said, and the error of each wing and channel: of more than a few in the table alone.
+fn brief(comparison: &StudyComparison) -> Vec<Part> {
+    let of_groups: Vec<String> = match comparison.groups.len() {
+        0..=FEW => Vec::new(),
+        _ => comparison.groups.iter().map(of_group).collect(),
+    };
+    let words = comparison.words.iter().filter(|words| !of_groups.contains(words));
+    let left_out = [
+        "bias/0",
+        "bias/1",
+        "sigma_of_measurement",
+        "sigma_of_inputs",
+        "explained",
+    ];
+    let mut table = groups(comparison).without(&left_out);
+    table.caption = "Error by wing and channel, root mean square:".to_string();
+    table.most_in_text = GROUPS;
+    vec![
+        Part::List(words.cloned().collect()),
+        Part::List(comparison.not_compared.clone()),
+        Part::Table(table),
+    ]
 }
 
 fn chi_square(comparison: &StudyComparison) -> Part {

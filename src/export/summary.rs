@@ -2,8 +2,8 @@
 //!
 //! It holds no time, no host and no thread count, so that equal inputs give equal bytes.
 
-use crate::wing::DiscretizationError;
 use crate::wing::stroke::StrokeSummary;
+use crate::wing::{DiscretizationError, OtherEquilibrium};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -55,6 +55,10 @@ pub struct RunSummary {
     /// What the mesh leaves of these.
     #[serde(default)]
     pub mesh_error: DiscretizationError,
+    /// Another shape in which the wing rests under the same load: that of the usual options of the solver, where the design has others
+    /// and they led elsewhere. `washout check` looks for more.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub other_equilibrium: Option<OtherEquilibrium>,
     /// The wing over its stroke; absent unless asked for.
     pub stroke: Option<StrokeSummary>,
     /// What a builder wants to know besides the twist.

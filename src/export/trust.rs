@@ -16,12 +16,12 @@ compares. Do not edit by hand.
 
 A solver may be trusted for the cases that it has passed. Each case below runs through the library that the wings use,
 on a coarse, a middle and a fine mesh, each with half the element size of the one before. It passes if the error on the
-fine mesh is within its limit, which is what good elements are reported to reach on such meshes, and if the observed
-order of convergence is within 0.2 of that of theory where theory gives one. The order is observed on the three meshes
-alone (against the own extrapolated value), not against the reference.
+fine mesh is within its limit, which is what good elements are reported to reach on such meshes. Where theory gives an
+order of convergence, the observed one must lie within 0.2 of it. The order is observed on the three meshes alone
+(against the own extrapolated value), not against the reference.
 
 References are *seen* (read in a public transcription of the publication), *derived* (a closed form, or a solution by
-independent means) or from *memory*; what rests on memory alone is shown and not judged.
+independent means) or from *memory*. What rests on memory alone is shown and not judged.
 
 Validation asks for nature instead: its limit is two standard deviations of the measurement, as assumed before any
 comparison was run. Wings whose measurement needs offsets of the instrument or uncertain inputs are studies, not cases.
@@ -31,11 +31,12 @@ comparison was run. Wings whose measurement needs offsets of the instrument or u
 const MEASURED: &str = "\
 ## Measured wings
 
-Root mean square of measured minus modelled in the unit of the channel, over all rows of a channel: with the inputs as
-stated (and its mean, the bias), and after calibration of what is uncertain within its prior; rows held out were never
-fitted. The standard deviations of the measurement and of the uncertain inputs (an unknown zero of the instrument among them)
-were written down before the first comparison. *Explained* is the share of the mean square error of the uncalibrated model that both
-together would give on average (ASME V&V 20): where it is less than all, the model lacks something.
+Root mean square of measured minus modelled in the unit of the channel, over all rows of a channel. It is given with the
+inputs as stated (with its mean, the bias), and after calibration of what is uncertain within its prior. Rows held out
+were never fitted. The standard deviations of the measurement and of the uncertain inputs (an unknown zero of the
+instrument among them) were written down before the first comparison. *Explained* is the share of the mean square error
+of the uncalibrated model that both together would give on average (ASME V&V 20). Where it is less than all, the model
+lacks something.
 `washout compare STUDY` shows every row.
 ";
 

@@ -9,7 +9,7 @@ use crate::input::measurement::{Bound, COLUMNS, SigmaKind};
 use crate::input::study::RulerKind;
 use crate::input::video::{Along, LoadedVideo};
 use crate::observation::{RulerHint, VideoTwist, ruler_hints, twist_from_video};
-use crate::page::text::{Table, number, significant};
+use crate::page::text::{Table, hanging, number, significant};
 
 /// What `washout measure` prints.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -99,8 +99,8 @@ impl MeasureReport {
 
     /// The page for people.
     pub fn page(&self, loaded: &LoadedVideo) -> String {
-        let mut text = format!(
-            "Twist from {} (positive: washout); a click errs by {} px, {}\n",
+        let first = format!(
+            "Twist from {} (positive: washout); a click errs by {} px, {}",
             loaded.marks_file,
             significant(self.sigma_px, 2),
             match self.sigma_kind {
@@ -108,6 +108,7 @@ impl MeasureReport {
                 _ => "as stated",
             }
         );
+        let mut text = hanging("", &first, 2);
         if let Some(freedom) = self.few_repeats {
             let _ = writeln!(
                 text,

@@ -3,6 +3,7 @@
 use super::summary::RunSummary;
 use crate::input::design::{Coefficients, Design, FilmCompression, Section};
 use crate::page::text::{number, significant};
+use crate::wing::OtherEquilibrium;
 use crate::wing::stroke::StrokeSummary;
 
 /// Below this ratio of the lowest natural frequency to that of the flapping, the shape does not follow its load.
@@ -30,6 +31,7 @@ pub fn warnings(summary: &RunSummary) -> Vec<String> {
             solve.negative_pivots
         ));
     }
+    warnings.extend(summary.other_equilibrium.as_ref().map(OtherEquilibrium::words));
     if let Some(ratio) = numbers.frequency_ratio.filter(|ratio| *ratio < SLOW_RATIO) {
         warnings.push(format!(
             "the lowest natural frequency in air is only {} times that of the flapping: twist at mid-stroke is not the \

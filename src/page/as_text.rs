@@ -7,7 +7,7 @@ use super::{Cell, Fact, Page, Part, Row, Section, Table};
 /// Spaces before what stands in a section.
 const INDENT: usize = 2;
 
-/// Lines of a page from which on its answer stands at its end once more.
+/// Lines of a screen: a page with more has its answer at its end once more.
 const LONG: usize = 30;
 /// Spaces before what a line of names and words says.
 const NAMED: usize = 12;
@@ -17,7 +17,11 @@ impl Page {
     pub fn text(&self) -> String {
         let mut blocks = vec![self.head()];
         blocks.extend(self.sections.iter().filter_map(Section::text));
-        let text = blocks.join("\n");
+        self.ended(blocks.join("\n"))
+    }
+
+    /// A text of this page; where it is longer than a screen, with the answer at its end once more.
+    pub fn ended(&self, text: String) -> String {
         let is_answer = |part: &&Part| matches!(part, Part::Headline(_) | Part::Sentence(_));
         match self.lead.iter().find(is_answer) {
             Some(answer) if text.lines().count() > LONG => format!("{text}\n{}", answer.text(0)),

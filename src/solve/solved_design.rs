@@ -9,7 +9,7 @@ use crate::study::Uncertainty;
 use crate::wing::stroke::{PhaseShape, StrokeSummary};
 use crate::wing::stroke_periodic::periodic_stroke;
 use crate::wing::stroke_quasi_static::quasi_static_stroke;
-use crate::wing::{DiscretizationError, Meshes, SolvedWing, WingError, WingModel};
+use crate::wing::{DiscretizationError, Meshes, OtherEquilibrium, SolvedWing, WingError, WingModel};
 
 use super::asked::{Asked, OverStroke};
 use super::band::band;
@@ -24,6 +24,8 @@ pub struct SolvedDesign {
     pub reading: Reading,
     /// What the mesh leaves.
     pub mesh_error: DiscretizationError,
+    /// What the usual options of the solver lead to, where the design has others and they led to another shape.
+    pub other_equilibrium: Option<OtherEquilibrium>,
     /// Band from the assumed ranges.
     pub uncertainty: Option<Uncertainty>,
     /// The wing over its stroke.
@@ -88,10 +90,12 @@ impl SolvedDesign {
             None => None,
         };
         let engineering = wing.engineering(progress)?;
+        let other_equilibrium = wing.with_usual_options(progress)?;
         Ok(SolvedDesign {
             wing,
             reading,
             mesh_error,
+            other_equilibrium,
             uncertainty,
             stroke,
             engineering,

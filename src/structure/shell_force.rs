@@ -70,3 +70,51 @@ impl Shell {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::sheet::Compression;
+
+    /// Stretched along a line that stands at an angle in the plane of a tilted triangle, a sheet without lateral contraction bears E t ε
+    /// along that line and nothing across; seen from axes turned against it that is N (cos²θ, sin²θ, sin θ cos θ) where they are turned back by θ: Mohr's circle.
+    #[test]
+    fn the_force_of_a_sheet_drawn_one_way_is_seen_from_other_axes_as_mohrs_circle_has_it() {
+        let sheet = Sheet {
+            e_pa: 2.5e9,
+            poisson: 0.0,
+            thickness_m: 6e-6,
+            density_kg_m3: 1420.0,
+            pretension_n_per_m: 0.0,
+            compression: Compression::Carries,
+        };
+        let tilt = UnitQuaternion::new(Vector3::new(0.3, -0.2, 0.9));
+        let corners = [[0.0, 0.0], [2e-3, 3e-4], [5e-4, 1.7e-3]].map(|[x, y]| tilt * Vector3::new(x, y, 0.0));
+        let shell = Shell::new([0, 1, 2], corners, 0, &sheet).unwrap();
+        let drawn = tilt * Vector3::new(0.6, 0.8, 0.0);
+        let strain = 1e-6;
+        let u = corners.map(|x| drawn * (strain * drawn.dot(&x)));
+        let whole = sheet.e_pa * sheet.thickness_m * strain;
+        for theta in [0.0_f64, 0.4, 1.1, 2.5] {
+            let normal = tilt * Vector3::z();
+            let along = UnitQuaternion::new(normal * -theta) * drawn;
+            let wanted = [
+                theta.cos().powi(2),
+                theta.sin().powi(2),
+                theta.sin() * theta.cos(),
+            ]
+            .map(|n| n * whole);
+            for found in [
+                shell.membrane_force(&sheet, &u, &[UnitQuaternion::identity(); 3], &along),
+                shell.membrane_force_linear(&sheet, &u, &along),
+            ] {
+                for (found, wanted) in found.iter().zip(wanted) {
+                    assert!(
+                        (found - wanted).abs() < 1e-4 * whole,
+                        "{theta}: {found} for {wanted}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -185,12 +185,15 @@ fn question(reason: String) -> WingError {
 }
 
 /// Twist at the tip, deg.
-fn tip_deg(profile: &TwistProfile) -> Option<f64> {
+pub(super) fn tip_deg(profile: &TwistProfile) -> Option<f64> {
     profile.tip().map(|reading| reading.twist_rad.to_degrees())
 }
 
 /// Differences of twist at each station that both read: where (mm), and how large (deg).
-fn differences<'a>(own: &'a TwistProfile, other: &'a TwistProfile) -> impl Iterator<Item = (f64, f64)> + 'a {
+pub(super) fn differences<'a>(
+    own: &'a TwistProfile,
+    other: &'a TwistProfile,
+) -> impl Iterator<Item = (f64, f64)> + 'a {
     own.readings.iter().filter_map(|reading| {
         let same = other.readings.iter().find(|found| found.place == reading.place)?;
         let off = (reading.twist_rad - same.twist_rad).to_degrees().abs();

@@ -22,8 +22,11 @@ pub mod stroke_quasi_static;
 
 pub mod divergence;
 
+pub mod other_equilibria;
+
 pub use discretization::{DiscretizationError, Meshes};
 pub use error::WingError;
 pub use flown::{Flown, TwistSource};
 pub use model::WingModel;
+pub use other_equilibria::OtherEquilibrium;
 pub use solved::SolvedWing;

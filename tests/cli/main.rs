@@ -66,6 +66,8 @@ mod study;
 
 mod sweep;
 
+mod table;
+
 mod tasks;
 
 mod verify;

@@ -159,3 +159,48 @@ fn force_and_moment_on_a_stretched_and_turned_wing_are_the_sums_over_its_strips(
         assert!(errors.iter().all(|error| *error < 1e-10), "{name}: {errors:?}");
     }
 }
+
+/// The pressure of the triangles is for pictures and stresses; it stands for the same air as the strips do: force, moment about the base
+/// and moment about the leading edge, up to what centroids leave of the integral.
+#[test]
+fn pressure_on_the_triangles_makes_the_force_and_moments_of_the_strips() {
+    let wing = shipped("twist-v2", &[]);
+    let solution = wing.solve();
+    let mut of_triangles = [0.0; 3];
+    for (triangle, pressure_pa) in wing.mesh.triangles.iter().zip(&solution.pressure_pa) {
+        let [a, b, c] = triangle.map(|node| Vector3::from(wing.mesh.nodes[node]));
+        let (centre, area_m2) = ((a + b + c) / 3.0, 0.5 * (b - a).cross(&(c - a)).norm());
+        let behind_m = centre.y - leading_edge_m(&wing, centre.x);
+        for (sum, lever) in of_triangles.iter_mut().zip([1.0, centre.x, behind_m]) {
+            *sum += lever * pressure_pa * area_m2;
+        }
+    }
+    let mut of_strips = [0.0; 3];
+    for strip in &solution.strips {
+        let force_n = strip.normal_n_per_m * strip.width_m;
+        let behind_m = strip.centre_of_pressure * strip.chord_m;
+        for (sum, lever) in of_strips.iter_mut().zip([1.0, strip.r_m, behind_m]) {
+            *sum += lever * force_n;
+        }
+    }
+    for (triangles, strips) in of_triangles.iter().zip(of_strips) {
+        assert!(
+            (triangles / strips - 1.0).abs() < 0.02,
+            "{of_triangles:?} {of_strips:?}"
+        );
+    }
+}
+
+/// Chordwise place of the leading edge at a station, m: between the foremost nodes of both neighbours.
+fn leading_edge_m(wing: &Wing, x_m: f64) -> f64 {
+    let strips = Strips::new(&wing.mesh).strips;
+    let at = |strip: &Strip| (strip.r_m, strip.points.first().map_or(0.0, |point| point.y_m));
+    let next = strips
+        .partition_point(|strip| strip.r_m < x_m)
+        .clamp(1, strips.len() - 1);
+    let ([x0, y0], [x1, y1]) = (
+        <[f64; 2]>::from(at(&strips[next - 1])),
+        <[f64; 2]>::from(at(&strips[next])),
+    );
+    y0 + (y1 - y0) * (x_m - x0) / (x1 - x0)
+}

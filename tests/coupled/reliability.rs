@@ -8,8 +8,10 @@ use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use washout::coupling::{self, CouplingError, solution::Solution};
-use washout::input::Design;
+use washout::input::design::Accelerator;
+use washout::input::{Design, Loaded};
 use washout::progress::Progress;
+use washout::wing::{SolvedWing, WingModel};
 
 use crate::random_wing::random_wing;
 use crate::support::Wing;
@@ -124,4 +126,92 @@ fn share_of_random_wings_that_have_an_answer() {
     let failures = failures(seeds.clone(), refine);
     // 95 of the first 100 have one, 283 of the first 300
     assert!(failures as u64 * 8 <= seeds.end - seeds.start);
+}
+
+/// The wing of a seed with some options, solved; none where it has no answer.
+fn solved_with(seed: u64, refine: f64, change: &dyn Fn(&mut Design)) -> Option<SolvedWing> {
+    let mut design =
+        Design::from_toml(&random_wing(seed, refine), "random.toml").expect("a plausible design");
+    change(&mut design);
+    let model = WingModel::new(Loaded::alone(design)).expect("a wing");
+    model.solve(&Progress::quiet()).ok()
+}
+
+/// Changes of the solver that should move nothing.
+const OPTIONS: [(&str, fn(&mut Design)); 4] = [
+    ("aitken", |design| {
+        design.coupling.accelerator = Accelerator::Aitken
+    }),
+    ("10 increments", |design| design.structure.load_increments = 10),
+    ("drilling / 10", |design| design.structure.drilling_factor = 0.1),
+    ("drilling x 10", |design| design.structure.drilling_factor = 10.0),
+];
+
+/// How many wings rest in another shape with other options of the solver; each of them says so, and none that does not.
+fn moved(seeds: std::ops::Range<u64>, refine: f64) -> usize {
+    let quiet = Progress::quiet();
+    let twists = |wing: &SolvedWing| {
+        let readings = wing.profile().expect("a profile").readings;
+        readings
+            .iter()
+            .map(|reading| reading.twist_rad.to_degrees())
+            .collect::<Vec<f64>>()
+    };
+    let mut count = 0;
+    for seed in seeds {
+        let Some(usual) = solved_with(seed, refine, &|_| ()) else {
+            continue;
+        };
+        let own = twists(&usual);
+        let most = own.iter().fold(0.0, |most: f64, twist| most.max(twist.abs()));
+        let others = usual.other_equilibria(&quiet).expect("looked for");
+        for (name, change) in OPTIONS {
+            let Some(found) = solved_with(seed, refine, &change) else {
+                continue;
+            };
+            let off = twists(&found)
+                .iter()
+                .zip(&own)
+                .fold(0.0, |off: f64, (a, b)| off.max((a - b).abs()));
+            let said = found.with_usual_options(&quiet).expect("looked for");
+            let limit = if name.starts_with("drilling") {
+                1e-3 * most
+            } else {
+                1e-4
+            };
+            if off > limit.max(1e-5) {
+                println!(
+                    "{seed:4}: {name} moves {off:.1e} of {most:.2} deg: {}",
+                    others.len()
+                );
+                count += 1;
+                let told = said.expect("a word").words();
+                assert!(told.contains("another equilibrium"), "{told}");
+                assert!(!others.is_empty(), "seed {seed}: {name}");
+            } else {
+                assert_eq!(
+                    said.filter(|other| other.largest_difference_deg > 2.0 * limit),
+                    None,
+                    "{seed}"
+                );
+            }
+        }
+    }
+    count
+}
+
+/// Slack and buckled films come to rest in more shapes than one: which it is depends on the way there, and a run says so.
+#[test]
+fn what_other_options_of_the_solver_move_says_that_it_has_another_equilibrium() {
+    assert_eq!(moved(2..3, 0.3), 2);
+    assert_eq!(moved(3..4, 0.3), 0);
+}
+
+#[test]
+#[ignore = "minutes"]
+fn share_of_random_wings_with_other_equilibria() {
+    let seeds = var("WASHOUT_RANDOM").unwrap_or_default();
+    let seeds = (seeds.split_once("..")).and_then(|(from, to)| Some(from.parse().ok()?..to.parse().ok()?));
+    let refine = var("WASHOUT_REFINE").map_or(0.3, |refine| refine.parse().expect("a number"));
+    println!("{} moved", moved(seeds.unwrap_or(0..131), refine));
 }

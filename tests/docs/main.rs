@@ -10,6 +10,8 @@ mod readme;
 
 mod reference;
 
+mod sentences;
+
 mod text;
 
 mod workshop;

@@ -119,7 +119,7 @@ fn what_the_table_leaves_out_is_assumed_and_told() {
     }
     let full =
         "r (mm),case,twist (deg),sigma,sign,instrument,run\n20,\"22 Hz, 30 deg\",4,0.25,nose up,camera,a\n";
-    assert_eq!(told(full), ["root.chord: \"free\", of the design; not doubted"]);
+    assert_eq!(told(full), ["root.chord: \"free\", of the design"]);
     let row = understood(full).measurement.rows.remove(0);
     assert_eq!(
         (row.value, row.sigma, row.sigma_kind),

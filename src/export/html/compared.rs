@@ -35,6 +35,7 @@ fn run_page(found: &DesignComparison, engineering: &Engineering) -> Result<Page,
         wing: &found.wing,
         reading: &found.reading,
         mesh_error: &DiscretizationError::default(),
+        other_equilibrium: None,
         uncertainty: None,
         engineering,
     });

@@ -111,14 +111,11 @@ impl Sheet {
     }
 }
 
-/// How the root edge of a film is held, which is a choice among words that no fit doubts.
+/// How the root edge of a film is held, which is a choice of two that no fit moves.
 fn choice(design: &Design) -> Option<[String; 2]> {
     design.film.as_ref()?;
     let word = toml::Value::try_from(design.root.chord).ok()?;
-    Some([
-        "root.chord".to_string(),
-        format!("{word}, of the design; not doubted"),
-    ])
+    Some(["root.chord".to_string(), format!("{word}, of the design")])
 }
 
 /// That one standard deviation without a unit was taken for readings of several.
