@@ -104,7 +104,7 @@ impl Diagnose {
         let target = target(self.output.as_ref(), &study.study.name, "diagnosis");
         let folder = RunFolder::listed_by(&target, "diagnose", DIAGNOSIS)?;
         let (campaign, report) = self.found(&study, table.as_ref(), console)?;
-        self.written(&campaign, report, folder, table.as_ref(), console)
+        self.written(&campaign, report, folder, console)
     }
 
     /// The document that `--json` prints; no files are written and none are named.
@@ -178,8 +178,21 @@ impl Diagnose {
                 .map_err(of_study)?,
             None => found,
         };
-        let report = DiagnosisReport::new(found.diagnosis, found.work, study);
+        let mut report = DiagnosisReport::new(found.diagnosis, found.work, study);
+        report.commands = self.commands(&report.diagnosis, table);
         Ok((found.campaign, report))
+    }
+
+    /// The commands to go on with: what keeps the study of a table, then what takes into the model what is named, or is most probable; of a
+    /// table where there is nothing to take, what shows what more readings could show.
+    fn commands(&self, diagnosis: &Diagnosis, table: Option<&DesignReadings>) -> Vec<String> {
+        let path = table.map_or(self.study.clone(), |table| {
+            PathBuf::from(format!("{}.toml", table.name()))
+        });
+        let to_add = to_add(&path, &self.on, diagnosis);
+        let plan = table.filter(|_| to_add.is_empty());
+        let plan = plan.map(|_| format!("washout diagnose {} --plan", path.display()));
+        table.map(to_keep).into_iter().chain(to_add).chain(plan).collect()
     }
 
     /// What the campaign of a study could see and tell apart.
@@ -194,25 +207,9 @@ impl Diagnose {
         campaign: &Campaign,
         mut report: DiagnosisReport,
         mut folder: RunFolder,
-        table: Option<&DesignReadings>,
         console: &Console,
     ) -> Result<(), Failure> {
         let study = campaign.name.as_str();
-        let keep = table.map_or(String::new(), to_keep);
-        let path = table.map_or(self.study.clone(), |table| {
-            PathBuf::from(format!("{}.toml", table.name()))
-        });
-        let next = match to_add(&path, &self.on, &report.diagnosis) {
-            commands if commands.is_empty() && !keep.is_empty() => {
-                let plan = format!("  washout diagnose {} --plan\n", path.display());
-                format!("To go on with a study, and to see what more readings could show\n{keep}{plan}\n")
-            }
-            commands if commands.is_empty() => String::new(),
-            commands if report.diagnosis.verdict == Verdict::Set => {
-                format!("To try the most probable, which is not sure\n{keep}{commands}\n")
-            }
-            commands => format!("To take it into the model\n{keep}{commands}\n"),
-        };
         add_diagnosis(&mut folder, study, &report.diagnosis)?;
         report.files = folder.listed_with(self.report);
         if self.report {
@@ -230,45 +227,61 @@ impl Diagnose {
             screening.derivatives, screening.factorizations, report.work
         );
         answer.section("work", "What it took", vec![Part::Text(work)]);
-        let after = next + &listed(&written, &report.files);
+        let after = to_go_on(&report) + &listed(&written, &report.files);
         console.answer(&answer, &after, &report)
     }
 }
 
-/// The commands that take what is named, or is most probable in a set, into the model of the study, a line each.
-fn to_add(study: &Path, on: &[String], diagnosis: &Diagnosis) -> String {
+/// What to go on with, for a screen.
+fn to_go_on(report: &DiagnosisReport) -> String {
+    if report.commands.is_empty() {
+        return String::new();
+    }
+    let is_added = |command: &String| command.starts_with("washout add ");
+    let why = match report.diagnosis.verdict {
+        _ if !report.commands.iter().any(is_added) => {
+            "To go on with a study, and to see what more readings could show"
+        }
+        Verdict::Set => "To try the most probable, which is not sure",
+        _ => "To take it into the model",
+    };
+    let lines = report.commands.iter().map(|command| format!("  {command}\n"));
+    format!("{why}\n{}\n", lines.collect::<String>())
+}
+
+/// The commands that take what is named, or is most probable in a set, into the model of the study.
+fn to_add(study: &Path, on: &[String], diagnosis: &Diagnosis) -> Vec<String> {
     let is_known = |hypothesis: &&Hypothesis| !hypothesis.families.is_empty() && hypothesis.in_set;
     let known = match diagnosis.verdict {
         Verdict::Effect | Verdict::Set => diagnosis.hypotheses.iter().find(is_known),
         Verdict::Nothing | Verdict::Novel | Verdict::Undecidable => None,
     };
-    let Some(known) = known else {
-        return String::new();
-    };
-    let mut commands = String::new();
-    let mut strengths: Vec<&Strength> = known.strengths.iter().collect();
+    let mut strengths: Vec<&Strength> = known.map_or(Vec::new(), |known| known.strengths.iter().collect());
     // what is surest first: a fit of the other alone might end elsewhere
     let in_errors = |own: &Strength| own.value.abs() / own.standard_error;
     strengths.sort_by(|a, b| in_errors(b).total_cmp(&in_errors(a)));
-    for strength in strengths {
-        commands.push_str(&format!("  washout add {}", strength.effect));
-        if let Some(place) = &strength.place {
-            commands.push_str(&format!(
-                " --number {}={}",
-                place.parameter,
-                significant(place.value, 3)
-            ));
-            for (name, value) in &place.numbers {
-                commands.push_str(&format!(" --number {name}={value}"));
-            }
+    strengths
+        .into_iter()
+        .map(|strength| add(strength, study, on))
+        .collect()
+}
+
+/// The command that takes an effect into the model of the study.
+fn add(strength: &Strength, study: &Path, on: &[String]) -> String {
+    let mut command = format!("washout add {}", strength.effect);
+    if let Some(place) = &strength.place {
+        let at = [(place.parameter.clone(), significant(place.value, 3))];
+        let numbers = place.numbers.iter();
+        let numbers = numbers.map(|(name, value)| (name.clone(), value.to_string()));
+        for (name, value) in at.into_iter().chain(numbers) {
+            command.push_str(&format!(" --number {name}={value}"));
         }
-        let wing = strength.place.as_ref().and_then(|place| place.wing.as_ref());
-        for wing in wing.into_iter().chain(on.iter().filter(|_| wing.is_none())) {
-            commands.push_str(&format!(" --on {wing}"));
-        }
-        commands.push_str(&format!(" --to {}\n", study.display()));
     }
-    commands
+    let wing = strength.place.as_ref().and_then(|place| place.wing.as_ref());
+    for wing in wing.into_iter().chain(on.iter().filter(|_| wing.is_none())) {
+        command.push_str(&format!(" --on {wing}"));
+    }
+    format!("{command} --to {}", study.display())
 }
 
 /// A study diagnosed as `washout diagnose STUDY` does it.

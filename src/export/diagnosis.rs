@@ -26,6 +26,9 @@ pub struct DiagnosisReport {
     pub diagnosis: Diagnosis,
     /// What it took.
     pub work: Work,
+    /// Commands to go on with, in their order: what takes the effects into the model, or what more readings could show.
+    #[serde(default)]
+    pub commands: Vec<String>,
     /// What it was made of.
     pub made_of: MadeOf,
     /// Files of the folder, this one among them.
@@ -38,6 +41,7 @@ impl DiagnosisReport {
         DiagnosisReport {
             diagnosis,
             work,
+            commands: Vec::new(),
             made_of: MadeOf::files(&study.files),
             files: Vec::new(),
         }

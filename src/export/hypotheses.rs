@@ -148,7 +148,7 @@ fn hypothesis_table(found: &Diagnosis) -> Table {
             [only] if only == "novel" => "an unknown cause".to_string(),
             effects => effects.join(" + "),
         })
-        .number(["probability", "probability", ""], After(3), |row| {
+        .share(["probability", "probability", ""], After(3), |row| {
             row.probability
         })
         .numbers(

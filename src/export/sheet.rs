@@ -122,7 +122,7 @@ pub fn to_keep(of: &DesignReadings) -> String {
         .map(|case| format!(" --hold-out {case}"))
         .collect();
     format!(
-        "  washout init {} --study --design {} --readings {}{sigma}{}\n",
+        "washout init {} --study --design {} --readings {}{sigma}{}",
         of.name(),
         of.design.display(),
         of.table.display(),

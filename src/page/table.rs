@@ -39,6 +39,8 @@ pub struct Column {
     pub unit: &'static str,
     /// Digits that are shown.
     pub digits: Digits,
+    /// Whether its numbers are shares of one, which a page draws as bars besides.
+    pub is_share: bool,
 }
 
 /// What stands in a column of a row.
@@ -146,6 +148,15 @@ impl<'a, T> Rows<'a, T> {
         self
     }
 
+    /// With a column of shares of one.
+    pub fn share(mut self, head: [&'static str; 3], digits: Digits, of: impl Fn(&'a T) -> f64) -> Self {
+        self = self.number(head, digits, of);
+        if let Some(column) = self.table.columns.last_mut() {
+            column.is_share = true;
+        }
+        self
+    }
+
     /// With a column of lists of numbers.
     pub fn numbers(
         mut self,
@@ -204,6 +215,7 @@ impl<'a, T> Rows<'a, T> {
             label,
             unit,
             digits,
+            is_share: false,
         });
         for (item, row) in &mut self.rows {
             row.cells.push(of(item));

@@ -5,7 +5,7 @@ use super::error::PlotError;
 use super::heat_map::{CLASSES_PX, HeatMap};
 use super::palette::{Ink, Shape};
 use super::pen::{Align, Area, BOLD, Letters, Pen, Spot, lines, on_paper, width_px};
-use super::waterfall::Waterfall;
+use super::stair::Stair;
 
 /// A figure.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,7 +54,7 @@ pub enum Panel {
     /// Numbers in standard deviations by row and column.
     HeatMap(HeatMap),
     /// A number that falls step by step.
-    Waterfall(Waterfall),
+    Stair(Stair),
 }
 
 const MARGIN_PX: f64 = 14.0;
@@ -72,7 +72,7 @@ impl Figure {
             match panel {
                 Panel::Chart(chart) => chart.check()?,
                 Panel::HeatMap(map) => map.check()?,
-                Panel::Waterfall(waterfall) => waterfall.check()?,
+                Panel::Stair(stair) => stair.check()?,
             }
         }
         let sheet = Sheet::of(self);
@@ -146,7 +146,7 @@ impl Sheet {
             match panel {
                 Panel::Chart(chart) => chart.draw(area, *corner, *size)?,
                 Panel::HeatMap(map) => map.draw(area, *corner, *size)?,
-                Panel::Waterfall(waterfall) => waterfall.draw(area, *corner, *size)?,
+                Panel::Stair(stair) => stair.draw(area, *corner, *size)?,
             }
         }
         let letters = Letters::new(CAPTION_PX, Align::Left).in_colour(Ink::Grey.colour());

@@ -1,4 +1,4 @@
-//! Pictures as SVG: charts, heat maps and waterfalls, drawn from numbers; knows no wings.
+//! Pictures as SVG: charts, heat maps and numbers that fall step by step, drawn from numbers; knows no wings.
 //!
 //! A [`Figure`] is data: panels with marks, a legend, a caption. [`Figure::to_svg`] draws it, the same bytes for the same
 //! figure. Colours are those of Okabe and Ito (readable by colour-blind people); what colour says, shape or weight says
@@ -28,7 +28,7 @@ pub mod scale;
 
 pub mod terminal;
 
-pub mod waterfall;
+pub mod stair;
 
 pub use chart::{Chart, Limit, Mark, Point, Weight};
 pub use error::PlotError;
@@ -36,4 +36,4 @@ pub use figure::{Figure, Key, Panel, Sample};
 pub use heat_map::{HeatMap, HeatTable};
 pub use palette::{Ink, Shape};
 pub use print::Print;
-pub use waterfall::{Step, Waterfall};
+pub use stair::{Stair, Step};

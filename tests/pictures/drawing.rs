@@ -4,8 +4,7 @@ use washout::export::pictures::ladder::{self, Fall, Measure};
 use washout::export::pictures::{compared as picture, in_sigma};
 use washout::input::measurement::Channel;
 use washout::plot::{
-    Chart, Figure, HeatMap, HeatTable, Ink, Limit, Mark, Panel, PlotError, Point, Shape, Step, Waterfall,
-    Weight,
+    Chart, Figure, HeatMap, HeatTable, Ink, Limit, Mark, Panel, PlotError, Point, Shape, Stair, Step, Weight,
 };
 
 use crate::tunnel;
@@ -227,32 +226,32 @@ fn a_number_that_has_no_place_is_refused() {
 }
 
 #[test]
-fn bars_of_a_waterfall_are_as_high_as_their_levels() {
-    let step = |label: &str, level: f64, is_total: bool| Step {
+fn dots_of_a_stair_are_as_high_as_their_levels_and_the_floor_lies_below() {
+    let step = |label: &str, level: f64| Step {
         label: label.to_string(),
         levels: vec![Some(level)],
-        is_total,
     };
-    let waterfall = figure(vec![Panel::Waterfall(Waterfall {
+    let stair = figure(vec![Panel::Stair(Stair {
         title: String::new(),
         y_label: "root mean square error (mm)".to_string(),
         groups: vec!["fitted".to_string()],
         steps: vec![
-            step("uncalibrated", 8.0, true),
-            step("calibrated", 4.0, false),
-            step("noise", 2.0, true),
+            step("uncalibrated", 8.0),
+            step("calibrated", 4.0),
+            step("+ gravity", 3.0),
         ],
+        floor: Some(step("noise", 2.0)),
     })]);
-    let svg = waterfall.to_svg().unwrap();
+    let svg = stair.to_svg().unwrap();
     is_sound(&svg);
-    // The paper is a rectangle too.
-    let heights: Vec<f64> = attributes(&svg, "rect", "height")
-        .into_iter()
-        .skip(1)
-        .map(number)
-        .collect();
-    assert_eq!(heights.len(), 2);
-    assert!((heights[0] / heights[1] - 4.0).abs() < 0.01, "{heights:?}");
+    let heights: Vec<f64> = attributes(&svg, "circle", "cy").into_iter().map(number).collect();
+    assert_eq!(heights.len(), 3);
+    let falls = [heights[1] - heights[0], heights[2] - heights[1]];
+    assert!(
+        falls[1] > 0.0 && (falls[0] / falls[1] - 4.0).abs() < 0.05,
+        "{heights:?}"
+    );
+    assert!(svg.contains("noise 2.00"), "{svg}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use crate::export::ExportError;
 use crate::export::diagnosis::{self, DiagnosisReport};
+use crate::page::{Part, Section};
 
 use super::document::Document;
 use super::page::Page;
@@ -26,6 +27,15 @@ pub fn page(study: &str, report: &DiagnosisReport, wings: &Wings) -> Result<Page
 /// # Errors
 /// If a number in a picture is not finite.
 pub fn add(page: &mut Page, study: &str, report: &DiagnosisReport) -> Result<(), ExportError> {
-    let answer = diagnosis::page(study, &report.diagnosis);
+    let mut answer = diagnosis::page(study, &report.diagnosis);
+    if !report.commands.is_empty() {
+        let commands = Part::Code(report.commands.join("\n"));
+        let section = Section {
+            id: "commands",
+            title: "To go on with",
+            parts: vec![commands],
+        };
+        answer.sections.insert(0, section);
+    }
     page.add(&answer, Document::new(answer.kind, report)?)
 }

@@ -98,15 +98,21 @@ fn shown(table: &Table, row: &Row, column: &Column, cell: &Cell, document: &Docu
                 Some(_) => document.number(&place(item), column.digits).html,
                 None => UNKNOWN.to_string(),
             };
+            let shown: Vec<String> = numbers.iter().enumerate().map(shown).collect();
+            let shares = numbers.iter().flatten().filter(|_| column.is_share);
             Shown {
-                html: numbers
-                    .iter()
-                    .enumerate()
-                    .map(shown)
-                    .collect::<Vec<_>>()
-                    .join(" / "),
+                html: shown.join(" / ") + &shares.map(|share| bar(*share)).collect::<String>(),
                 is_number: true,
             }
         }
     }
+}
+
+/// A share of one as a bar below its number.
+fn bar(share: f64) -> String {
+    let percent = 100.0 * share.clamp(0.0, 1.0);
+    format!(
+        "<svg class=\"share\" viewBox=\"0 0 100 4\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect \
+         width=\"{percent:.1}\" height=\"4\"/></svg>"
+    )
 }

@@ -67,7 +67,7 @@ impl HtmlTable {
         let mut html = String::from("<div class=\"table\"><table>\n");
         // Writing to a String cannot fail.
         if !self.caption.is_empty() {
-            let _ = writeln!(html, "<caption>{}</caption>", escaped(&self.caption));
+            let _ = writeln!(html, "<caption><span>{}</span></caption>", escaped(&self.caption));
         }
         html.push_str("<thead><tr>");
         for &(column, is_number) in &kept {

@@ -3,7 +3,7 @@
 use crate::compare::{self, StudyLadderStep};
 use crate::diagnose::ladder::LadderStep;
 use crate::input::measurement::Channel;
-use crate::plot::{Figure, Ink, Key, Panel, Sample, Step, Waterfall};
+use crate::plot::{Figure, Ink, Key, Panel, Sample, Shape, Stair, Step};
 
 use super::panels::distinct;
 use super::{with_unit, words};
@@ -120,6 +120,9 @@ impl Fall {
     }
 }
 
+/// Name of the step below which no model should get.
+const NOISE: &str = "noise";
+
 /// Names of the groups of data.
 const FITTED: &str = "fitted";
 const LEFT_OUT: &str = "each case predicted from the others";
@@ -169,37 +172,38 @@ impl StudyGroup {
     }
 }
 
-/// One waterfall for each.
+/// One panel for each.
 pub fn figure(title: &str, falls: &[Fall]) -> Figure {
     let groups = falls.first().map_or(&[][..], |fall| &fall.groups);
     let key = |(index, group): (usize, &String)| Key {
         label: group.clone(),
-        sample: Sample::Swatch(Ink::Curve(index)),
+        sample: Sample::Marker(Ink::Curve(index), Shape::Circle, true),
     };
     Figure {
         title: title.to_string(),
         legend: groups.iter().enumerate().map(key).collect(),
         panels: falls.iter().map(panel).collect(),
         columns: None,
-        caption: "Full bars: what there is; pale bars: what a step changes, from the level before to its line. Noise: the \
-                  standard deviation of the measurement, below which no model should get."
+        caption: "Dashed: the standard deviation of the measurement, below which no model should get."
             .to_string(),
     }
 }
 
 fn panel(fall: &Fall) -> Panel {
-    let last = fall.steps.len().saturating_sub(1);
     let channel = fall.channel.map_or("all channels".to_string(), words);
     let title = match fall.wing.as_str() {
         "" => channel,
         wing => format!("{wing}: {channel}"),
     };
-    let step = |(index, (label, levels)): (usize, &(String, Vec<Option<f64>>))| Step {
+    let step = |(label, levels): &(String, Vec<Option<f64>>)| Step {
         label: label.clone(),
         levels: levels.clone(),
-        is_total: index == 0 || index == last,
     };
-    Panel::Waterfall(Waterfall {
+    let (models, floor) = match fall.steps.split_last() {
+        Some((last, models)) if last.0 == NOISE => (models, Some(last)),
+        _ => (&fall.steps[..], None),
+    };
+    Panel::Stair(Stair {
         title,
         y_label: match fall.measure {
             Measure::RootMeanSquare => {
@@ -210,6 +214,7 @@ fn panel(fall: &Fall) -> Panel {
             Measure::InSigma => with_unit("root mean square error", "stated σ"),
         },
         groups: fall.groups.clone(),
-        steps: fall.steps.iter().enumerate().map(step).collect(),
+        steps: models.iter().map(step).collect(),
+        floor: floor.map(step),
     })
 }
