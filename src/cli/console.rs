@@ -15,7 +15,7 @@ use crate::plot::Figure;
 use crate::plot::terminal::sketch;
 use crate::progress::Progress;
 
-use super::Failure;
+use super::{Failure, colour};
 
 /// Options of every verb.
 #[derive(Debug, Clone, Args)]
@@ -116,7 +116,10 @@ impl Console {
             Some(brief) => page.ended(format!("{brief}\n{after}Full output: --verbose\n")),
             None => format!("{}\n{after}", page.text()),
         };
-        self.result(&text, document)
+        match page.answer().filter(|_| colour::is_shown()) {
+            Some(answer) => self.result(&colour::coloured(&text, &answer), document),
+            None => self.result(&text, document),
+        }
     }
 
     /// Prints a document for programs, whatever the options say.

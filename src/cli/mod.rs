@@ -5,6 +5,8 @@
 
 pub mod failure;
 
+mod colour;
+
 pub mod console;
 
 pub mod design_arguments;

@@ -22,11 +22,16 @@ impl Page {
 
     /// A text of this page; where it is longer than a screen, with the answer at its end once more.
     pub fn ended(&self, text: String) -> String {
-        let is_answer = |part: &&Part| matches!(part, Part::Headline(_) | Part::Sentence(_));
-        match self.lead.iter().find(is_answer) {
-            Some(answer) if text.lines().count() > LONG => format!("{text}\n{}", answer.text(0)),
+        match self.answer() {
+            Some(answer) if text.lines().count() > LONG => format!("{text}\n{answer}"),
             _ => text,
         }
+    }
+
+    /// The answer as it stands in its texts.
+    pub fn answer(&self) -> Option<String> {
+        let is_answer = |part: &&Part| matches!(part, Part::Headline(_) | Part::Sentence(_));
+        Some(self.lead.iter().find(is_answer)?.text(0))
     }
 
     /// What of it fits on a screen; none where all of it does.
