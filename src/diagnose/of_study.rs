@@ -94,7 +94,7 @@ impl StudyDiagnosis {
     /// assumed of it last, and what the root edge of the film held otherwise would make.
     ///
     /// # Errors
-    /// As [`RootEdge::of_table`].
+    /// If the study of the table cannot be read, or the user asked to stop.
     pub fn of_table(
         mut self,
         table: &DesignReadings,

@@ -137,8 +137,11 @@ fn solved_with(seed: u64, refine: f64, change: &dyn Fn(&mut Design)) -> Option<S
     model.solve(&Progress::quiet()).ok()
 }
 
+/// A change of a design, with its name.
+type Change = (&'static str, fn(&mut Design));
+
 /// Changes of the solver that should move nothing.
-const OPTIONS: [(&str, fn(&mut Design)); 4] = [
+const OPTIONS: [Change; 4] = [
     ("aitken", |design| {
         design.coupling.accelerator = Accelerator::Aitken
     }),
