@@ -120,7 +120,7 @@ fn page(check: &RunCheck) -> String {
 
 fn others(found: &[OtherEquilibrium]) -> String {
     if found.is_empty() {
-        return "  others    none found by other accelerator, increments, drilling stiffness\n".to_string();
+        return "  others    none found, as far as other options of the solver have an answer\n".to_string();
     }
     found
         .iter()

@@ -16,14 +16,14 @@ use super::words::short;
 pub struct RootEdge {
     /// As the design has it.
     pub own: RootChord,
-    /// Root mean square error of what was fitted, in its stated standard deviations.
-    pub own_sigma: f64,
+    /// Root mean square error of what was fitted, in its stated standard deviations; none where that cannot be calibrated.
+    pub own_sigma: Option<f64>,
     /// The same with the edge held otherwise; none where that cannot be calibrated.
     pub otherwise_sigma: Option<f64>,
 }
 
 impl RootEdge {
-    /// Calibrates both, where the wing has a film; `sets` change the design. None where the design as it stands cannot be calibrated.
+    /// Calibrates both, where the wing has a film; `sets` change the design.
     ///
     /// # Errors
     /// If the study cannot be read, or the user asked to stop.
@@ -46,26 +46,28 @@ impl RootEdge {
             Ok(compared.and_then(|found| error_sigma(&found.comparison)))
         };
         progress.say("the root edge of the film as it is, and otherwise");
-        let Some(own_sigma) = error_sigma(&study)? else {
-            return Ok(None);
-        };
         Ok(Some(RootEdge {
             own,
-            own_sigma,
+            own_sigma: error_sigma(&study)?,
             otherwise_sigma: error_sigma(&table.study(&with_other)?)?,
         }))
     }
 
     /// Whether the readings are nearer to the other way.
     pub fn is_otherwise_nearer(&self) -> bool {
-        self.otherwise_sigma
-            .is_some_and(|otherwise| otherwise < self.own_sigma)
+        let both = self.own_sigma.zip(self.otherwise_sigma);
+        both.is_some_and(|(own, otherwise)| otherwise < own)
     }
 
     /// What it says, and what to ask where the other way is nearer.
     pub fn words(&self) -> String {
         let (own, other) = (word(self.own), word(other(self.own)));
         let taken = format!("The root edge of the film is taken as {own}.");
+        let Some(as_taken) = self.own_sigma else {
+            return format!(
+                "{taken} Whether it is nearer as {other} is not known: no fit of the model settled."
+            );
+        };
         let Some(otherwise) = self.otherwise_sigma else {
             return format!("{taken} Were it {other}, no fit of the model would settle.");
         };
@@ -76,7 +78,7 @@ impl RootEdge {
         format!(
             "{taken} Were it {other}, the calibrated model would miss by {} sigma instead of {} (rms){nearer}.",
             short(otherwise),
-            short(self.own_sigma)
+            short(as_taken)
         )
     }
 }
@@ -117,7 +119,7 @@ mod tests {
     fn the_other_way_is_asked_for_where_the_readings_are_nearer_to_it() {
         let mut edge = RootEdge {
             own: RootChord::Free,
-            own_sigma: 2.5,
+            own_sigma: Some(2.5),
             otherwise_sigma: Some(0.75),
         };
         assert_eq!(
@@ -128,6 +130,8 @@ mod tests {
         edge.otherwise_sigma = Some(2.75);
         assert!(!edge.words().contains("--set"), "{}", edge.words());
         edge.otherwise_sigma = None;
-        assert!(edge.words().contains("no fit"), "{}", edge.words());
+        assert!(edge.words().contains("clamped, no fit"), "{}", edge.words());
+        edge.own_sigma = None;
+        assert!(edge.words().contains("is not known"), "{}", edge.words());
     }
 }
