@@ -2,6 +2,7 @@
 //!
 //! How it is held is a choice of two, which no fit reaches from the other and few bench books state.
 
+use crate::compare::ladder::ladder;
 use crate::compare::{ComparedStudy, StudyComparison};
 use crate::input::design::RootChord;
 use crate::input::sheet::DesignReadings;
@@ -10,6 +11,9 @@ use crate::progress::{Cancelled, Progress};
 
 use super::error::{DiagnoseError, where_solved};
 use super::words::short;
+
+/// Name of the step of the error that is meant.
+const CALIBRATED: &str = "calibrated";
 
 /// How near the calibrated model comes to the readings of a table with the root edge of the film held one way and the other.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +47,7 @@ impl RootEdge {
         let with_other: Vec<String> = sets.iter().cloned().chain([setting(other(own))]).collect();
         let error_sigma = |study: &LoadedStudy| -> Result<Option<f64>, Cancelled> {
             let compared = where_solved(ComparedStudy::new(study, &progress.unseen()))?;
-            Ok(compared.and_then(|found| error_sigma(&found.comparison)))
+            Ok(compared.and_then(|found| error_sigma(found.comparison)))
         };
         progress.say("the root edge of the film as it is, and otherwise");
         Ok(Some(RootEdge {
@@ -105,10 +109,9 @@ fn setting(own: RootChord) -> String {
 }
 
 /// Root mean square error of what was fitted, as calibrated, in its stated standard deviations; none if nothing was.
-fn error_sigma(comparison: &StudyComparison) -> Option<f64> {
-    let fitted = comparison.rows.iter().filter(|row| !row.is_held_out);
-    let squares: Vec<f64> = fitted.map(|row| (row.errors()[1] / row.sigma).powi(2)).collect();
-    (!squares.is_empty()).then(|| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt())
+fn error_sigma(comparison: StudyComparison) -> Option<f64> {
+    let steps = ladder(&[(CALIBRATED.to_string(), comparison)]);
+    steps.iter().find(|step| step.name == CALIBRATED)?.in_sample_sigma
 }
 
 #[cfg(test)]
