@@ -11,7 +11,7 @@ use crate::diagnose::of_study::refuse_own_data;
 use crate::diagnose::verdict::{Diagnosis, Hypothesis, Strength, Verdict};
 use crate::diagnose::{Cache, Candidates, Plan, Settings, StudyDiagnosis, plan_study};
 use crate::export::diagnosis::{DiagnosisReport, page};
-use crate::export::html::cases::found;
+use crate::export::html::cases::{at_work, found};
 use crate::export::html::{self, REPORT};
 use crate::export::json;
 use crate::export::pictures::write::add_diagnosis;
@@ -214,7 +214,8 @@ impl Diagnose {
         report.files = folder.listed_with(self.report);
         if self.report {
             let wings = found(campaign, &report.diagnosis, console.progress())?;
-            let page = html::diagnosis::page(study, &report, &wings)?;
+            let at_work = at_work(campaign, &report.diagnosis, console.progress())?;
+            let page = html::diagnosis::page(study, &report, &wings, &at_work)?;
             folder.add(REPORT, page.html().as_bytes())?;
         }
         folder.add_summary(&report)?;

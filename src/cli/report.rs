@@ -14,7 +14,7 @@ use crate::export::added::{self, AddReport};
 use crate::export::compare_report::CompareReport;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::file::refuse_other;
-use crate::export::html::cases::explained;
+use crate::export::html::cases::{at_work, explained};
 use crate::export::html::folder::{Contents, page, title_of};
 use crate::export::html::study::StudyParts;
 use crate::export::html::wings::Wings;
@@ -164,7 +164,9 @@ impl Report {
         if let Some(found) = diagnosed {
             let explained = explained(&found.campaign, &found.diagnosis, progress)?;
             parts.wings.extend(explained);
-            parts.diagnosis = Some(DiagnosisReport::new(found.diagnosis, found.work, loaded));
+            let at_work = at_work(&found.campaign, &found.diagnosis, progress)?;
+            let report = DiagnosisReport::new(found.diagnosis, found.work, loaded);
+            parts.diagnosis = Some((report, at_work));
         }
         Ok(study::page(
             &StudyReport::new(compared.comparison, loaded),
@@ -198,7 +200,7 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
         let name = folder.file_name().map(|name| name.to_string_lossy().into_owned());
         let name = name.unwrap_or_default();
         let study = name.strip_suffix("-diagnosis").unwrap_or(&name);
-        return Ok(diagnosis::page(study, &report, &Wings::default())?);
+        return Ok(diagnosis::page(study, &report, &Wings::default(), &[])?);
     }
     for (name, id) in [(SUMMARY, "summary"), (LADDER, "ladder"), (VERIFY, "verify")] {
         if !folder.join(name).is_file() {

@@ -18,6 +18,8 @@ pub mod cure;
 
 mod cure_near;
 
+pub mod difference;
+
 mod fields;
 
 pub mod engineering;
@@ -71,6 +73,7 @@ pub mod vibration;
 pub mod wing;
 
 pub use blade::{BladeAir, BladeSection};
+pub use difference::Difference;
 pub use engineering::{Engineering, Extreme};
 pub use equilibrium::solve_wing;
 pub use error::{CouplingError, SensitivityError};

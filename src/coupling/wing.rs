@@ -133,7 +133,7 @@ impl Wing {
     }
 
     /// Share of the linear model: 1 alone, between 0 and 1 beside large rotation.
-    fn linear_share(&self) -> f64 {
+    pub(super) fn linear_share(&self) -> f64 {
         if self.linear {
             return 1.0;
         }

@@ -14,7 +14,7 @@ use super::section::Section;
 use super::skin::Skin;
 
 /// A beam element.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Beam {
     /// Its two nodes.
     pub nodes: [usize; 2],

@@ -44,7 +44,7 @@ impl<const D: usize> Response<D> {
 }
 
 /// Rest data of an element that the frame needs.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Rest<const N: usize> {
     /// Axes at rest as columns.
     pub axes: Matrix3<f64>,

@@ -18,7 +18,7 @@ use super::{membrane, plate};
 const DRILLING_SHARE: f64 = 1e-5;
 
 /// A triangle of a sheet.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Shell {
     /// Its three nodes, counter-clockwise seen from its normal.
     pub nodes: [usize; 3],

@@ -14,7 +14,7 @@ use crate::coupling::mid_stroke::moving;
 use crate::coupling::motion::{Motions, motion_needed};
 use crate::coupling::sensitivity::Nearby;
 use crate::coupling::wing::Wing;
-use crate::coupling::{self, BladeAir, Care, CouplingError, Near};
+use crate::coupling::{self, BladeAir, Care, CouplingError, Difference, Near};
 use crate::effects::{Effect, acting, is_applicable, lacks, named, with_common_numbers};
 use crate::geometry::Planform;
 use crate::input::Design;
@@ -74,6 +74,12 @@ pub struct Solved {
 }
 
 impl Solved {
+    /// Where its wing differs from that of another solution of the case, the air of both on the shape of that one; none where they are not
+    /// on one mesh.
+    pub fn difference(&self, other: &Solved) -> Option<Difference> {
+        self.wing.difference(&other.wing, &other.at.solution.state)
+    }
+
     /// What it took.
     pub fn work(&self) -> Work {
         Work {

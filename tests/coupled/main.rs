@@ -1,5 +1,6 @@
 //! Air and structure together: load transfer, divergence, tangent, sensitivity, independence of numerics.
 
+mod difference;
 mod film;
 mod independence;
 mod invariances;

@@ -3,12 +3,16 @@
 use std::collections::BTreeMap;
 
 use crate::compare::ComparedStudy;
+use crate::coupling::sensitivity::Nearby;
+use crate::diagnose::verdict::Strength;
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::input::Assumption;
 use crate::input::study::LoadedStudy;
+use crate::observation::Observer;
 use crate::progress::{Cancelled, Progress};
 use crate::study::{Campaign, Forward, Unknown, UnknownKind};
 
+use super::effects::EffectAtWork;
 use super::measured::Measured;
 use super::study::StudyParts;
 use super::wing::Wing;
@@ -63,11 +67,7 @@ pub fn explained(campaign: &Campaign, found: &Diagnosis, progress: &Progress) ->
     };
     let mut at = campaign.start();
     for strength in &first.strengths {
-        put(campaign, &mut at, &strength.unknown, strength.value);
-        let place = position(campaign, |unknown| is_place_of(unknown, &strength.unknown));
-        if let (Some(found), Some(place)) = (&strength.place, place) {
-            at[place] = found.value;
-        }
+        put(campaign, &mut at, strength);
     }
     let state = format!("with {}", first.effects.join(" + "));
     let mut wings = wings(campaign, &state, &at, progress)?;
@@ -75,9 +75,68 @@ pub fn explained(campaign: &Campaign, found: &Diagnosis, progress: &Progress) ->
     Ok(wings)
 }
 
-fn put(campaign: &Campaign, at: &mut [f64], name: &str, value: f64) {
-    if let Some(index) = position(campaign, |unknown| unknown.name == name) {
-        at[index] = value;
+/// Effects that a report draws; of more the most probable.
+const DRAWN: usize = 6;
+
+/// The effects of the most probable hypotheses, each by itself at its size on the first wing that it acts on, as far as that has a solution.
+pub fn at_work(
+    campaign: &Campaign,
+    found: &Diagnosis,
+    progress: &Progress,
+) -> Result<Vec<EffectAtWork>, Cancelled> {
+    let likely = found.hypotheses.iter().filter(|hypothesis| hypothesis.in_set);
+    let mut effects: Vec<&Strength> = Vec::new();
+    for strength in likely.flat_map(|hypothesis| &hypothesis.strengths) {
+        if effects.len() < DRAWN && effects.iter().all(|known| known.effect != strength.effect) {
+            effects.push(strength);
+        }
+    }
+    let mut drawn = Vec::new();
+    for strength in effects {
+        progress.say(format_args!("{}: {} drawn", campaign.name, strength.effect));
+        drawn.extend(one_at_work(campaign, strength));
+        progress.check()?;
+    }
+    Ok(drawn)
+}
+
+/// An effect at work; none where it acts on no wing, or a wing has no solution.
+fn one_at_work(campaign: &Campaign, strength: &Strength) -> Option<EffectAtWork> {
+    let without = campaign.start();
+    let mut with = without.clone();
+    put(campaign, &mut with, strength);
+    let design = |case: usize, at: &[f64]| campaign.design_at(case, at).ok();
+    let case = (0..campaign.cases().len()).find(|&case| design(case, &without) != design(case, &with))?;
+    let [without, with] = [without, with].map(|at| campaign.solved_at(case, &at).ok());
+    let (without, with) = (without?, with?);
+    Some(EffectAtWork {
+        effect: strength.effect.clone(),
+        case: campaign.cases()[case].name.clone(),
+        mesh: without.at.solution.mesh.clone(),
+        difference: with.difference(&without)?,
+        twist_deg: [twist_deg(&without.at)?, twist_deg(&with.at)?],
+    })
+}
+
+/// Twist along the span as it is read: places (m), twist (deg).
+fn twist_deg(solved: &Nearby) -> Option<Vec<[f64; 2]>> {
+    let observer = Observer::new(&solved.design, &solved.planform, &solved.solution).ok()?;
+    let readings = observer.along_span().into_iter();
+    Some(
+        readings
+            .map(|reading| [reading.r_m, reading.twist_rad.to_degrees()])
+            .collect(),
+    )
+}
+
+/// Puts an effect at its size and place.
+fn put(campaign: &Campaign, at: &mut [f64], strength: &Strength) {
+    if let Some(index) = position(campaign, |unknown| unknown.name == strength.unknown) {
+        at[index] = strength.value;
+    }
+    let place = position(campaign, |unknown| is_place_of(unknown, &strength.unknown));
+    if let (Some(found), Some(place)) = (&strength.place, place) {
+        at[place] = found.value;
     }
 }
 

@@ -5,28 +5,40 @@ use crate::export::diagnosis::{self, DiagnosisReport};
 use crate::page::{Part, Section};
 
 use super::document::Document;
+use super::effects::{EffectAtWork, effects};
 use super::page::Page;
 use super::wings::Wings;
 
-/// The report of a diagnosis by itself; `study` is its name, `wings` are those to be shown.
+/// The report of a diagnosis by itself; `study` is its name, `wings` are those to be shown, `at_work` its effects.
 ///
 /// # Errors
 /// If a number in a picture is not finite.
-pub fn page(study: &str, report: &DiagnosisReport, wings: &Wings) -> Result<Page, ExportError> {
+pub fn page(
+    study: &str,
+    report: &DiagnosisReport,
+    wings: &Wings,
+    at_work: &[EffectAtWork],
+) -> Result<Page, ExportError> {
     let mut page = Page {
         title: study.to_string(),
         ..Page::default()
     };
     page.section("wing", "The wings", wings.section()?);
-    add(&mut page, study, report)?;
+    add(&mut page, study, report, at_work)?;
     Ok(page)
 }
 
-/// Adds what a diagnosis says, and its document.
+/// Adds what a diagnosis says, its effects at work, and its document.
 ///
 /// # Errors
 /// If a number in a picture is not finite.
-pub fn add(page: &mut Page, study: &str, report: &DiagnosisReport) -> Result<(), ExportError> {
+pub fn add(
+    page: &mut Page,
+    study: &str,
+    report: &DiagnosisReport,
+    at_work: &[EffectAtWork],
+) -> Result<(), ExportError> {
+    page.section("at-work", "What each effect is", effects(at_work));
     let mut answer = diagnosis::page(study, &report.diagnosis);
     if !report.commands.is_empty() {
         let commands = Part::Code(report.commands.join("\n"));

@@ -41,6 +41,8 @@ pub mod compared;
 
 pub mod diagnosis;
 
+pub mod effects;
+
 pub mod folder;
 
 pub mod frames;

@@ -151,7 +151,7 @@ fn path(points: &[[f64; 3]]) -> String {
 }
 
 /// Edges of one triangle only.
-fn outline(triangles: &[[usize; 3]]) -> Vec<[usize; 2]> {
+pub(super) fn outline(triangles: &[[usize; 3]]) -> Vec<[usize; 2]> {
     let edge = |&[a, b, c]: &[usize; 3]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
     let mut edges: Vec<[usize; 2]> = triangles.iter().flat_map(edge).collect();
     edges.sort_unstable();

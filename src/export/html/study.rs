@@ -8,6 +8,7 @@ use crate::input::Assumption;
 
 use super::diagnosis;
 use super::document::Document;
+use super::effects::EffectAtWork;
 use super::inputs::{all_numbers, assumptions};
 use super::page::Page;
 use super::wings::Wings;
@@ -19,8 +20,8 @@ pub struct StudyParts {
     pub wings: Wings,
     /// What its designs assume, design by design.
     pub assumed: Vec<(String, Vec<Assumption>)>,
-    /// Its diagnosis, if one was made.
-    pub diagnosis: Option<DiagnosisReport>,
+    /// Its diagnosis, if one was made, and the effects of that at work.
+    pub diagnosis: Option<(DiagnosisReport, Vec<EffectAtWork>)>,
 }
 
 /// The report of a study.
@@ -38,8 +39,8 @@ pub fn page(report: &StudyReport, parts: &StudyParts) -> Result<Page, ExportErro
     };
     page.section("wing", "The wings", parts.wings.section()?);
     page.add(&answer, document)?;
-    if let Some(found) = &parts.diagnosis {
-        diagnosis::add(&mut page, &comparison.study, found)?;
+    if let Some((found, at_work)) = &parts.diagnosis {
+        diagnosis::add(&mut page, &comparison.study, found, at_work)?;
     }
     page.section("inputs", "Assumed inputs", assumptions(&parts.assumed));
     page.section("data", "Data", data);
