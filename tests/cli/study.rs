@@ -298,6 +298,12 @@ fn a_study_and_its_diagnosis_are_reported_with_every_wing_before_and_after() {
         ]
     );
     assert!(page.contains("<details><summary>rod-shear-modulus against the residual</summary>"));
+    let drawn = page.split("<figure>").nth(1).expect("an effect at work");
+    assert!(
+        drawn.contains("<strong>rod-shear-modulus</strong> ")
+            && drawn.contains("It changes the rod from 0.00 to "),
+        "{drawn}"
+    );
 
     assert_eq!(run(&["compare", "study.toml", "--quiet"]).code, Some(0));
     let said = run(&["report", "output/bench-compare", "--quiet"]);
