@@ -75,6 +75,11 @@ fn sentence(error: &clap::Error) -> Option<String> {
         ErrorKind::UnknownArgument if argument.starts_with('=') => {
             "=: a setting is one word. Write it without spaces about the sign: --set KEY=VALUE".to_string()
         }
+        ErrorKind::UnknownArgument if argument == "--with" => {
+            "--with: only diagnose and compare take a design with a table. For all else make a study of them: washout init NAME --study \
+             --design DESIGN --readings TABLE"
+                .to_string()
+        }
         ErrorKind::UnknownArgument if argument.starts_with('-') => {
             format!(
                 "{argument}: there is no such option here{}",

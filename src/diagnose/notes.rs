@@ -37,8 +37,8 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
     let of_motion = of_motion(baseline);
     if !is_nothing && !of_motion.is_empty() {
         notes.push(format!(
-            "{} rest on the motion of the wing over the stroke; near a resonance errors of a percent turn their signatures, \
-             so that they can be missed or taken for another there.",
+            "Made from the motion of the wing over the stroke: {}. Near a resonance errors of a percent turn such signatures, so that they \
+             can be missed or taken for another there.",
             of_motion.join(", ")
         ));
     }

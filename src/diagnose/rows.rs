@@ -133,14 +133,17 @@ fn place(baseline: &Baseline, k: usize, found: Option<[f64; 2]>) -> Option<Place
         parameter,
         numbers,
         wing,
+        rod_mm,
         ..
     } = &own.kind
     else {
         return None;
     };
+    let value = found.map_or(own.mean, |[value, _]| value);
     Some(PlaceFound {
         parameter: parameter.clone(),
-        value: found.map_or(own.mean, |[value, _]| value),
+        value,
+        at_mm: rod_mm.map(|rod_mm| value * rod_mm),
         standard_error: found.map(|[_, error]| error),
         unit: own.unit.clone(),
         numbers: numbers.clone(),

@@ -149,6 +149,9 @@ pub struct PlaceFound {
     pub parameter: String,
     /// Its value.
     pub value: f64,
+    /// The same from the wing base, mm, where it is a fraction of the length of a rod.
+    #[serde(default)]
+    pub at_mm: Option<f64>,
     /// Its standard error; none if it was not fitted.
     pub standard_error: Option<f64>,
     /// Unit of both; `1` if they have none.

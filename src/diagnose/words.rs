@@ -169,7 +169,12 @@ fn place(place: &PlaceFound) -> String {
         .as_ref()
         .map_or(String::new(), |wing| format!(" on {wing}"));
     let unit = match place.unit.as_str() {
-        "1" if place.parameter == "from" => " of the rod's length".to_string(),
+        "1" if place.parameter == "from" => {
+            let at = place
+                .at_mm
+                .map_or(String::new(), |mm| format!(" ({} mm)", short(mm)));
+            format!(" of the rod's length{at}")
+        }
         "1" => String::new(),
         unit => format!(" {unit}"),
     };

@@ -69,25 +69,25 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
         sections: Vec::new(),
     };
     page.section("hypotheses", "Hypotheses", hypotheses(found));
+    page.section(
+        "ladder",
+        "Error from the uncalibrated model down to the noise",
+        errors(study, found),
+    );
+    page.section("predictions", "Held-out cases", predictions(&found.predictions));
+    page.section("misfit", "Where the calibrated model fails", misfit(study, found));
+    page.section(
+        "missing",
+        "What is missing, along the span",
+        missing(study, found),
+    );
+    page.section("next", "What to measure next", next(found));
     page.section("effects", "Effects, each alone", effects(study, found));
     page.section(
         "likely",
         "How likely each is, and what looks like it",
         vec![Part::Table(likely(&found.effects))],
     );
-    page.section("misfit", "Where the calibrated model fails", misfit(study, found));
-    page.section(
-        "ladder",
-        "Error from the uncalibrated model down to the noise",
-        errors(study, found),
-    );
-    page.section(
-        "missing",
-        "What is missing, along the span",
-        missing(study, found),
-    );
-    page.section("predictions", "Held-out cases", predictions(&found.predictions));
-    page.section("next", "What to measure next", next(found));
     page.section("notes", "Noise and notes", notes(found));
     page
 }

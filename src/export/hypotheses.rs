@@ -94,10 +94,24 @@ pub fn falls(found: &Diagnosis) -> String {
     };
     let channel = first.channel.name().replace('_', " ");
     format!(
-        "Error of the {channel}, rms in {}: {}{scatter}.{held_out}",
+        "Error of the {channel}, rms in {}: {}{scatter}.{held_out}{}",
         first.channel.unit(),
         list(|step| Some(step.in_sample)),
+        rest(found, models.last().copied(), noise.first().copied())
     )
+}
+
+/// Where nothing is missing: what the error is that scatter does not explain.
+fn rest(found: &Diagnosis, last: Option<&LadderStep>, noise: Option<&LadderStep>) -> String {
+    let is_more = |last: &LadderStep, noise: &LadderStep| last.in_sample > AS_SCATTER * noise.in_sample;
+    match (last, noise) {
+        (Some(last), Some(noise)) if found.verdict == Verdict::Nothing && is_more(last, noise) => format!(
+            " What scatter does not explain is smooth along the span and alike in every condition, as errors of the model's own formulas and \
+             mesh are (its formulas are off by {} % here).",
+            significant(100.0 * found.noise.formulation, 2)
+        ),
+        _ => String::new(),
+    }
 }
 
 /// What the most probable effects are, and what their strengths mean; where nothing is missing, what could not have been seen.

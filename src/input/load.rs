@@ -12,7 +12,7 @@ use super::error::{InputError, Problem};
 use super::file;
 use super::form;
 use super::keys;
-use super::measurement::Measurement;
+use super::measurement::{Measurement, STATION_COLUMNS};
 use super::named::{named_file, read_mesh};
 use super::set::Setting;
 use crate::origin::InputFile;
@@ -286,7 +286,7 @@ fn measured_case(root: &Node, design: &Design, path: &Path) -> Result<Measuremen
             cure,
         ));
     }
-    rows.check_stations(design)?;
+    rows.check_stations(design, STATION_COLUMNS)?;
     Ok(rows)
 }
 

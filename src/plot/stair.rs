@@ -137,9 +137,11 @@ impl Stair {
         for (rank, &(group, level)) in known.iter().enumerate() {
             let (x, y) = (self.across(axes, index, group), axes.height(level));
             let is_left = 2 * group + 1 < self.groups.len();
+            // below there would be the names of the steps
+            let is_low = y + 18.0 > axes.y[0];
             let (at, align) = match rank {
                 0 => ([x, y - 11.0], Align::Centre),
-                rank if rank == last => ([x, y + 12.0], Align::Centre),
+                rank if rank == last && !is_low => ([x, y + 12.0], Align::Centre),
                 _ if is_left => ([x - 8.0, y], Align::Right),
                 _ => ([x + 8.0, y], Align::Left),
             };

@@ -81,6 +81,8 @@ pub enum UnknownKind {
         numbers: BTreeMap<String, f64>,
         /// The wing on which it acts; all where none is named.
         wing: Option<String>,
+        /// Length of the rod that it is a fraction of, mm; none if it is no such fraction, or the wings have several lengths.
+        rod_mm: Option<f64>,
     },
     /// The strength of an effect.
     Effect {

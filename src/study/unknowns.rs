@@ -5,10 +5,14 @@ use super::error::StudyError;
 use super::forward::{Observable, Unknown, UnknownKind};
 use super::unnamed::UNNAMED;
 use crate::effects::{Card, Effect, OWN_ERROR, Places, acting, named};
+use crate::input::Design;
 use crate::input::study::{LoadedStudy, Ruler, RulerKind, Uncertain};
 
 /// Half-width of the range of an unknown that states none, in standard deviations.
 const WIDE: f64 = 4.0;
+
+/// The number by which an effect on the rod says where it begins, as a fraction of the rod's length.
+const ALONG_ROD: &str = "from";
 
 /// Where an unknown acts.
 #[derive(Debug, Clone, PartialEq)]
@@ -314,8 +318,10 @@ impl Targets {
                 if touched.is_empty() {
                     continue;
                 }
+                let rod_mm = rod_mm(touched.iter().map(|&index| &cases[index].design));
                 for &place in places.at {
-                    self.add_place(&card, places, (place, spar, wing), touched.clone());
+                    let at = (place, spar, wing);
+                    self.add_place(&card, places, at, rod_mm, touched.clone());
                 }
             }
         }
@@ -327,6 +333,7 @@ impl Targets {
         card: &Card,
         places: &Places,
         (place, spar, wing): (f64, Option<usize>, Option<&str>),
+        rod_mm: Option<f64>,
         cases: Vec<usize>,
     ) {
         let key = |parameter: usize| format!("effects.{}.{}", card.name, card.parameters[parameter].name);
@@ -360,6 +367,7 @@ impl Targets {
                 parameter: parameter.name.to_string(),
                 numbers: numbers.collect(),
                 wing: wing.map(str::to_string),
+                rod_mm: rod_mm.filter(|_| parameter.name == ALONG_ROD),
             },
             mean: place,
             sigma: places.reach,
@@ -371,6 +379,13 @@ impl Targets {
         let key = key(places.parameter);
         self.add(unknown, Target::Place { key, strength, cases }, place);
     }
+}
+
+/// Length of the rod, mm; none where designs differ in it.
+fn rod_mm<'a>(designs: impl Iterator<Item = &'a Design>) -> Option<f64> {
+    let mut lengths = designs.map(|design| design.rod.last().map(|last| last.to_mm.value()));
+    let first = lengths.next()??;
+    lengths.all(|other| other == Some(first)).then_some(first)
 }
 
 /// The strength of an effect, as an unknown of that name.

@@ -46,6 +46,7 @@ pub fn with_places(mut toy: Toy) -> Toy {
             parameter: "place".into(),
             numbers: BTreeMap::new(),
             wing: None,
+            rod_mm: None,
         },
         mean: place,
         sigma: 0.05,

@@ -114,12 +114,17 @@ fn what_the_table_leaves_out_is_assumed_and_told() {
         "instrument: chord_rotation",
         "sigma of twist: 0.5 deg",
         "run: one",
+        "unit of stations: mm",
     ] {
         assert!(bare.iter().any(|own| own.starts_with(words)), "{words}: {bare:?}");
     }
     let full =
         "r (mm),case,twist (deg),sigma,sign,instrument,run\n20,\"22 Hz, 30 deg\",4,0.25,nose up,camera,a\n";
-    assert_eq!(told(full), ["root.chord: \"free\", of the design"]);
+    let of_design = [
+        "root.chord: \"free\", of the design",
+        "rod[0].section.flat: \"in-plane\", of the design",
+    ];
+    assert_eq!(told(full), of_design);
     let row = understood(full).measurement.rows.remove(0);
     assert_eq!(
         (row.value, row.sigma, row.sigma_kind),
@@ -175,7 +180,26 @@ fn natural_mistakes_are_refused_with_place_and_cure() {
             "sheet.csv:2: column \"22 Hz\" = 4.x: is no number",
             "12.4",
         ),
-        ("r;22 Hz\n20;4,5\n30;4.5\n", "decimal comma", "Line 3"),
+        (
+            "r;22 Hz\n20;4,5\n30;4.5\n",
+            "sheet.csv:2",
+            "With a decimal point: 1, first on line 3",
+        ),
+        (
+            "r;18 Hz;22 Hz\n20;4,5;5,5\n30;4,5;5.5\n",
+            "sheet.csv:3: column \"22 Hz\" = 5.5: has a decimal point",
+            "With a decimal comma: 3, first on line 2",
+        ),
+        (
+            "r,-18 Hz,22 Hz\n20,4,5\n",
+            "sheet.csv:1: column \"-18 Hz\": flapping.frequency_hz = -18: must lie in 0.1",
+            "hertz",
+        ),
+        (
+            "r (cm),22 Hz\n20,4\n30,5\n",
+            "the innermost is 200 mm",
+            "Is another unit meant?",
+        ),
         ("r;22 Hz\n20;1.234,5\n", "is no number", "12.4"),
         (
             "r,22 Hz\n20,4,5\n",
@@ -184,7 +208,7 @@ fn natural_mistakes_are_refused_with_place_and_cure() {
         ),
         ("r,22 Hz\n20,4\n20,5\n", "sheet.csv:3", "column run"),
         ("r,22 Hz,22Hz\n20,4,5\n", "stands twice", "column run"),
-        ("r,22 Hz\n500,4\n", "r_mm = 500", "mm long"),
+        ("r,22 Hz\n500,4\n", "sheet.csv:2: r = 500", "mm long"),
         ("r,22 Hz\n20,400\n", "out of range", "180"),
         (
             "r,22 Hz,sigma\n20,4,0\n",
@@ -220,6 +244,17 @@ fn natural_mistakes_are_refused_with_place_and_cure() {
         let error = read(text).expect_err(text).to_string();
         assert!(error.contains(place) && error.contains(cure), "{text}\n{error}");
     }
+}
+
+#[test]
+fn a_standard_deviation_in_a_unit_that_no_reading_has_is_refused() {
+    let sigma = "0.25 mm".parse().expect("a standard deviation");
+    let read = Sheet::from_text("r,22 Hz\n20,4\n", "sheet.csv", wing(), &sigma);
+    let error = read.expect_err("no reading in mm").to_string();
+    assert!(
+        error.contains("--sigma: 0.25 mm is of no reading of sheet.csv, whose unit is deg"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -262,6 +297,36 @@ fn a_condition_that_lacks_what_others_name_is_told() {
         "{assumed:?}"
     );
     assert_eq!(sheet.doubts, [""; 0]);
+}
+
+#[test]
+fn a_twist_that_the_other_conditions_do_not_lead_to_is_told_though_its_neighbours_are_rough() {
+    let profile = [9.2, 12.4, 15.3, 15.0, 18.3, 22.4, 19.5, 21.4];
+    // not quite in proportion, and read to 0.1 deg
+    let twist = |condition: usize, station: usize| {
+        let share = 1.0 + 0.13 * condition as f64 - 0.004 * (condition * station) as f64;
+        (10.0 * share * profile[station]).round() / 10.0
+    };
+    for conditions in [3, 4] {
+        let told = |slip: Option<(usize, usize, f64)>| {
+            let heads: Vec<String> = (0..conditions).map(|k| format!("{} Hz", 14 + 2 * k)).collect();
+            let rows = (0..profile.len()).map(|station| {
+                let cells = (0..conditions).map(|condition| match slip {
+                    Some((c, s, value)) if (c, s) == (condition, station) => value.to_string(),
+                    _ => twist(condition, station).to_string(),
+                });
+                format!("{},{}\n", 20 + 5 * station, cells.collect::<Vec<_>>().join(","))
+            });
+            let text = format!("r,{}\n{}", heads.join(","), rows.collect::<String>());
+            understood(&text).doubts
+        };
+        assert_eq!(told(None), [""; 0]);
+        for (condition, station) in (0..conditions).flat_map(|c| (0..profile.len()).map(move |s| (c, s))) {
+            let said = told(Some((condition, station, twist(condition, station) + 8.0)));
+            let place = format!("Line {}, {}hz: ", station + 2, 14 + 2 * condition);
+            assert!(said.len() == 1 && said[0].starts_with(&place), "{place}{said:?}");
+        }
+    }
 }
 
 #[test]

@@ -71,7 +71,9 @@ pub fn explained(campaign: &Campaign, found: &Diagnosis, progress: &Progress) ->
     }
     let state = format!("with {}", first.effects.join(" + "));
     let mut wings = wings(campaign, &state, &at, progress)?;
-    wings.notes.push(format!("{state}: all else uncalibrated."));
+    wings
+        .notes
+        .push(format!("In the wings {state} all else is uncalibrated."));
     Ok(wings)
 }
 

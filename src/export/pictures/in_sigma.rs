@@ -78,8 +78,8 @@ pub fn of_diagnosis(study: &str, points: &[AddedPoint]) -> Figure {
             }],
         })],
         columns: None,
-        caption: "Orange: measured above modelled; blue: below. Fitted numbers only; σ is that of the \
-                  noise that the data show."
+        caption: "Orange: measured above modelled; blue: below. Fitted numbers only, standardised by the noise that the data show and by \
+                  errors of the model, which neighbours share: the more of these, the smaller than residual over scatter."
             .to_string(),
     }
 }

@@ -121,6 +121,9 @@ pub enum Bound {
     Lower,
 }
 
+/// The columns of a measurement file that hold stations.
+pub const STATION_COLUMNS: [&str; 2] = ["r_mm", "r_to_mm"];
+
 /// Columns of a measurement file, in the order in which they are written.
 pub const COLUMNS: [&str; 12] = [
     "case",
@@ -267,7 +270,7 @@ impl Measurement {
     }
 
     /// Refuses stations that do not lie on the wing.
-    pub fn check_stations(&self, design: &Design) -> Result<(), InputError> {
+    pub fn check_stations(&self, design: &Design, columns: [&str; 2]) -> Result<(), InputError> {
         let range = Range {
             low: 0.0,
             high: design.planform.length_mm.value(),
@@ -275,7 +278,7 @@ impl Measurement {
             unit: "mm",
         };
         for row in &self.rows {
-            for (column, station) in [("r_mm", row.r_mm), ("r_to_mm", row.r_to_mm)] {
+            for (column, station) in columns.into_iter().zip([row.r_mm, row.r_to_mm]) {
                 if let Some(station) = station
                     && !range.contains(station)
                 {

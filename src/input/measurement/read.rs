@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use super::row::{identity, read_row};
-use super::{COLUMNS, Made, Measurement, OPTIONAL_COLUMNS, Row, refuse_planned};
+use super::{COLUMNS, Made, Measurement, OPTIONAL_COLUMNS, Row, STATION_COLUMNS, refuse_planned};
 use crate::input::design::Design;
 use crate::input::error::InputError;
 use crate::input::file;
@@ -65,7 +65,7 @@ impl Measurement {
             }
         };
         let rows = all.case(&case);
-        rows.check_stations(design)?;
+        rows.check_stations(design, STATION_COLUMNS)?;
         refuse_planned(&all.file, &rows.rows)?;
         Ok(rows)
     }

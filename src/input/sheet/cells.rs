@@ -14,8 +14,9 @@ pub struct Cells<'a> {
     pub columns: &'a [Column],
     /// Name and value of what is assumed, each once.
     pub assumed: Vec<[String; 2]>,
-    /// Where the first decimal comma and the first decimal point stand.
+    /// Where the first decimal comma and the first decimal point stand, and how many there are of each.
     marks: [Option<(usize, String, String)>; 2],
+    counts: [usize; 2],
 }
 
 impl<'a> Cells<'a> {
@@ -25,6 +26,7 @@ impl<'a> Cells<'a> {
             columns,
             assumed: Vec::new(),
             marks: [None, None],
+            counts: [0, 0],
         }
     }
 
@@ -37,15 +39,25 @@ impl<'a> Cells<'a> {
 
     /// Numbers with decimal comma beside numbers with decimal point.
     pub fn marks_differ(&self) -> Checked<()> {
-        let [Some((line, column, value)), Some((other, ..))] = &self.marks else {
+        let [Some(comma), Some(point)] = &self.marks else {
             return Ok(());
         };
+        // the rarer is the slip
+        let commas = ("comma", comma, self.counts[0]);
+        let points = ("point", point, self.counts[1]);
+        let (few, many) = match self.counts[0] <= self.counts[1] {
+            true => (commas, points),
+            false => (points, commas),
+        };
         let cure = format!(
-            "Line {other} has a decimal point: write all numbers alike, without marks for thousands; in a workbook make the cell \
-                     a number, not text"
+            "Write all numbers alike, without marks for thousands; in a workbook make the cell a number, not text. With a decimal {}: \
+             {}, first on line {}",
+            many.0, many.2, many.1.0
         );
-        let message = "has a decimal comma";
-        Err(self.grid.fault(*line, column, value, message, cure))
+        let (line, column, value) = few.1;
+        Err(self
+            .grid
+            .fault(*line, column, value, &format!("has a decimal {}", few.0), cure))
     }
 
     pub fn head(&self, column: &Column) -> &str {
@@ -107,6 +119,7 @@ impl<'a> Cells<'a> {
         if let Some(mark) = mark {
             let place = (line.number, self.head(column).to_string(), cell.to_string());
             self.marks[mark].get_or_insert(place);
+            self.counts[mark] += 1;
         }
         match text.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(Some(number * column.factor)),

@@ -36,23 +36,116 @@ pub fn doubts(
     let mut doubts = Vec::new();
     doubts.extend(of_stations(table, design)?);
     doubts.extend(of_twists(table, columns));
-    doubts.extend(of_slips(table));
+    let among = of_slips_among(table);
+    let slips = of_slips(table);
+    // at the end of a wing its neighbour may seem the one that slipped
+    let is_other = |slip: &&Slip| among.iter().all(|known| known.case != slip.case);
+    doubts.extend(
+        slips
+            .iter()
+            .filter(is_other)
+            .chain(&among)
+            .map(|slip| slip.words.clone()),
+    );
     doubts.extend(of_amplitude(conditions, design));
     doubts.extend(of_conditions(conditions));
     Ok(doubts)
 }
 
-/// Twists that stand alone among their neighbours, the worst of each condition.
-fn of_slips(table: &Measurement) -> Vec<String> {
+/// A twist that may be a slip of the keys.
+struct Slip {
+    case: String,
+    words: String,
+}
+
+/// The twist that stands alone against what the other conditions lead one to expect: each is about a share of its station and a share of its condition.
+fn of_slips_among(table: &Measurement) -> Option<Slip> {
     let twists = table.rows.iter().filter(|row| row.channel == Channel::Twist);
+    let runs = runs(twists);
+    let of = |run: &[&Row], r_mm: Option<f64>| run.iter().find(|row| row.r_mm == r_mm).map(|row| row.value);
+    let median = |mut values: Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        let middle = values.len() / 2;
+        let upper = *values.get(middle)?;
+        Some(if values.len() % 2 == 1 {
+            upper
+        } else {
+            0.5 * (upper + values[middle - 1])
+        })
+    };
+    let expected = |own: &[&Row], row: &Row| -> Option<f64> {
+        let others = runs
+            .iter()
+            .filter(|other| other[0].case != own[0].case || other[0].run != own[0].run);
+        let by_other = others.filter_map(|other| {
+            let there = of(other, row.r_mm)?;
+            let ratios = own
+                .iter()
+                .filter(|near| near.r_mm != row.r_mm)
+                .filter_map(|near| {
+                    let ratio = near.value / of(other, near.r_mm)?;
+                    ratio.is_finite().then_some(ratio)
+                });
+            let ratios: Vec<f64> = ratios.collect();
+            (ratios.len() + 1 >= ENOUGH).then_some(there * median(ratios)?)
+        });
+        let by_other: Vec<f64> = by_other.collect();
+        // of two, which slipped cannot be told
+        if by_other.len() < 2 {
+            None
+        } else {
+            median(by_other)
+        }
+    };
+    let off = |(own, row): (&Vec<&Row>, &Row)| {
+        let expected = expected(own, row)?;
+        Some((
+            row.line,
+            row.case.clone(),
+            row.value,
+            row.r_mm,
+            row.sigma,
+            expected,
+        ))
+    };
+    let cells = runs.iter().flat_map(|run| run.iter().map(move |row| (run, *row)));
+    let offs: Vec<_> = cells.filter_map(off).collect();
+    let usual = median(
+        offs.iter()
+            .map(|(_, _, value, .., expected)| (value - expected).abs())
+            .collect(),
+    )?;
+    let worst = offs
+        .into_iter()
+        .max_by(|a, b| (a.2 - a.5).abs().total_cmp(&(b.2 - b.5).abs()))?;
+    let (line, case, value, r_mm, sigma, expected) = worst;
+    let off = (value - expected).abs();
+    (off > SLIP.0 * usual && off > SLIP.1 * sigma).then(|| {
+        let words = format!(
+            "Line {line}, {case}: {value} deg at {} mm, where the other conditions lead to about {expected:.1} deg: is it a slip of the keys?",
+            r_mm.unwrap_or_default()
+        );
+        Slip { case, words }
+    })
+}
+
+/// Rows of one condition and run each.
+fn runs<'a>(rows: impl Iterator<Item = &'a Row>) -> Vec<Vec<&'a Row>> {
     let mut runs: Vec<Vec<&Row>> = Vec::new();
-    for row in twists {
+    for row in rows {
         let is_same = |run: &&mut Vec<&Row>| run[0].case == row.case && run[0].run == row.run;
         match runs.iter_mut().find(is_same) {
             Some(run) => run.push(row),
             None => runs.push(vec![row]),
         }
     }
+    runs
+}
+
+/// Twists that stand alone among their neighbours, the worst of each condition.
+fn of_slips(table: &Measurement) -> Vec<Slip> {
+    let twists = table.rows.iter().filter(|row| row.channel == Channel::Twist);
+    let mut runs = runs(twists);
     runs.retain(|run| run.len() >= ENOUGH);
     for run in &mut runs {
         run.sort_by(|a, b| a.r_mm.partial_cmp(&b.r_mm).unwrap_or(std::cmp::Ordering::Equal));
@@ -78,14 +171,16 @@ fn of_slips(table: &Measurement) -> Vec<String> {
             let beside: Vec<String> = beside
                 .filter_map(|at| Some(run.get(at)?.value.to_string()))
                 .collect();
-            format!(
+            let words = format!(
                 "Line {}, {}: {} deg at {} mm beside {} deg: is it a slip of the keys?",
                 row.line,
                 row.case,
                 row.value,
                 row.r_mm.unwrap_or_default(),
                 beside.join(" and ")
-            )
+            );
+            let case = row.case.clone();
+            Slip { case, words }
         })
     };
     lone.iter().filter_map(told).collect()
@@ -132,6 +227,17 @@ fn of_stations(table: &Measurement, design: &Design) -> Result<Option<String>, I
         .iter()
         .filter(|r| **r > 0.0 && **r < METRES * length)
         .count();
+    let nearest = stations
+        .iter()
+        .filter(|r| **r > 0.0)
+        .fold(f64::INFINITY, |near, r| near.min(*r));
+    if stations.len() > 1 && nearest.is_finite() && nearest > length {
+        let message = format!(
+            "has no station on the wing: the innermost is {nearest} mm, the wing is {length} mm long"
+        );
+        let cure = "Is another unit meant? Write it above them, e.g. r (mm); stations are counted from the wing base".to_string();
+        return Err(InputError::about_file(&table.file, message, cure));
+    }
     if farthest > 0.0 && farthest < METRES * length {
         let message = format!("has no station beyond {farthest} mm of a wing that is {length} mm long");
         let cure = format!(

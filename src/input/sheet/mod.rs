@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use super::design::Design;
+use super::design::{Design, Section};
 use super::error::InputError;
 use super::load::Loaded;
 use super::measurement::{Made, Measurement, SigmaKind};
@@ -19,6 +19,8 @@ mod grid;
 mod header;
 
 mod of_design;
+
+mod row_condition;
 
 mod rows;
 
@@ -88,9 +90,18 @@ impl Sheet {
             made: Made::of_file(&format!("# {}\n", grid.comments.join("\n# ")), &grid.input.file)?,
             rows: read.rows,
         };
+        sigma_is_used(&measurement, sigma)?;
         let doubts = doubts::doubts(&measurement, &columns, &read.conditions, &loaded.design)?;
         let doubts: Vec<String> = doubts.into_iter().chain(of_sigma(&measurement, sigma)).collect();
-        measurement.check_stations(&loaded.design)?;
+        let head = |role: header::Role, usual: &str| {
+            let own = columns.iter().find(|column| column.role == role);
+            own.map_or(usual.to_string(), |own| grid.head.cells[own.place].clone())
+        };
+        let heads = [
+            head(header::Role::Station, "station"),
+            head(header::Role::StationTo, "r_to"),
+        ];
+        measurement.check_stations(&loaded.design, [&heads[0], &heads[1]])?;
         let mut understood = vec![["file".to_string(), grid.dialect.clone()]];
         let heads = columns.iter().map(|column| {
             let name = grid.head.cells.get(column.place).cloned().unwrap_or_default();
@@ -100,6 +111,7 @@ impl Sheet {
         let mut assumed = read.assumed;
         assumed.extend(condition::of_design(&read.conditions, &loaded.design));
         assumed.extend(choice(&loaded.design));
+        assumed.extend(flats(&loaded.design));
         Ok(Sheet {
             families: condition::families(&read.conditions),
             loaded,
@@ -116,6 +128,39 @@ fn choice(design: &Design) -> Option<[String; 2]> {
     design.film.as_ref()?;
     let word = toml::Value::try_from(design.root.chord).ok()?;
     Some(["root.chord".to_string(), format!("{word}, of the design")])
+}
+
+/// How the flat of each half-round lies, which its shape alone does not say.
+fn flats(design: &Design) -> impl Iterator<Item = [String; 2]> {
+    let pieces = design.rod.iter().enumerate();
+    pieces.filter_map(|(index, piece)| {
+        let Section::HalfRound { flat, .. } = &piece.section else {
+            return None;
+        };
+        let word = toml::Value::try_from(flat).ok()?;
+        Some([
+            format!("rod[{index}].section.flat"),
+            format!("{word}, of the design"),
+        ])
+    })
+}
+
+/// Refuses a standard deviation in a unit that no reading has.
+fn sigma_is_used(table: &Measurement, sigma: &Sigmas) -> Result<(), InputError> {
+    let units: BTreeSet<&str> = table.rows.iter().map(|row| row.channel.unit()).collect();
+    let Some((unit, value)) = sigma.of_units().find(|(unit, _)| !units.contains(unit)) else {
+        return Ok(());
+    };
+    let have: Vec<&str> = units.into_iter().collect();
+    Err(InputError::about_file(
+        "--sigma",
+        format!(
+            "{value} {unit} is of no reading of {}, whose unit is {}",
+            table.file,
+            have.join(" or ")
+        ),
+        format!("Write e.g. --sigma \"{value} {}\"", have[0]),
+    ))
 }
 
 /// That one standard deviation without a unit was taken for readings of several.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::cells::{Cells, Checked};
-use super::condition::{Condition, Point, key, numbers};
+use super::condition::Condition;
 use super::grid::{Grid, Line};
 use super::header::{Column, Role, reading_factor};
 use super::sigmas::Sigmas;
@@ -36,11 +36,11 @@ pub struct Read {
 
 /// Reads a table.
 pub struct Reader<'a> {
-    cells: Cells<'a>,
-    design: &'a Design,
+    pub(super) cells: Cells<'a>,
+    pub(super) design: &'a Design,
     sigma: &'a Sigmas,
-    rows: Vec<Row>,
-    conditions: Vec<Condition>,
+    pub(super) rows: Vec<Row>,
+    pub(super) conditions: Vec<Condition>,
 }
 
 impl<'a> Reader<'a> {
@@ -125,7 +125,7 @@ impl<'a> Reader<'a> {
             let cure = format!("{} must lie in {}", channel.name(), channel.range());
             return Err(self.cells.refuse(line, column, "is out of range", cure));
         }
-        let condition = self.condition(line, points.clone())?;
+        let condition = self.condition(line, column, points.clone())?;
         self.rows.push(Row {
             line: line.number,
             case: condition,
@@ -223,7 +223,14 @@ impl<'a> Reader<'a> {
     ) -> Checked<[Option<f64>; 2]> {
         let r_mm = match station {
             Some(station) => Some(station),
-            None => self.cells.number_of(line, |role| *role == Role::Station)?,
+            None => {
+                let columns = self.cells.columns;
+                let column = columns.iter().find(|column| column.role == Role::Station);
+                if column.is_some_and(|column| !column.has_unit) {
+                    self.cells.assume("unit of stations", "mm");
+                }
+                self.cells.number_of(line, |role| *role == Role::Station)?
+            }
         };
         let r_to_mm = self.cells.number_of(line, |role| *role == Role::StationTo)?;
         if (channel.has_station() && r_mm.is_none()) || (channel == Channel::TwistRate && r_to_mm.is_none()) {
@@ -304,97 +311,6 @@ impl<'a> Reader<'a> {
         Ok((sigma, false))
     }
 
-    /// The name of the condition of a reading of which the head names these points.
-    fn condition(&mut self, line: &Line, mut points: Vec<Point>) -> Checked<String> {
-        for column in self.cells.columns {
-            if let Role::Key(key) = &column.role
-                && let Some(value) = self.cells.number(line, column)?
-            {
-                points.push(Point {
-                    key: key.clone(),
-                    value,
-                });
-            }
-        }
-        let named = self.cells.word(line, "case");
-        if let Some((cell, column)) = named {
-            self.points_of_name(line, (cell, column), &mut points)?;
-        }
-        let once = self.once(line, points)?;
-        let name = named.map_or(self.design.name.as_str(), |(cell, _)| cell);
-        let condition = Condition {
-            points: once,
-            name: name.replace(['{', '}'], ""),
-        };
-        let case = condition.case();
-        if !self.conditions.iter().any(|known| known.case() == case) {
-            if condition.points.is_empty() {
-                self.cells.assume("condition", "the design as it stands");
-            }
-            self.conditions.push(condition);
-        }
-        Ok(case)
-    }
-
-    /// Adds the points that the name of a condition holds.
-    fn points_of_name(
-        &self,
-        line: &Line,
-        (cell, column): (&str, &Column),
-        points: &mut Vec<Point>,
-    ) -> Checked<()> {
-        let refuse = |message: &str, cure: String| Err(self.cells.refuse(line, column, message, cure));
-        let found = numbers(cell).0;
-        if found.is_empty()
-            && points.is_empty()
-            && cell != self.design.name
-            && cell.contains(|c: char| c.is_ascii_digit())
-        {
-            let digits: String = cell
-                .chars()
-                .skip_while(|c| !c.is_ascii_digit())
-                .take_while(|c| c.is_ascii_digit() || *c == '.')
-                .collect();
-            let cure = format!(
-                "Did you mean {digits} Hz? Write the number with its unit, or name a column frequency (Hz)"
-            );
-            return refuse("names a condition without a unit", cure);
-        }
-        for (value, kind) in found {
-            match key(kind, self.design) {
-                Ok(key) => points.push(Point {
-                    key: key.to_string(),
-                    value,
-                }),
-                Err(cure) => {
-                    return refuse(
-                        &format!("names {}, which the design has not", kind.words(value)),
-                        cure,
-                    );
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// The points, each key once.
-    fn once(&self, line: &Line, points: Vec<Point>) -> Checked<Vec<Point>> {
-        let mut once: Vec<Point> = Vec::new();
-        for point in points {
-            match once.iter().find(|known| known.key == point.key) {
-                None => once.push(point),
-                Some(known) if known.value == point.value => {}
-                Some(known) => {
-                    let message = format!("sets {} to {} and to {}", point.key, known.value, point.value);
-                    let cure = "State it once, in the head or in the row".to_string();
-                    let grid = self.cells.grid;
-                    return Err(grid.fault(line.number, "condition", "", &message, cure));
-                }
-            }
-        }
-        Ok(once)
-    }
-
     fn rows_repeat(&self) -> Checked<()> {
         let mut seen = HashMap::new();
         for row in &self.rows {
@@ -412,24 +328,5 @@ impl<'a> Reader<'a> {
             }
         }
         Ok(())
-    }
-
-    /// Conditions that differ by name alone would all be the same wing at the same point.
-    fn names_differ(&self) -> Checked<()> {
-        let mut plain = self
-            .conditions
-            .iter()
-            .filter(|condition| condition.points.is_empty());
-        let (Some(first), Some(second)) = (plain.next(), plain.next()) else {
-            return Ok(());
-        };
-        let row = self.rows.iter().find(|row| row.case == second.name);
-        let message = format!("differs from {} in its name alone", first.name);
-        let cure = "Say in what they differ: 22 Hz, or a column frequency (Hz)".to_string();
-        let line = row.map_or(self.cells.grid.head.number, |row| row.line);
-        Err(self
-            .cells
-            .grid
-            .fault(line, "condition", &second.name, &message, cure))
     }
 }

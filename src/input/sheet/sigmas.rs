@@ -33,6 +33,11 @@ impl Sigmas {
         own.map(|(_, sigma)| *sigma).or(self.any)
     }
 
+    /// Those that were given with a unit.
+    pub fn of_units(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        self.of_unit.iter().copied()
+    }
+
     /// The one that was given without a unit.
     pub fn any(&self) -> Option<f64> {
         self.any

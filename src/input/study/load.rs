@@ -14,7 +14,7 @@ use crate::input::design::Design;
 use crate::input::document::Node;
 use crate::input::error::{InputError, Problem};
 use crate::input::load::Loaded;
-use crate::input::measurement::{Made, Measurement, Row, refuse_planned};
+use crate::input::measurement::{Made, Measurement, Row, STATION_COLUMNS, refuse_planned};
 use crate::input::{file, form, keys};
 use crate::origin::InputFile;
 
@@ -174,8 +174,8 @@ impl LoadedStudy {
             return Err(InputError::about_file(
                 &file::shown(path),
                 "is a design, not a study",
-                "A table of readings joins it: `washout diagnose DESIGN --with TABLE`. `washout solve` and `compare` take designs; a study \
-                 names designs and what was measured on them: `washout init NAME --study` writes one to start from",
+                "`washout init NAME --study --design DESIGN --readings TABLE` makes a study of it and of a table of readings. `washout diagnose` \
+                 and `compare` take the two as they are: DESIGN --with TABLE",
             ));
         }
         format_is_one(&root)?;
@@ -334,7 +334,7 @@ fn family(
         let changes = changes(case, table, from, &numbers)?;
         let loaded = Design::load(&design_path, &changes)?;
         let measurement = all.case(name);
-        measurement.check_stations(&loaded.design)?;
+        measurement.check_stations(&loaded.design, STATION_COLUMNS)?;
         let counts = |row: &Row| {
             case.channels
                 .as_ref()
