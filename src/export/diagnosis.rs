@@ -130,6 +130,7 @@ fn effects(study: &str, found: &Diagnosis) -> Vec<Part> {
              (absent: a third of the plausible size would have been seen).",
         )
         .most_in_text(SHOWN)
+        .folded(20, "Scores and strengths")
         .table();
     let mut parts = vec![Part::Table(table)];
     parts.extend(found.added_variables.iter().map(|plot| {
@@ -204,6 +205,7 @@ fn likely(effects: &[EffectRow]) -> Table {
              it. Looks like, and like: the two nearest other effects, the cosine between both signatures, and how far apart they are at the strength found.",
         )
         .most_in_text(SHOWN)
+        .folded(20, "Evidence and look-alikes")
         .table()
 }
 

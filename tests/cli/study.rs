@@ -301,7 +301,7 @@ fn a_study_and_its_diagnosis_are_reported_with_every_wing_before_and_after() {
     let drawn = page.split("<figure>").nth(1).expect("an effect at work");
     assert!(
         drawn.contains("<strong>rod-shear-modulus</strong> ")
-            && drawn.contains("It changes the rod from 0.00 to "),
+            && drawn.contains("It changes the elements of the rod from 0.00 to "),
         "{drawn}"
     );
 

@@ -118,7 +118,7 @@ fn stretch(mesh: &Mesh, changed: &[usize]) -> Option<String> {
         [] => None,
         [_] if is_at_root => Some("the root end of the rod".to_string()),
         _ => Some(format!(
-            "the rod from {} to {} mm",
+            "the elements of the rod from {} to {} mm",
             significant(1e3 * from_m, 3),
             significant(1e3 * to_m, 3)
         )),
@@ -308,7 +308,7 @@ mod tests {
         );
         assert_eq!(html.matches("class=\"film\"").count(), 3);
         for words in [
-            "It changes the rod from 25.0 to 50.0 mm, spar 1, the force of the air.",
+            "It changes the elements of the rod from 25.0 to 50.0 mm, spar 1, the force of the air.",
             "twist, deg: up to 10.0, with it 12.5",
             "lost torsional stiffness",
             "22&lt;hz",
