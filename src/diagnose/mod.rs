@@ -14,9 +14,13 @@ mod columns;
 
 pub mod data;
 
+mod digits;
+
 pub mod error;
 
 pub mod evidence;
+
+pub mod expected;
 
 pub mod fields;
 

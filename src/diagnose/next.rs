@@ -12,6 +12,7 @@ use crate::progress::Progress;
 use crate::study::{Cost, Fit, Forward, Observable, Proposal, Proposals, Unknown, UnknownKind, WarmStart};
 
 use super::error::DiagnoseError;
+use super::expected::{Expected, ExpectedReading};
 use super::posterior::SEPARATE;
 
 /// What could be measured next.
@@ -43,10 +44,15 @@ pub struct Candidate {
     pub name: String,
     /// Distance expected between the rivals, in standard deviations.
     pub separation_sigma: f64,
+    /// What the two most probable rivals predict for the reading of it that tells them apart best; none where nothing does.
+    #[serde(default)]
+    pub expected: Option<ExpectedReading>,
 }
 
 /// A rival explanation with its probability.
 pub struct Rival<'a> {
+    /// Its name.
+    pub name: String,
     /// Its probability.
     pub probability: f64,
     /// Its fit.
@@ -100,13 +106,17 @@ fn sentence(candidates: &[Candidate], is_listed: bool, is_decided: bool) -> Stri
     let Some(Candidate {
         name,
         separation_sigma,
+        expected,
     }) = candidates.first()
     else {
         return "No candidate experiment was listed.".into();
     };
+    let expected = expected
+        .as_ref()
+        .map_or(String::new(), |own| format!(" {}.", own.words()));
     match (*separation_sigma >= SEPARATE, is_listed, is_decided) {
         (true, ..) => format!(
-            "Measure {name} next: the rivals are expected {separation_sigma:.1} standard deviations apart there."
+            "Measure {name} next: the rivals are expected {separation_sigma:.1} standard deviations apart there.{expected}"
         ),
         (false, true, false) => format!(
             "No listed experiment can tell these apart; the best, {name}, puts them {separation_sigma:.1} standard deviations apart."
@@ -136,9 +146,13 @@ fn listed_ones(
         answers.push(answer(forward, listed, rival, None)?.0);
     }
     let observables = listed.observables();
-    let of = |(index, name): (usize, &String)| Candidate {
-        name: name.clone(),
-        separation_sigma: separation(&answers, rivals, observables, &|o| o.condition == index),
+    let of = |(index, name): (usize, &String)| {
+        let counts = |own: &Observable| own.condition == index;
+        Candidate {
+            name: name.clone(),
+            separation_sigma: separation(&answers, rivals, observables, &counts),
+            expected: expected(&answers, rivals, observables, &counts),
+        }
     };
     let names = listed.conditions().iter().map(|condition| &condition.name);
     Ok(names.enumerate().map(of).collect())
@@ -196,11 +210,13 @@ fn proposed(
         warm_start = left.or(warm_start);
     }
     let observables = campaign.observables();
-    let apart = |rows: &[&Observable]| Candidate {
-        name: proposal.words(rows),
-        separation_sigma: separation(&answers, rivals, observables, &|own| {
-            rows.iter().any(|row| std::ptr::eq(*row, own))
-        }),
+    let apart = |rows: &[&Observable]| {
+        let counts = |own: &Observable| rows.iter().any(|row| std::ptr::eq(*row, own));
+        Candidate {
+            name: proposal.words(rows),
+            separation_sigma: separation(&answers, rivals, observables, &counts),
+            expected: expected(&answers, rivals, observables, &counts),
+        }
     };
     let all: Vec<&Observable> = observables.iter().collect();
     let sets = all.chunks(match proposal.is_of_one_reading() {
@@ -246,6 +262,35 @@ fn separation(
     } else {
         0.0
     }
+}
+
+/// What the first two rivals predict for the reading that tells them apart best.
+fn expected(
+    answers: &[Answer],
+    rivals: &[Rival],
+    observables: &[Observable],
+    counts: &dyn Fn(&Observable) -> bool,
+) -> Option<ExpectedReading> {
+    let ([first, second], [a, b, ..]) = (answers.first_chunk()?, rivals) else {
+        return None;
+    };
+    let variance = |answer: &Answer, row: usize| answer.1[(row, row)].max(0.0);
+    let apart = |&row: &usize| {
+        let spread = variance(first, row) + variance(second, row) + 2.0 * observables[row].sigma.powi(2);
+        (first.0[row] - second.0[row]).abs() / spread.sqrt()
+    };
+    let rows = (0..observables.len()).filter(|&row| counts(&observables[row]));
+    let row = rows.max_by(|a, b| apart(a).total_cmp(&apart(b)))?;
+    let by = [(a, first), (b, second)].map(|(rival, answer)| Expected {
+        rival: rival.name.clone(),
+        value: answer.0[row],
+        standard_error: variance(answer, row).sqrt(),
+    });
+    Some(ExpectedReading {
+        channel: observables[row].channel,
+        r_mm: observables[row].r_mm,
+        by: by.into(),
+    })
 }
 
 /// Prediction of a rival for the candidates, and its covariance; from a warm start, if there is one, and what it leaves.
@@ -318,6 +363,7 @@ fn on_the_only_wing(candidates: &dyn Forward) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::input::measurement::Channel;
 
     #[test]
     fn the_advice_says_what_to_measure_or_that_nothing_decides() {
@@ -325,13 +371,25 @@ mod tests {
             vec![Candidate {
                 name: "the still wing w under a torque of 0.2 mN·m near its tip (67 mm)".into(),
                 separation_sigma,
+                expected: Some(ExpectedReading {
+                    channel: Channel::Twist,
+                    r_mm: Some(67.0),
+                    by: [("root-flexure", 9.91, 0.312), ("nothing missing", 7.5, 0.1)]
+                        .map(|(rival, value, standard_error)| Expected {
+                            rival: rival.into(),
+                            value,
+                            standard_error,
+                        })
+                        .into(),
+                }),
             }]
         };
         let said = sentence(&far(4.25), false, false);
         assert_eq!(
             said,
             "Measure the still wing w under a torque of 0.2 mN·m near its tip (67 mm) next: the rivals are expected 4.2 standard \
-             deviations apart there."
+             deviations apart there. root-flexure leads to 9.91 ± 0.312 deg of twist at 67.0 mm, \
+             nothing missing to 7.50 ± 0.100."
         );
         assert!(sentence(&far(1.0), true, false).starts_with("No listed experiment can tell these apart"));
         assert!(

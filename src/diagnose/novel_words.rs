@@ -2,11 +2,11 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
+use super::digits::short;
 use super::fields::{Driver, Law};
 use super::novel::{FieldProfile, Reconstruction};
 use super::scaling::Scaling;
 use super::verdict::Draft;
-use super::words::short;
 use crate::study::Condition;
 
 /// Highest power of r/R in a draft.

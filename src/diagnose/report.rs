@@ -64,7 +64,13 @@ pub fn report(
         .map(|belief| hypothesis(baseline, judgement, &gains, belief))
         .collect();
     let effects = effect_rows(baseline, judgement, &gains);
-    let unseen: Vec<String> = unseen(baseline, &effects);
+    let mut unseen: Vec<String> = unseen(baseline, &effects);
+    // beside another effect it may be seen after all
+    unseen.retain(|name| {
+        !hypotheses
+            .iter()
+            .any(|own| own.in_set && own.effects.contains(name))
+    });
     let verdict = verdict(baseline, judgement, &effects, &hypotheses);
     let added = judgement
         .beliefs
@@ -307,6 +313,20 @@ fn predictions(baseline: &Baseline, found: Option<&Fit>) -> Result<Vec<Predictio
         .collect())
 }
 
+/// What a hypothesis is called where it competes with others.
+fn rival_name(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -> String {
+    match belief.case {
+        Case::Nothing => "nothing missing".to_string(),
+        Case::Unknown => "an unknown cause".to_string(),
+        _ => {
+            let trial = judgement.best_of(&belief.case.families());
+            let members = trial.map_or(&[][..], |(index, _)| &judgement.trials[index].members);
+            let names: Vec<String> = members.iter().map(|&k| name(baseline, k)).collect();
+            names.join(" + ")
+        }
+    }
+}
+
 fn next(
     baseline: &Baseline,
     judgement: &Judgement,
@@ -334,6 +354,7 @@ fn next(
             continue;
         }
         rivals.extend(fit_of(belief).map(|fit| Rival {
+            name: rival_name(baseline, judgement, belief),
             probability: belief.probability,
             fit,
             variance: baseline.likelihood.variance(fit.q),

@@ -9,8 +9,8 @@ use crate::input::sheet::DesignReadings;
 use crate::input::study::LoadedStudy;
 use crate::progress::{Cancelled, Progress};
 
+use super::digits::short;
 use super::error::{DiagnoseError, where_solved};
-use super::words::short;
 
 /// Name of the step of the error that is meant.
 const CALIBRATED: &str = "calibrated";

@@ -14,7 +14,8 @@ use crate::page::text::{number, significant};
 use crate::page::{Digits, Page, Part, Rows, Table};
 use crate::study::Work;
 
-use super::hypotheses::{brief, falls, hypotheses, meanings};
+use super::hypotheses::{brief, falls, hypotheses, meanings, place};
+use super::ladder::step_words;
 use super::pictures::ladder::{self, Fall};
 use super::pictures::{diagnosis as pictures, in_sigma};
 
@@ -105,7 +106,7 @@ fn effects(study: &str, found: &Diagnosis) -> Vec<Part> {
     let table = Rows::of("/effects", &found.effects)
         .by(|row| row.score.abs())
         .words("effect", |row| row.effect.as_str())
-        .words("where", place)
+        .words("where", |row| row.place.as_ref().map_or(String::new(), place))
         .number(["score", "score", "σ"], After(1), |row| row.score)
         .number(["one_step", "one step", ""], Significant(3), |row| row.one_step)
         .number(["one_step_error", "±", ""], Significant(2), |row| row.one_step_error)
@@ -153,19 +154,6 @@ fn effects(study: &str, found: &Diagnosis) -> Vec<Part> {
         parts.push(Part::Text(others.join(", ")));
     }
     parts
-}
-
-fn place(row: &EffectRow) -> String {
-    let Some(place) = &row.place else {
-        return String::new();
-    };
-    let numbers = place
-        .numbers
-        .iter()
-        .map(|(name, value)| format!(", {name} {value}"));
-    let wing = place.wing.iter().map(|wing| format!(" on {wing}"));
-    let rest: String = numbers.chain(wing).collect();
-    format!("{} {}{rest}", place.parameter, significant(place.value, 2))
 }
 
 fn likely(effects: &[EffectRow]) -> Table {
@@ -267,7 +255,7 @@ fn errors(study: &str, found: &Diagnosis) -> Vec<Part> {
 /// The error, step by step: the list `ladder` of a document.
 pub fn steps(steps: &[LadderStep]) -> Table {
     Rows::of("/ladder", steps)
-        .words("model", |row| row.name.as_str())
+        .words("model", |row| step_words(&row.name))
         .words("channel", |row| row.channel.name().replace('_', " "))
         .number(["in_sample", "fitted", ""], Significant(3), |row| row.in_sample)
         .number(["left_out", "left out", ""], Significant(3), |row| row.left_out)

@@ -1,7 +1,7 @@
 //! The hypotheses of a diagnosis for people, and how the error falls with the most probable.
 
 use crate::diagnose::ladder::LadderStep;
-use crate::diagnose::verdict::{Hypothesis, Strength};
+use crate::diagnose::verdict::{Hypothesis, PlaceFound, Strength};
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::page::Digits::{After, Significant};
 use crate::page::text::significant;
@@ -34,9 +34,13 @@ pub fn brief(found: &Diagnosis) -> Vec<Part> {
         // all are plausible as a rule
         let is_plain = found.hypotheses.iter().all(|row| row.plausible || !row.in_set);
         let plausible = if is_plain { "plausible" } else { "" };
-        *table = table
-            .clone()
-            .without(&["gain_left_out_conditions", "in set", plausible]);
+        *table = table.clone().without(&[
+            "gain_left_out_conditions",
+            "in set",
+            "where",
+            "at its end",
+            plausible,
+        ]);
         table.caption = String::new();
         table.most_in_text = ROWS;
     }
@@ -153,6 +157,15 @@ pub fn hypotheses(found: &Diagnosis) -> Vec<Part> {
     ]
 }
 
+/// Where an effect sits.
+pub fn place(place: &PlaceFound) -> String {
+    let numbers = place.numbers.iter();
+    let numbers = numbers.map(|(name, value)| format!(", {name} {value}"));
+    let wing = place.wing.iter().map(|wing| format!(" on {wing}"));
+    let rest: String = numbers.chain(wing).collect();
+    format!("{} {}{rest}", place.parameter, significant(place.value, 2))
+}
+
 fn hypothesis_table(found: &Diagnosis) -> Table {
     let strengths =
         |of: fn(&Strength) -> Option<f64>| move |row: &Hypothesis| row.strengths.iter().map(of).collect();
@@ -175,6 +188,10 @@ fn hypothesis_table(found: &Diagnosis) -> Table {
             Significant(2),
             strengths(|own| Some(own.standard_error).filter(|error| *error > 0.0)),
         )
+        .words("where", |row| {
+            let places = row.strengths.iter().filter_map(|own| own.place.as_ref());
+            places.map(place).collect::<Vec<_>>().join("; ")
+        })
         .words("at its end", |row| {
             match row.strengths.iter().any(|strength| strength.at_end) {
                 true => "yes",

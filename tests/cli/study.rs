@@ -289,12 +289,12 @@ fn a_study_and_its_diagnosis_are_reported_with_every_wing_before_and_after() {
     assert_eq!(
         names(&page),
         [
-            "m-1, uncalibrated",
-            "m-2, uncalibrated",
-            "m-3, uncalibrated",
             "m-1, with rod-shear-modulus",
             "m-2, with rod-shear-modulus",
             "m-3, with rod-shear-modulus",
+            "m-1, uncalibrated",
+            "m-2, uncalibrated",
+            "m-3, uncalibrated",
         ]
     );
     assert!(page.contains("<details><summary>rod-shear-modulus against the residual</summary>"));

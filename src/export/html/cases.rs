@@ -46,11 +46,11 @@ impl StudyParts {
     }
 }
 
-/// The uncalibrated wings, and those with what a diagnosis holds most probable.
+/// The wings with what a diagnosis holds most probable, then those uncalibrated.
 pub fn found(campaign: &Campaign, diagnosis: &Diagnosis, progress: &Progress) -> Result<Wings, Cancelled> {
-    let mut wings = wings(campaign, "uncalibrated", &campaign.start(), progress)?;
-    wings.extend(explained(campaign, diagnosis, progress)?);
-    Ok(wings)
+    let mut shown = explained(campaign, diagnosis, progress)?;
+    shown.extend(wings(campaign, "uncalibrated", &campaign.start(), progress)?);
+    Ok(shown)
 }
 
 /// The wings with what a diagnosis holds most probable, if it names an effect.

@@ -184,7 +184,7 @@ pub fn figure(title: &str, falls: &[Fall]) -> Figure {
         legend: groups.iter().enumerate().map(key).collect(),
         panels: falls.iter().map(panel).collect(),
         columns: None,
-        caption: "Dashed: the standard deviation of the measurement, below which no model should get."
+        caption: "Dashed: the standard deviation of the measurement, which a fit with many unknowns may come below."
             .to_string(),
     }
 }
