@@ -95,6 +95,8 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
     // why a trial had no solution, until whole steps succeed again: a search held back by such trials has found nothing
     let mut unsolved: Option<StudyError> = None;
     let mut failures = 0;
+    // by how many prior standard deviations the last step that lowered Q moved each unknown that is free
+    let mut moves: Vec<f64> = Vec::new();
     for step in 0..PATIENCE {
         let here = NormalEquations::new(forward, task, &at, &linear);
         let moved = here.step(forward, &free, &at, damping).shortened(&at, length);
@@ -124,7 +126,8 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
             here.q() - FAR * promise(&whole.at).0 > bound
         };
         if step >= EARLIEST && task.of_use_below.is_some_and(is_far) {
-            return Err(unsolved.unwrap_or(StudyError::NotCalibrated { steps: step }));
+            let still = farthest(forward, &free, &moves);
+            return Err(unsolved.unwrap_or(StudyError::NotCalibrated { steps: step, still }));
         }
         match ask(warm_start.as_ref(), &moved.at) {
             Err(error) if failures + 1 == CLIFF => {
@@ -143,6 +146,8 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
                 let q = NormalEquations::new(forward, task, &moved.at, &trial).q();
                 if q <= here.q() {
                     fall = here.q() - q;
+                    let move_of = |&i: &usize| (moved.at[i] - at[i]).abs() / unknowns[i].sigma;
+                    moves = free.iter().map(move_of).collect();
                     (at, linear, warm_start) = (moved.at, trial, left);
                     let easier = if fall > KEPT * promised { 0.01 } else { 0.1 };
                     (damping, length) = (larger(damping * easier, 1e-9), 1.0);
@@ -159,7 +164,19 @@ pub fn calibrate(forward: &dyn Forward, task: &Task) -> Result<Fit, StudyError> 
             }
         }
     }
-    Err(unsolved.unwrap_or(StudyError::NotCalibrated { steps: PATIENCE }))
+    let still = farthest(forward, &free, &moves);
+    Err(unsolved.unwrap_or(StudyError::NotCalibrated {
+        steps: PATIENCE,
+        still,
+    }))
+}
+
+/// The two unknowns that a step moved farthest, by name; none if it moved nothing.
+fn farthest(forward: &dyn Forward, free: &[usize], moves: &[f64]) -> Vec<String> {
+    let mut order: Vec<usize> = (0..moves.len()).filter(|&k| moves[k] > 0.0).collect();
+    order.sort_by(|&a, &b| moves[b].total_cmp(&moves[a]));
+    let names = order.iter().take(2);
+    names.map(|&k| forward.unknowns()[free[k]].name.clone()).collect()
 }
 
 /// Unknowns that a search has moved by more than a standard deviation, with where it has moved them.
@@ -329,7 +346,12 @@ mod tests {
     fn a_search_far_from_where_it_is_of_use_is_given_up_and_one_that_may_reach_it_is_not() {
         let decay = Decay::new(&exact(20.0, 0.7), 1e-3, [0.0, 5.0]);
         let given_up = search_below(&decay, Some(-1e12)).unwrap_err();
-        assert_eq!(given_up, StudyError::NotCalibrated { steps: EARLIEST });
+        let still = ["a", "b"].map(String::from);
+        assert!(
+            matches!(&given_up, StudyError::NotCalibrated { steps: EARLIEST, still: own } if still.iter().all(|name| own.contains(name))),
+            "{given_up}"
+        );
+        assert!(given_up.to_string().contains("it still moves "), "{given_up}");
         assert_eq!(search_below(&decay, Some(1.0)).unwrap().at, decay.fit().at);
     }
 

@@ -103,14 +103,24 @@ pub enum StudyError {
         reason: String,
     },
     /// A fit that does not settle.
-    #[error("the fit did not settle in {steps} steps: narrow the priors, or free fewer unknowns")]
+    #[error("the fit did not settle in {steps} steps{}: state what moves as a number, or narrow its range", moving(.still))]
     NotCalibrated {
         /// Steps taken.
         steps: usize,
+        /// What the last step moved farthest, by name.
+        still: Vec<String>,
     },
     /// The user asked to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+}
+
+/// What a search still moves, in words.
+fn moving(still: &[String]) -> String {
+    match still {
+        [] => String::new(),
+        still => format!(" (it still moves {})", still.join(", ")),
+    }
 }
 
 impl StudyError {
