@@ -72,3 +72,14 @@ fn a_tensioned_film_changes_every_triangle_and_a_camera_nothing() {
     let (_, camera) = acts(&["effects.camera-tilt.strength=2"]);
     assert_eq!(camera, Difference::default());
 }
+
+#[test]
+fn a_wing_knows_whether_its_film_wrinkles() {
+    let wrinkles = |sets: &[&str]| {
+        let model = WingModel::open("designs/twist-v2.toml", sets).unwrap();
+        let wing = Wing::new(model.design(), &model.mesh, None).unwrap();
+        wing.has_film_that_wrinkles()
+    };
+    assert!(wrinkles(&["mesh.refine=0.5"]));
+    assert!(!wrinkles(&["mesh.refine=0.5", "film.compression=carries"]));
+}
