@@ -154,6 +154,10 @@ mod tests {
                 "washout sovle d.toml",
                 "there is no verb sovle; did you mean solve?",
             ),
+            (
+                "washout explain s.toml --with t.csv",
+                "--with: only diagnose and compare take a design with a table",
+            ),
             ("washout solve", "<DESIGN> is missing."),
             (
                 "washout solve d.toml --refine two",

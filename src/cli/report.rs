@@ -15,6 +15,7 @@ use crate::export::compare_report::CompareReport;
 use crate::export::diagnosis::DiagnosisReport;
 use crate::export::file::refuse_other;
 use crate::export::html::cases::{at_work, explained};
+use crate::export::html::effects::EffectsAtWork;
 use crate::export::html::folder::{Contents, page, title_of};
 use crate::export::html::study::StudyParts;
 use crate::export::html::wings::Wings;
@@ -200,7 +201,12 @@ fn of_folder(folder: &Path) -> Result<Page, Failure> {
         let name = folder.file_name().map(|name| name.to_string_lossy().into_owned());
         let name = name.unwrap_or_default();
         let study = name.strip_suffix("-diagnosis").unwrap_or(&name);
-        return Ok(diagnosis::page(study, &report, &Wings::default(), &[])?);
+        return Ok(diagnosis::page(
+            study,
+            &report,
+            &Wings::default(),
+            &EffectsAtWork::default(),
+        )?);
     }
     for (name, id) in [(SUMMARY, "summary"), (LADDER, "ladder"), (VERIFY, "verify")] {
         if !folder.join(name).is_file() {

@@ -44,7 +44,7 @@ pub struct Candidate {
     pub name: String,
     /// Distance expected between the rivals, in standard deviations.
     pub separation_sigma: f64,
-    /// What the two most probable rivals predict for the reading of it that tells them apart best; none where nothing does.
+    /// What the two most probable rivals predict for the reading of it that tells them apart best; none where it has no reading.
     #[serde(default)]
     pub expected: Option<ExpectedReading>,
 }

@@ -110,8 +110,8 @@ fn rest(found: &Diagnosis, last: Option<&LadderStep>, noise: Option<&LadderStep>
     let is_more = |last: &LadderStep, noise: &LadderStep| last.in_sample > AS_SCATTER * noise.in_sample;
     match (last, noise) {
         (Some(last), Some(noise)) if found.verdict == Verdict::Nothing && is_more(last, noise) => format!(
-            " What scatter does not explain is smooth along the span and alike in every condition, as errors of the model's own formulas and \
-             mesh are (its formulas are off by {} % here).",
+            " What scatter does not explain is taken for errors of the model's own mesh and formulas ({} % of what they predict). These are \
+             smooth along the span and alike in every condition.",
             significant(100.0 * found.noise.formulation, 2)
         ),
         _ => String::new(),

@@ -12,7 +12,7 @@ use crate::observation::Observer;
 use crate::progress::{Cancelled, Progress};
 use crate::study::{Campaign, Forward, Unknown, UnknownKind};
 
-use super::effects::EffectAtWork;
+use super::effects::{EffectAtWork, EffectsAtWork};
 use super::measured::Measured;
 use super::study::StudyParts;
 use super::wing::Wing;
@@ -80,23 +80,40 @@ pub fn explained(campaign: &Campaign, found: &Diagnosis, progress: &Progress) ->
 /// Effects that a report draws; of more the most probable.
 const DRAWN: usize = 6;
 
-/// The effects of the most probable hypotheses, each by itself at its size on the first wing that it acts on, as far as that has a solution.
+/// The effects of the most probable hypotheses, each by itself at its size on the first wing that it acts on, as far as that has a solution;
+/// what is not drawn is noted.
 pub fn at_work(
     campaign: &Campaign,
     found: &Diagnosis,
     progress: &Progress,
-) -> Result<Vec<EffectAtWork>, Cancelled> {
+) -> Result<EffectsAtWork, Cancelled> {
     let likely = found.hypotheses.iter().filter(|hypothesis| hypothesis.in_set);
     let mut effects: Vec<&Strength> = Vec::new();
     for strength in likely.flat_map(|hypothesis| &hypothesis.strengths) {
-        if effects.len() < DRAWN && effects.iter().all(|known| known.effect != strength.effect) {
+        if effects.iter().all(|known| known.effect != strength.effect) {
             effects.push(strength);
         }
     }
-    let mut drawn = Vec::new();
-    for strength in effects {
+    let mut drawn = EffectsAtWork::default();
+    let more: Vec<&str> = effects
+        .iter()
+        .skip(DRAWN)
+        .map(|own| own.effect.as_str())
+        .collect();
+    if !more.is_empty() {
+        drawn
+            .notes
+            .push(format!("Less probable, and not drawn: {}.", more.join(", ")));
+    }
+    for strength in effects.into_iter().take(DRAWN) {
         progress.say(format_args!("{}: {} drawn", campaign.name, strength.effect));
-        drawn.extend(one_at_work(campaign, strength));
+        match one_at_work(campaign, strength) {
+            Some(one) => drawn.shown.push(one),
+            None => drawn.notes.push(format!(
+                "Not drawn: {}, for the first wing that it acts on has no solution with it alone.",
+                strength.effect
+            )),
+        }
         progress.check()?;
     }
     Ok(drawn)

@@ -5,7 +5,7 @@ use crate::export::diagnosis::{self, DiagnosisReport};
 use crate::page::{Part, Section};
 
 use super::document::Document;
-use super::effects::{EffectAtWork, effects};
+use super::effects::{EffectsAtWork, effects};
 use super::page::Page;
 use super::wings::Wings;
 
@@ -17,7 +17,7 @@ pub fn page(
     study: &str,
     report: &DiagnosisReport,
     wings: &Wings,
-    at_work: &[EffectAtWork],
+    at_work: &EffectsAtWork,
 ) -> Result<Page, ExportError> {
     let mut page = Page {
         title: study.to_string(),
@@ -36,7 +36,7 @@ pub fn add(
     page: &mut Page,
     study: &str,
     report: &DiagnosisReport,
-    at_work: &[EffectAtWork],
+    at_work: &EffectsAtWork,
 ) -> Result<(), ExportError> {
     page.section("at-work", "What each effect is", effects(at_work));
     let mut answer = diagnosis::page(study, &report.diagnosis);

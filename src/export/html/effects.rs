@@ -10,6 +10,7 @@ use crate::page::text::significant;
 use crate::plot::pen::escaped;
 
 use super::still::outline;
+use super::table::paragraph;
 
 /// An effect at work on a wing.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,6 +27,15 @@ pub struct EffectAtWork {
     pub twist_deg: [Vec<[f64; 2]>; 2],
 }
 
+/// The effects that are shown, and what is not, each with its reason.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct EffectsAtWork {
+    /// Those shown.
+    pub shown: Vec<EffectAtWork>,
+    /// What is not shown, and why.
+    pub notes: Vec<String>,
+}
+
 /// The sheet, px.
 const WIDTH: f64 = 320.0;
 const MARGIN: f64 = 10.0;
@@ -38,13 +48,14 @@ const WORDS: f64 = 22.0;
 const MARKED: usize = 40;
 
 /// The effects side by side; nothing if there are none.
-pub fn effects(shown: &[EffectAtWork]) -> String {
-    if shown.is_empty() {
-        return String::new();
+pub fn effects(at_work: &EffectsAtWork) -> String {
+    let notes: String = at_work.notes.iter().map(|words| paragraph(words)).collect();
+    if at_work.shown.is_empty() {
+        return notes;
     }
-    let figures: String = shown.iter().map(figure).collect();
+    let figures: String = at_work.shown.iter().map(figure).collect();
     let key = "Orange: what the effect changes, and the wing with it. Grey: the wing without it. Everything else uncalibrated.";
-    format!("<p class=\"quiet\">{key}</p>\n<div class=\"effects\">\n{figures}</div>\n")
+    format!("<p class=\"quiet\">{key}</p>\n<div class=\"effects\">\n{figures}</div>\n{notes}")
 }
 
 fn figure(shown: &EffectAtWork) -> String {
@@ -79,7 +90,7 @@ fn changed(shown: &EffectAtWork) -> String {
         changed.push("the force of the air".to_string());
     }
     if difference.has_other_kinematics {
-        changed.push("how large rotations are reckoned".to_string());
+        changed.push("whether rotations are taken as large".to_string());
     }
     match changed.as_slice() {
         [] => "The wing stays as it is; what is read from it changes.".to_string(),
@@ -294,13 +305,21 @@ mod tests {
         }
     }
 
+    fn shown(difference: Difference) -> String {
+        let shown = vec![at_work(difference)];
+        effects(&EffectsAtWork {
+            shown,
+            notes: Vec::new(),
+        })
+    }
+
     #[test]
     fn what_an_effect_changes_is_marked_and_named() {
-        let html = effects(&[at_work(Difference {
+        let html = shown(Difference {
             beams: vec![1, 2],
             air_n_per_m: vec![[0.0, 1.0, 1.0], [0.05, 1.0, 0.5]],
             ..Difference::default()
-        })]);
+        });
         assert_eq!(
             html.matches("class=\"line changed\"").count(),
             4,
@@ -319,12 +338,18 @@ mod tests {
 
     #[test]
     fn an_effect_of_the_reading_leaves_the_wing_as_it_is() {
-        let html = effects(&[at_work(Difference::default())]);
+        let html = shown(Difference::default());
         assert!(
             html.contains("The wing stays as it is") && !html.contains("film changed"),
             "{html}"
         );
-        assert_eq!(effects(&[]), "");
+        assert_eq!(effects(&EffectsAtWork::default()), "");
+        let notes = vec!["Not drawn: x<y.".to_string()];
+        let undrawn = EffectsAtWork {
+            shown: Vec::new(),
+            notes,
+        };
+        assert_eq!(effects(&undrawn), "<p>Not drawn: x&lt;y.</p>\n");
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::input::Assumption;
 
 use super::diagnosis;
 use super::document::Document;
-use super::effects::EffectAtWork;
+use super::effects::EffectsAtWork;
 use super::inputs::{all_numbers, assumptions};
 use super::page::Page;
 use super::wings::Wings;
@@ -21,7 +21,7 @@ pub struct StudyParts {
     /// What its designs assume, design by design.
     pub assumed: Vec<(String, Vec<Assumption>)>,
     /// Its diagnosis, if one was made, and the effects of that at work.
-    pub diagnosis: Option<(DiagnosisReport, Vec<EffectAtWork>)>,
+    pub diagnosis: Option<(DiagnosisReport, EffectsAtWork)>,
 }
 
 /// The report of a study.

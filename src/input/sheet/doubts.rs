@@ -58,75 +58,55 @@ struct Slip {
     words: String,
 }
 
-/// The twist that stands alone against what the other conditions lead one to expect: each is about a share of its station and a share of its condition.
+/// The twist that stands alone against what the other conditions lead one to expect.
 fn of_slips_among(table: &Measurement) -> Option<Slip> {
-    let twists = table.rows.iter().filter(|row| row.channel == Channel::Twist);
-    let runs = runs(twists);
-    let of = |run: &[&Row], r_mm: Option<f64>| run.iter().find(|row| row.r_mm == r_mm).map(|row| row.value);
-    let median = |mut values: Vec<f64>| {
-        values.sort_by(f64::total_cmp);
-        let middle = values.len() / 2;
-        let upper = *values.get(middle)?;
-        Some(if values.len() % 2 == 1 {
-            upper
-        } else {
-            0.5 * (upper + values[middle - 1])
-        })
-    };
-    let expected = |own: &[&Row], row: &Row| -> Option<f64> {
-        let others = runs
-            .iter()
-            .filter(|other| other[0].case != own[0].case || other[0].run != own[0].run);
-        let by_other = others.filter_map(|other| {
-            let there = of(other, row.r_mm)?;
-            let ratios = own
-                .iter()
-                .filter(|near| near.r_mm != row.r_mm)
-                .filter_map(|near| {
-                    let ratio = near.value / of(other, near.r_mm)?;
-                    ratio.is_finite().then_some(ratio)
-                });
-            let ratios: Vec<f64> = ratios.collect();
-            (ratios.len() + 1 >= ENOUGH).then_some(there * median(ratios)?)
-        });
-        let by_other: Vec<f64> = by_other.collect();
-        // of two, which slipped cannot be told
-        if by_other.len() < 2 {
-            None
-        } else {
-            median(by_other)
-        }
-    };
-    let off = |(own, row): (&Vec<&Row>, &Row)| {
-        let expected = expected(own, row)?;
-        Some((
+    let runs = runs(table.rows.iter().filter(|row| row.channel == Channel::Twist));
+    let off = |(row, expected): &(&Row, f64)| (row.value - expected).abs();
+    let cells = (0..runs.len()).flat_map(|run| runs[run].iter().map(move |row| (run, *row)));
+    let cells: Vec<(&Row, f64)> = cells
+        .filter_map(|(run, row)| Some((row, expected(&runs, run, row)?)))
+        .collect();
+    let usual = median(cells.iter().map(off).collect())?;
+    let worst = cells.iter().max_by(|a, b| off(a).total_cmp(&off(b)))?;
+    let (row, expected) = worst;
+    (off(worst) > SLIP.0 * usual && off(worst) > SLIP.1 * row.sigma).then(|| Slip {
+        case: row.case.clone(),
+        words: format!(
+            "Line {}, {}: {} deg at {} mm, where the other conditions lead to about {expected:.1} deg: is it a slip of the keys?",
             row.line,
-            row.case.clone(),
+            row.case,
             row.value,
-            row.r_mm,
-            row.sigma,
-            expected,
-        ))
-    };
-    let cells = runs.iter().flat_map(|run| run.iter().map(move |row| (run, *row)));
-    let offs: Vec<_> = cells.filter_map(off).collect();
-    let usual = median(
-        offs.iter()
-            .map(|(_, _, value, .., expected)| (value - expected).abs())
-            .collect(),
-    )?;
-    let worst = offs
-        .into_iter()
-        .max_by(|a, b| (a.2 - a.5).abs().total_cmp(&(b.2 - b.5).abs()))?;
-    let (line, case, value, r_mm, sigma, expected) = worst;
-    let off = (value - expected).abs();
-    (off > SLIP.0 * usual && off > SLIP.1 * sigma).then(|| {
-        let words = format!(
-            "Line {line}, {case}: {value} deg at {} mm, where the other conditions lead to about {expected:.1} deg: is it a slip of the keys?",
-            r_mm.unwrap_or_default()
-        );
-        Slip { case, words }
+            row.r_mm.unwrap_or_default()
+        ),
     })
+}
+
+/// What the other runs lead one to expect of a row of `runs[run]`: each twist is about a share of its station times a share of its condition.
+/// None with fewer than two others: of two, which slipped cannot be told.
+fn expected(runs: &[Vec<&Row>], run: usize, row: &Row) -> Option<f64> {
+    let at = |run: &[&Row], r_mm: Option<f64>| run.iter().find(|row| row.r_mm == r_mm).map(|row| row.value);
+    let others = (0..runs.len())
+        .filter(|other| *other != run)
+        .map(|other| &runs[other]);
+    let by_other = others.filter_map(|other| {
+        let near = runs[run].iter().filter(|near| near.r_mm != row.r_mm);
+        let ratios = near.filter_map(|near| Some(near.value / at(other, near.r_mm)?));
+        let ratios: Vec<f64> = ratios.filter(|ratio| ratio.is_finite()).collect();
+        (ratios.len() + 1 >= ENOUGH).then_some(at(other, row.r_mm)? * median(ratios)?)
+    });
+    let by_other: Vec<f64> = by_other.collect();
+    (by_other.len() >= 2).then(|| median(by_other))?
+}
+
+/// The middle one, or the mean of the middle two; none of none.
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    let upper = *values.get(middle)?;
+    match values.len() % 2 {
+        1 => Some(upper),
+        _ => Some(0.5 * (upper + values[middle - 1])),
+    }
 }
 
 /// Rows of one condition and run each.
