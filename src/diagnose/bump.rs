@@ -130,11 +130,17 @@ fn ln_evidence(baseline: &Baseline, fit: &Fit, local: &Local, size: usize) -> Op
     if !whole.is_finite() {
         return None;
     }
+    Some(laplace + ln_over_unit(found, whole))
+}
+
+/// Logarithm of the prior of a size over the unit normal by which it was fitted. The prior is a normal for each amplitude; `whole` is
+/// the size at which the readings move as far as they go.
+fn ln_over_unit(found: f64, whole: f64) -> f64 {
     let density = AMPLITUDES.map(|amplitude| {
         let wide = amplitude * whole;
         -0.5 * (found / wide).powi(2) - wide.ln() - (AMPLITUDES.len() as f64).ln()
     });
-    Some(laplace + 0.5 * found * found + ln_sum(density.into_iter()))
+    0.5 * found * found + ln_sum(density.into_iter())
 }
 
 /// The data about a bump, without it: where the fields are what they are linear about.
@@ -179,5 +185,29 @@ impl Around {
             value: fit.predicted.clone(),
             fields,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_prior_of_a_size_is_a_density_as_wide_as_its_amplitudes() {
+        for whole in [0.5, 3.0] {
+            let step = 1e-3 * whole;
+            let unit = |x: f64| (-0.5 * x * x).exp() / (2.0 * std::f64::consts::PI).sqrt();
+            let (mut sum, mut square) = (0.0, 0.0);
+            for i in -8000..=8000 {
+                let x = f64::from(i) * step;
+                let density = unit(x) * ln_over_unit(x, whole).exp() * step;
+                sum += density;
+                square += density * x * x;
+            }
+            assert!((sum - 1.0).abs() < 1e-9, "{whole}: {sum}");
+            let amplitudes = AMPLITUDES.map(|amplitude| (amplitude * whole).powi(2));
+            let mean = amplitudes.iter().sum::<f64>() / AMPLITUDES.len() as f64;
+            assert!((square / mean - 1.0).abs() < 1e-9, "{whole}: {square} for {mean}");
+        }
     }
 }

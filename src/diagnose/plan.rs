@@ -160,16 +160,7 @@ impl Outlook {
             effect_of(unknown(k)).is_some_and(|(_, other, _, _)| other != family)
                 && directions.lengths[k] > 0.0
         });
-        let along = others.map(|k| {
-            let along = seen.dot(&directions.columns.column(k)) / directions.lengths[k];
-            if is_one_sided(unknown(k)) {
-                along.max(0.0)
-            } else {
-                along
-            }
-        });
-        let nearest = along.map(|along| along * along).fold(0.0, f64::max);
-        (seen.norm_squared() - nearest).max(0.0).sqrt()
+        directions.beyond(&seen, others.map(|k| (k, is_one_sided(unknown(k)))))
     }
 
     /// Change of readings in standard deviations, what the model could absorb left out.

@@ -1,6 +1,6 @@
 //! Every effect at one glance: its direction, its score, its strength by one step, and whether it could have been seen.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -186,5 +186,43 @@ impl Directions {
         } else {
             0.0
         }
+    }
+
+    /// Length of what is `seen` with the nearest of some directions left out, each with whether only one sign of it makes sense.
+    pub fn beyond(&self, seen: &DVector<f64>, others: impl Iterator<Item = (usize, bool)>) -> f64 {
+        let along = others.map(|(k, one_sided)| {
+            let along = seen.dot(&self.columns.column(k)) / self.lengths[k];
+            if one_sided { along.max(0.0) } else { along }
+        });
+        let nearest = along.map(|along| along * along).fold(0.0, f64::max);
+        (seen.norm_squared() - nearest).max(0.0).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_seen_beyond_the_nearest_effect_is_the_rest_of_the_right_angle() {
+        let columns = DMatrix::from_columns(&[
+            DVector::from_vec(vec![2.0, 0.0, 0.0]),
+            DVector::from_vec(vec![0.0, 0.5, 0.0]),
+            DVector::from_vec(vec![0.0, 0.0, 1.0]),
+        ]);
+        let directions = Directions {
+            unknowns: vec![0, 1, 2],
+            scores: vec![0.0; 3],
+            lengths: vec![2.0, 0.5, 1.0],
+            gram: columns.transpose() * &columns,
+            columns,
+        };
+        let seen = DVector::from_vec(vec![-4.0, 3.0, 12.0]);
+        let beyond = |others: &[(usize, bool)]| directions.beyond(&seen, others.iter().copied());
+        assert!((beyond(&[]) - 13.0).abs() < 1e-12);
+        assert!((beyond(&[(0, false)]) - 153_f64.sqrt()).abs() < 1e-12);
+        assert!((beyond(&[(0, true)]) - 13.0).abs() < 1e-12, "the other way: not it");
+        assert!((beyond(&[(0, false), (1, true)]) - 153_f64.sqrt()).abs() < 1e-12);
+        assert!((beyond(&[(0, false), (1, true), (2, true)]) - 5.0).abs() < 1e-12);
     }
 }
