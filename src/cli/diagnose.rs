@@ -247,7 +247,7 @@ fn to_go_on(report: &DiagnosisReport) -> String {
         _ => "To take it into the model",
     };
     let lines = report.commands.iter().map(|command| format!("  {command}\n"));
-    format!("{why}\n{}\n", lines.collect::<String>())
+    format!("{why}:\n{}", lines.collect::<String>())
 }
 
 /// The commands that take what is named, or is most probable in a set, into the model of the study.

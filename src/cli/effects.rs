@@ -1,18 +1,16 @@
 //! `washout effects`: the physics that can be added, and the card of each.
 
-use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::effects::{Card, all, named};
+use crate::effects::{Card, Parameter, all, named};
 use crate::explore::{ExploreError, Signature, signature};
 use crate::export::effects::{effects_page, picture};
 use crate::export::file::write_page;
-use crate::page::text::{hanging, wrapped};
-use crate::page::{Page, Part, Rows};
+use crate::page::{Line, Page, Part, Rows};
 
 use super::{Console, Failure};
 
@@ -21,8 +19,10 @@ use super::{Console, Failure};
 #[command(after_help = "Examples:
   # all effects, one line each
   washout effects
-  # formula, source, when it is right, what it gets wrong, a picture
+  # when it is right, what it gets wrong, its numbers, a picture
   washout effects tip-loss-prandtl
+  # formula and source besides
+  washout effects tip-loss-prandtl --verbose
   washout solve designs/twist-v2.toml --set effects.tip-loss-prandtl.strength=1")]
 pub struct ListEffects {
     /// Print the card of this effect
@@ -73,7 +73,7 @@ impl ListEffects {
             signature,
             without_signature: without,
         };
-        console.result(&(page(&card) + &picture), &shown)
+        console.answer(&page(&card), &picture, &shown)
     }
 }
 
@@ -119,56 +119,61 @@ fn list(cards: &[Card]) -> Page {
     page
 }
 
-fn page(card: &Card) -> String {
-    let mut text = format!("{}\n{}", card.name, wrapped(card.summary, 2));
+/// The card of an effect: what it is good for and its numbers first.
+fn page(card: &Card<'static>) -> Page {
+    let line = |name, words: &str| Line::new(name).words(words);
     let needs: Vec<String> = card.needs.iter().map(word).collect();
-    let lines = [
-        ("formula", card.formula.to_string()),
-        ("source", card.source.to_string()),
-        ("when right", card.when_right.to_string()),
-        ("gets wrong", card.gets_wrong.to_string()),
-        ("acts on", word(&card.seam)),
-        (
-            "needs",
-            if needs.is_empty() {
-                "nothing".into()
-            } else {
-                needs.join(", ")
-            },
-        ),
-        (
-            "changes",
-            card.channels
-                .iter()
-                .map(|channel| channel.name())
-                .collect::<Vec<_>>()
-                .join(", "),
-        ),
-        ("family", card.family.to_string()),
-        ("checked by", card.case.to_string()),
+    let needs = if needs.is_empty() {
+        "nothing".to_string()
+    } else {
+        needs.join(", ")
+    };
+    let channels: Vec<&str> = card.channels.iter().map(|channel| channel.name()).collect();
+    let good_for = vec![
+        line("when right", card.when_right),
+        line("gets wrong", card.gets_wrong),
+        line("needs", &needs),
     ];
-    for (name, line) in lines {
-        text += &hanging(&format!("  {name:<11} "), &line, 14);
-    }
-    text.push_str("Numbers\n");
-    for parameter in card.parameters {
-        let [low, high] = parameter.range;
-        let [from, to] = parameter.plausible;
-        let unit = if parameter.unit == "1" { "" } else { parameter.unit };
-        let range = format!(
-            "{low} … {high} {unit} (plausible {from} … {to}): {}",
-            parameter.meaning
-        );
-        text += &hanging(&format!("  {:<11} ", parameter.name), &range, 14);
-    }
-    let _ = writeln!(
-        text,
-        "In a design\n  [effects.{}]\n  {} = {}",
-        card.name,
-        card.parameters[0].name,
-        card.parameters[0].scale()
+    let numbers = vec![
+        Part::Named(card.parameters.iter().map(number).collect()),
+        Part::Subtitle("In a design".to_string()),
+        Part::Code(format!(
+            "[effects.{}]\n{} = {}",
+            card.name,
+            card.parameters[0].name,
+            card.parameters[0].scale()
+        )),
+    ];
+    let mut page = Page {
+        title: card.name.to_string(),
+        kind: "effect",
+        lead: vec![Part::Text(card.summary.to_string())],
+        brief: vec![Part::Named(good_for.clone())],
+        ..Page::default()
+    };
+    page.brief.extend(numbers.iter().cloned());
+    let mut lines = vec![line("formula", card.formula), line("source", card.source)];
+    lines.extend(good_for);
+    lines.extend([
+        line("acts on", &word(&card.seam)),
+        line("changes", &channels.join(", ")),
+        line("family", card.family),
+        line("checked by", card.case),
+    ]);
+    page.section("card", "What it is", vec![Part::Named(lines)]);
+    page.section("numbers", "Numbers", numbers);
+    page
+}
+
+/// A number of an effect: its ranges and what it means.
+fn number(parameter: &Parameter<'static>) -> Line {
+    let ([low, high], [from, to]) = (parameter.range, parameter.plausible);
+    let unit = if parameter.unit == "1" { "" } else { parameter.unit };
+    let words = format!(
+        "{low} … {high} {unit} (plausible {from} … {to}): {}",
+        parameter.meaning
     );
-    text
+    Line::new(parameter.name).words(words)
 }
 
 /// The word that stands for a choice in JSON.

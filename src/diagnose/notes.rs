@@ -14,14 +14,9 @@ use super::screening::effect_of;
 pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
     let mut notes = Vec::new();
     let numbers = baseline.data.rows.len();
-    let scale = baseline.size.scale;
     if baseline.on_trust() {
         notes.push(format!(
             "Only {numbers} numbers, too few to check the stated sigma: it is taken as stated, with much doubt."
-        ));
-    } else if (scale - 1.0).abs() > 0.2 {
-        notes.push(format!(
-            "The data scatter {scale:.2} times as much as stated; that is what was used."
         ));
     }
     let is_nothing = judgement

@@ -221,7 +221,10 @@ mod tests {
         let beyond = |others: &[(usize, bool)]| directions.beyond(&seen, others.iter().copied());
         assert!((beyond(&[]) - 13.0).abs() < 1e-12);
         assert!((beyond(&[(0, false)]) - 153_f64.sqrt()).abs() < 1e-12);
-        assert!((beyond(&[(0, true)]) - 13.0).abs() < 1e-12, "the other way: not it");
+        assert!(
+            (beyond(&[(0, true)]) - 13.0).abs() < 1e-12,
+            "the other way: not it"
+        );
         assert!((beyond(&[(0, false), (1, true)]) - 153_f64.sqrt()).abs() < 1e-12);
         assert!((beyond(&[(0, false), (1, true), (2, true)]) - 5.0).abs() < 1e-12);
     }

@@ -1,6 +1,7 @@
 //! The hypotheses of a diagnosis for people, and how the error falls with the most probable.
 
 use crate::diagnose::ladder::LadderStep;
+use crate::diagnose::misfit::Pull;
 use crate::diagnose::verdict::{Hypothesis, PlaceFound, Strength};
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::page::Digits::{After, Significant};
@@ -27,35 +28,37 @@ const ROWS: usize = 3;
 /// Notes that a screen has room for: the one that changes the answer most.
 const NOTES: usize = 1;
 
-/// The most probable hypotheses, the first notes, and what to measure next: with the answer above, what fits on a screen.
+/// How probable each is (of one that is named, the others are for who wants all), the first note, and what to measure next: with the answer
+/// above, what fits on a screen.
 pub fn brief(found: &Diagnosis) -> Vec<Part> {
-    let mut parts = hypotheses(found);
-    if let Some(Part::Table(table)) = parts.last_mut() {
+    let mut parts = vec![Part::Headline(probabilities(
+        found,
+        ["P(nothing missing)", "P(an unknown cause)"],
+    ))];
+    if found.verdict != Verdict::Effect {
         // all are plausible as a rule
         let is_plain = found.hypotheses.iter().all(|row| row.plausible || !row.in_set);
         let plausible = if is_plain { "plausible" } else { "" };
-        *table = table.clone().without(&[
+        let left_out = [
             "gain_left_out_conditions",
             "in set",
             "where",
             "at its end",
             plausible,
-        ]);
+        ];
+        let mut table = hypothesis_table(found).without(&left_out);
         table.caption = String::new();
         table.most_in_text = ROWS;
+        parts.push(Part::Table(table));
     }
-    parts.push(Part::Notes(found.notes.iter().take(NOTES).cloned().collect()));
-    match found.notes.len().saturating_sub(NOTES) {
-        0 => {}
-        1 => parts.push(Part::Text("One more note: --verbose".to_string())),
-        more => parts.push(Part::Text(format!("{more} more notes: --verbose"))),
+    let (shown, more) = found.notes.split_at(NOTES.min(found.notes.len()));
+    let mut shown = shown.to_vec();
+    if let (Some(last), true) = (shown.last_mut(), !more.is_empty()) {
+        *last += &format!(" ({} more: --verbose)", more.len());
     }
-    parts.extend(
-        found
-            .next_experiment
-            .iter()
-            .map(|next| Part::Text(next.sentence.clone())),
-    );
+    parts.push(Part::Notes(shown));
+    let next = found.next_experiment.iter();
+    parts.extend(next.map(|next| Part::Text(next.sentence.clone())));
     parts
 }
 
@@ -97,25 +100,54 @@ pub fn falls(found: &Diagnosis) -> String {
         _ => String::new(),
     };
     let channel = first.channel.name().replace('_', " ");
+    let calibrated = models.iter().find(|step| step.name == "calibrated");
+    let is_nearer = match (calibrated, models.last()) {
+        (Some(calibrated), Some(last)) => calibrated.in_sample < last.in_sample,
+        _ => false,
+    };
+    let pulled = if is_nearer {
+        pulled(&found.misfit.pulls)
+    } else {
+        String::new()
+    };
     format!(
-        "Error of the {channel}, rms in {}: {}{scatter}.{held_out}{}",
+        "Error of the {channel}, rms in {}: {}{scatter}.{pulled}{held_out}{}",
         first.channel.unit(),
         list(|step| Some(step.in_sample)),
-        rest(found, models.last().copied(), noise.first().copied())
+        match (models.last(), noise.first()) {
+            (Some(last), Some(noise)) => rest(
+                found.verdict,
+                found.noise.formulation,
+                [last.in_sample, noise.in_sample]
+            ),
+            _ => String::new(),
+        }
     )
 }
 
-/// Where nothing is missing: what the error is that scatter does not explain.
-fn rest(found: &Diagnosis, last: Option<&LadderStep>, noise: Option<&LadderStep>) -> String {
-    let is_more = |last: &LadderStep, noise: &LadderStep| last.in_sample > AS_SCATTER * noise.in_sample;
-    match (last, noise) {
-        (Some(last), Some(noise)) if found.verdict == Verdict::Nothing && is_more(last, noise) => format!(
-            " What scatter does not explain is taken for errors of the model's own mesh and formulas ({} % of what they predict). These are \
-             smooth along the span and alike in every condition.",
-            significant(100.0 * found.noise.formulation, 2)
-        ),
-        _ => String::new(),
+/// Why a calibrated model that comes nearer without an effect is not the answer: the input that it had to pull most.
+fn pulled(pulls: &[Pull]) -> String {
+    let flagged = pulls.iter().filter(|pull| pull.is_flagged);
+    let most = flagged.max_by(|a, b| a.pull.abs().total_cmp(&b.pull.abs()));
+    most.map_or(String::new(), |most| {
+        format!(
+            " Without the effect the model comes nearer only because calibration pulls {} by {:+.1} sigma.",
+            most.unknown, most.pull
+        )
+    })
+}
+
+/// Where nothing is missing: what the `error` is that `scatter` does not explain, with the share of the prediction that is left to the
+/// formulation.
+fn rest(verdict: Verdict, formulation: f64, [error, scatter]: [f64; 2]) -> String {
+    if verdict != Verdict::Nothing || error <= AS_SCATTER * scatter {
+        return String::new();
     }
+    format!(
+        " What scatter does not explain is taken for errors of the model's own mesh and formulas ({} % of what they predict). These are \
+         smooth along the span and alike in every condition.",
+        significant(100.0 * formulation, 2)
+    )
 }
 
 /// What the most probable effects are, and what their strengths mean; where nothing is missing, what could not have been seen.
@@ -137,6 +169,18 @@ pub fn meanings(found: &Diagnosis) -> Vec<String> {
 
 /// How probable nothing, an unknown cause and each explanation are.
 pub fn hypotheses(found: &Diagnosis) -> Vec<Part> {
+    let labels = [
+        "Probability of nothing missing",
+        "Probability of an unknown cause",
+    ];
+    vec![
+        Part::Headline(probabilities(found, labels)),
+        Part::Table(hypothesis_table(found)),
+    ]
+}
+
+/// How probable nothing and an unknown cause are, under these names.
+fn probabilities(found: &Diagnosis, [nothing, unknown]: [&'static str; 2]) -> Vec<Fact> {
     let fact = |place: &str, label, value| Fact {
         place: place.to_string(),
         label,
@@ -145,15 +189,8 @@ pub fn hypotheses(found: &Diagnosis) -> Vec<Part> {
         digits: Significant(2),
     };
     vec![
-        Part::Headline(vec![
-            fact("/p_nothing", "Probability of nothing missing", found.p_nothing),
-            fact(
-                "/novel/probability",
-                "Probability of an unknown cause",
-                found.novel.probability,
-            ),
-        ]),
-        Part::Table(hypothesis_table(found)),
+        fact("/p_nothing", nothing, found.p_nothing),
+        fact("/novel/probability", unknown, found.novel.probability),
     ]
 }
 
@@ -211,4 +248,31 @@ fn hypothesis_table(found: &Diagnosis) -> Table {
         caption += " At its end: the most that is accepted; the data ask for no less.";
     }
     table.caption(&caption).table()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_calibrated_model_that_comes_nearer_is_said_to_have_pulled_what_it_pulled_most() {
+        let pull = |unknown: &str, pull: f64| Pull {
+            unknown: unknown.to_string(),
+            value: 1.0,
+            standard_error: 0.1,
+            pull,
+            is_flagged: pull.abs() > 2.0,
+        };
+        let words = pulled(&[pull("a", -2.5), pull("b", 3.76), pull("c", 1.0)]);
+        assert!(words.ends_with("pulls b by +3.8 sigma."), "{words}");
+        assert_eq!(pulled(&[pull("a", -1.5)]), "");
+    }
+
+    #[test]
+    fn an_error_above_the_scatter_is_explained_where_nothing_is_missing_and_only_there() {
+        let words = rest(Verdict::Nothing, 0.021, [0.6, 0.3]);
+        assert!(words.contains("(2.1 % of what they predict)"), "{words}");
+        assert_eq!(rest(Verdict::Nothing, 0.021, [0.4, 0.3]), "");
+        assert_eq!(rest(Verdict::Set, 0.021, [0.6, 0.3]), "");
+    }
 }

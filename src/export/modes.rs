@@ -124,6 +124,7 @@ impl ModesSummary {
             title: self.name.clone(),
             kind: "summary",
             lead: vec![Part::Text(head), Part::Notes(self.warnings.clone())],
+            brief: vec![Part::Table(self.shares())],
             ..Page::default()
         };
         page.section("modes", "Modes", vec![Part::Table(self.shares())]);

@@ -69,9 +69,15 @@ impl Part {
                 .collect(),
             Part::Named(lines) => lines
                 .iter()
-                .map(|line| {
-                    let name = format!("{:indent$}{:<NAMED$}", "", line.name);
-                    hanging(&name, &line.text(), indent + NAMED)
+                .map(|line| match line.name.chars().count() < NAMED {
+                    true => {
+                        let name = format!("{:indent$}{:<NAMED$}", "", line.name);
+                        hanging(&name, &line.text(), indent + NAMED)
+                    }
+                    false => {
+                        let words = format!("{} {}", line.name, line.text());
+                        hanging(&" ".repeat(indent), &words, indent + NAMED)
+                    }
                 })
                 .collect(),
             Part::Code(code) => code.lines().map(|line| format!("  {line}\n")).collect(),
