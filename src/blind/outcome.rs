@@ -8,8 +8,8 @@ use super::distance::Distance;
 use super::followed::Followed;
 use super::kind::Kind;
 use super::truth::{is_truth, names_in_set, same, set_size};
+use crate::diagnose::hypothesis::Hypothesis;
 use crate::diagnose::posterior::SEPARATE;
-use crate::diagnose::verdict::Hypothesis;
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::synthesize::{Acted, Answer};
 

@@ -1,7 +1,7 @@
 //! Whether what was said is what was hidden.
 
 use crate::diagnose::Diagnosis;
-use crate::diagnose::verdict::Hypothesis;
+use crate::diagnose::hypothesis::Hypothesis;
 use crate::synthesize::Answer;
 
 use super::kind::Kind;

@@ -7,8 +7,10 @@ use serde_json::Value;
 
 use crate::add::joining::wings;
 use crate::diagnose::candidates::known;
+use crate::diagnose::hypothesis::Hypothesis;
 use crate::diagnose::of_study::refuse_own_data;
-use crate::diagnose::verdict::{Diagnosis, Hypothesis, Strength, Verdict};
+use crate::diagnose::strengths::Strength;
+use crate::diagnose::verdict::{Diagnosis, Verdict};
 use crate::diagnose::{Cache, Candidates, Plan, Settings, StudyDiagnosis, plan_study};
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::html::cases::{at_work, found};

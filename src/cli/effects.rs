@@ -37,10 +37,12 @@ impl ListEffects {
     pub fn run(&self, console: &Console) -> Result<(), Failure> {
         let Some(name) = &self.name else {
             let cards: Vec<Card> = all().map(|effect| effect.card()).collect();
+            let mut after = String::new();
             if let Some(path) = &self.page {
                 write_page(path, &effects_page(&cards))?;
+                after = format!("Written: {}\n", path.display());
             }
-            return console.answer(&list(&cards), "", &cards);
+            return console.answer(&list(&cards), &after, &cards);
         };
         let Some(effect) = named(name) else {
             let names: Vec<&str> = all().map(|effect| effect.card().name).collect();
@@ -50,7 +52,7 @@ impl ListEffects {
             });
         };
         let card = effect.card();
-        let (picture, signature, without) = match signature(&card, console.progress()) {
+        let (picture, signature, without) = match signature(effect, console.progress()) {
             Ok(found) => (picture(&found, card.parameters[0].unit), Some(found), None),
             // an example that has no equilibrium is told; a fault or an interruption is one
             Err(ExploreError::Coupling(error)) if error.is_not_converged() => {

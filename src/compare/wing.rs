@@ -105,7 +105,7 @@ fn notes(rows: &[ComparedRow], profile: &TwistProfile, refused: Option<&Observat
         .filter_map(|row| row.instrument)
         .find(|other| *other != profile.instrument);
     if let Some(measured) = others {
-        let (measured, modelled) = (instrument_words(measured), instrument_words(profile.instrument));
+        let (measured, modelled) = (measured.words(), profile.instrument.words());
         let why = refused.map_or_else(String::new, |error| format!(": {error}"));
         notes.push(format!(
             "twist was measured by {measured}, but the model is read by {modelled}{why}"
@@ -125,13 +125,6 @@ fn notes(rows: &[ComparedRow], profile: &TwistProfile, refused: Option<&Observat
         ));
     }
     notes
-}
-
-fn instrument_words(instrument: Instrument) -> &'static str {
-    match instrument {
-        Instrument::ChordRotation => "the rotation of the chord",
-        Instrument::Camera => "a camera",
-    }
 }
 
 #[cfg(test)]

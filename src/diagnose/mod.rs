@@ -16,6 +16,8 @@ pub mod data;
 
 mod digits;
 
+pub mod effect_row;
+
 pub mod error;
 
 pub mod evidence;
@@ -23,6 +25,10 @@ pub mod evidence;
 pub mod expected;
 
 pub mod fields;
+
+pub mod gains;
+
+pub mod hypothesis;
 
 pub mod interpolate;
 
@@ -70,8 +76,6 @@ mod root_edge;
 
 pub mod robust;
 
-pub mod rows;
-
 pub mod scaling;
 
 pub mod scatter;
@@ -81,6 +85,8 @@ pub mod screening;
 pub mod settings;
 
 pub mod steps;
+
+pub mod strengths;
 
 pub mod table;
 

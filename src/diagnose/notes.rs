@@ -7,8 +7,8 @@ use super::digits::short;
 use super::judge::Judgement;
 use super::ladder::held_out_sigma;
 use super::posterior::{Case, SEPARATE};
-use super::rows::name;
 use super::screening::effect_of;
+use super::strengths::name;
 
 /// The notes of a diagnosis, what changes an answer most first.
 pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {

@@ -10,6 +10,7 @@ use crate::study::{Forward, Linear};
 
 use super::baseline::{distance, distances};
 use super::data::{Data, start};
+use super::effect_row::LookAlike;
 use super::error::DiagnoseError;
 use super::model_error::{ModelError, Size};
 use super::posterior::SEPARATE;
@@ -18,7 +19,6 @@ use super::scatter::Scatter;
 use super::screening::{Directions, ENOUGH_POWER, effect_of, family_wise, is_one_sided, power_at_distance};
 use super::settings::Settings;
 use super::table::Table;
-use super::verdict::LookAlike;
 use super::whitened::Whitened;
 
 /// What a planned campaign could tell.

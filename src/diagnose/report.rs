@@ -8,7 +8,10 @@ use crate::study::Fit;
 use super::added_variable::added_variable;
 use super::baseline::Baseline;
 use super::bump::Around;
+use super::effect_row::{EffectRow, LOOK_ALIKES, LookAlike, effect_rows, unseen};
 use super::error::DiagnoseError;
+use super::gains::Gains;
+use super::hypothesis::{Hypothesis, hypothesis, is_possible};
 use super::judge::Judgement;
 use super::ladder::{Explained, ladder};
 use super::misfit::{self, Pull};
@@ -18,11 +21,9 @@ use super::novel::reconstruct;
 use super::novel_words::draft;
 use super::posterior::{Belief, Case, SEPARATE};
 use super::refit::Explanation;
-use super::rows::{Gains, LOOK_ALIKES, effect_rows, hypothesis, is_possible, name, unseen};
 use super::screening::ENOUGH_POWER;
-use super::verdict::{
-    Diagnosis, EffectRow, Hypothesis, LookAlike, NoiseFound, Novel, Outlier, Prediction, Verdict,
-};
+use super::strengths::name;
+use super::verdict::{Diagnosis, NoiseFound, Novel, Outlier, Prediction, Verdict};
 use super::words::sentence;
 
 /// Something is said to be missing where nothing has a probability below so many times the accepted one of a false alarm. With 10, seven

@@ -1,7 +1,5 @@
 //! What a diagnosis says, for people and programs.
 
-use std::collections::BTreeMap;
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -9,11 +7,12 @@ use crate::input::measurement::Channel;
 use crate::study::Work;
 
 use super::added_variable::AddedVariable;
+use super::effect_row::{EffectRow, LookAlike};
+use super::hypothesis::Hypothesis;
 use super::ladder::LadderStep;
 use super::misfit::Misfit;
 use super::next::NextExperiment;
 use super::novel::Reconstruction;
-use super::screening::Sight;
 
 /// The kind of answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -94,74 +93,6 @@ pub struct Outlier {
     pub widening: f64,
 }
 
-/// What may be the case.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Hypothesis {
-    /// Effects that are missing: none (nothing is), one, two; `novel` for an unknown cause.
-    pub effects: Vec<String>,
-    /// Their families.
-    pub families: Vec<String>,
-    /// Strengths, with the unknowns that they are values of: two of one family mean a place between them.
-    pub strengths: Vec<Strength>,
-    /// Its probability.
-    pub probability: f64,
-    /// Strength of the first effect.
-    pub strength: Option<f64>,
-    /// Its standard error.
-    pub standard_error: Option<f64>,
-    /// Whether the plausible range of every strength lies within two standard errors of it.
-    pub plausible: bool,
-    /// Whether it belongs to the smallest set that holds the truth with 95 %.
-    pub in_set: bool,
-    /// Whether the strengths are those of a fit in the whole model.
-    pub refitted: bool,
-    /// Gain in predicting left-out conditions, in ln of the density; a necessary sign, not a ranking.
-    pub gain_left_out_conditions: Option<f64>,
-    /// The same for left-out wings.
-    pub gain_left_out_wings: Option<f64>,
-}
-
-/// Strength of one effect.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Strength {
-    /// The effect.
-    pub effect: String,
-    /// Its family.
-    pub family: String,
-    /// The unknown.
-    pub unknown: String,
-    /// Its value.
-    pub value: f64,
-    /// Whether that is an end of what is accepted, and the data ask for no less; never of what is all or none.
-    pub at_end: bool,
-    /// Its standard error; 0 of what is all or none, or was tried in steps alone.
-    pub standard_error: f64,
-    /// Its unit.
-    pub unit: String,
-    /// Where it sits, if that was not known.
-    pub place: Option<PlaceFound>,
-}
-
-/// Where an effect sits.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct PlaceFound {
-    /// The parameter of the effect that it is a value of.
-    pub parameter: String,
-    /// Its value.
-    pub value: f64,
-    /// The same from the wing base, mm, where it is a fraction of the length of a rod.
-    #[serde(default)]
-    pub at_mm: Option<f64>,
-    /// Its standard error; none if it was not fitted.
-    pub standard_error: Option<f64>,
-    /// Unit of both; `1` if they have none.
-    pub unit: String,
-    /// Other numbers that the effect needs, such as which spar.
-    pub numbers: BTreeMap<String, f64>,
-    /// The wing on which it sits, by the name of its design; none if on all.
-    pub wing: Option<String>,
-}
-
 /// An unknown cause.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Novel {
@@ -188,66 +119,6 @@ pub struct Draft {
     /// The same as a table `[effects.missing]` for a design or for `washout add missing --own`; none for an error of the
     /// reading, which is no effect.
     pub effect: Option<String>,
-}
-
-/// One effect that the model lacks.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct EffectRow {
-    /// The effect.
-    pub effect: String,
-    /// Its family.
-    pub family: String,
-    /// The unknown that is its strength.
-    pub unknown: String,
-    /// Unit of the strength.
-    pub unit: String,
-    /// Size of strength that is plausible.
-    pub scale: f64,
-    /// Score: distance from none in standard deviations, what the model can absorb left out.
-    pub score: f64,
-    /// Strength by one linear step; none where the readings do not feel it.
-    pub one_step: Option<f64>,
-    /// Its standard error.
-    pub one_step_error: Option<f64>,
-    /// Strength by a nonlinear fit.
-    pub refitted: Option<f64>,
-    /// Its standard error.
-    pub refitted_error: Option<f64>,
-    /// Where it sits, if that was not known: the row is that of its best place.
-    pub place: Option<PlaceFound>,
-    /// Whether its plausible range lies within two standard errors of that strength (by one step, if not refitted).
-    pub plausible: bool,
-    /// Strengths that are plausible in nature, in its unit.
-    pub plausible_range: [f64; 2],
-    /// Distance from none, in standard deviations, that its plausible size has.
-    pub detectability: f64,
-    /// Probability to see it at its plausible size.
-    pub power: f64,
-    /// What one glance tells.
-    pub sight: Sight,
-    /// Logarithm of its evidence against nothing missing.
-    pub ln_evidence: f64,
-    /// Probability that it alone is what is missing.
-    pub probability: f64,
-    /// Logarithm of the density that all other cases give to each, with it fitted over without, summed; by the linear model where it
-    /// was not refitted; none where only one case is fitted.
-    pub gain_left_out_conditions: Option<f64>,
-    /// Root mean square error of what is held out (in stated standard deviations), calibrated without it over refitted with it: above
-    /// one if it predicts better; none where nothing is held out, all of it is met, or it was not refitted.
-    pub held_out_gain: Option<f64>,
-    /// Other families that look like it, nearest first.
-    pub look_alikes: Vec<LookAlike>,
-}
-
-/// An effect that looks like another.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct LookAlike {
-    /// The other effect.
-    pub effect: String,
-    /// Cosine of the angle between their signatures, what the model can absorb left out.
-    pub cosine: f64,
-    /// Distance in standard deviations at the strength found.
-    pub separation_sigma: f64,
 }
 
 /// A prediction for a held-out observable.

@@ -1,8 +1,10 @@
 //! The answer in one plain sentence.
 
 use super::digits::short;
+use super::hypothesis::Hypothesis;
 use super::posterior::SEPARATE;
-use super::verdict::{Diagnosis, Hypothesis, PlaceFound, Strength, Verdict};
+use super::strengths::{PlaceFound, Strength};
+use super::verdict::{Diagnosis, Verdict};
 
 /// Other explanations listed before "and others".
 const LISTED: usize = 3;

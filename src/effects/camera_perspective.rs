@@ -51,6 +51,13 @@ impl Effect for CameraPerspective {
         CARD
     }
 
+    fn set_on_example(&self) -> &'static [&'static str] {
+        &[
+            "observation.instrument=\"camera\"",
+            "observation.camera_axis=\"stroke\"",
+        ]
+    }
+
     fn is_of_picture(&self) -> bool {
         true
     }

@@ -39,6 +39,13 @@ impl Effect for CameraTilt {
         CARD
     }
 
+    fn set_on_example(&self) -> &'static [&'static str] {
+        &[
+            "observation.instrument=\"camera\"",
+            "observation.camera_axis=\"stroke\"",
+        ]
+    }
+
     fn is_of_picture(&self) -> bool {
         true
     }

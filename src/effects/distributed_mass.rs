@@ -36,6 +36,10 @@ impl Effect for DistributedMass {
         CARD
     }
 
+    fn set_on_example(&self) -> &'static [&'static str] {
+        &["effects.centrifugal-load.strength=1"]
+    }
+
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
         let factor = 1.0 + values.strength();
         for section in &mut wing.model.sections {

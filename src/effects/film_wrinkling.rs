@@ -39,6 +39,10 @@ impl Effect for FilmWrinkling {
         CARD
     }
 
+    fn set_on_example(&self) -> &'static [&'static str] {
+        &["film.compression=\"carries\""]
+    }
+
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
         let share = values.strength();
         wing.model.change_sheets(|sheet| {

@@ -54,6 +54,10 @@ impl Effect for FiniteSpanDownwash {
         CARD
     }
 
+    fn set_on_example(&self) -> &'static [&'static str] {
+        &["steady.speed_m_s=8.0", "steady.root_angle_deg=10.0"]
+    }
+
     fn flow(&self, values: &Values, place: &StripPlace, air: &mut SectionAir<Dual>) {
         let Some([on_wall, free]) = place.lifting_lines else {
             return;

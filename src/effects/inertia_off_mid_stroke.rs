@@ -39,6 +39,10 @@ impl Effect for InertiaOffMidStroke {
         CARD
     }
 
+    fn set_on_example(&self) -> &'static [&'static str] {
+        &["flapping.phase_deg=20"]
+    }
+
     fn load(&self, values: &Values, wing: &Structure, loads: &mut Loads) {
         let Some(Flow::Flapping {
             frequency_hz,

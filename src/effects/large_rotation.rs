@@ -35,6 +35,15 @@ impl Effect for LargeRotation {
         CARD
     }
 
+    fn set_on_example(&self) -> &'static [&'static str] {
+        // in linear kinematics a film without tension sags by many chords
+        &[
+            "structure.kinematics=\"linear\"",
+            "film.compression=\"carries\"",
+            "film.pretension_n_per_m=74",
+        ]
+    }
+
     fn is_all_or_none(&self) -> bool {
         true
     }

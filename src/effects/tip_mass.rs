@@ -49,6 +49,10 @@ impl Effect for TipMass {
         CARD
     }
 
+    fn set_on_example(&self) -> &'static [&'static str] {
+        &["effects.centrifugal-load.strength=1"]
+    }
+
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {
         let own_kg: f64 = wing.model.lumped_mass_kg().iter().sum();
         let Some(&node) = wing.mesh.rod_nodes().last() else {

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::aero::Flow;
-use crate::effects::Card;
+use crate::effects::Effect;
 use crate::input::Design;
 use crate::progress::Progress;
 use crate::wing::WingModel;
@@ -49,33 +49,15 @@ pub struct TwistChange {
     pub change_deg: f64,
 }
 
-/// What must be set on the example so that an effect has something to act on.
-fn set_for(effect: &str) -> &'static [&'static str] {
-    match effect {
-        "film-wrinkling" => &["film.compression=\"carries\""],
-        "tip-mass" | "distributed-mass" => &["effects.centrifugal-load.strength=1"],
-        // in linear kinematics a film without tension sags by many chords
-        "large-rotation" => &[
-            "structure.kinematics=\"linear\"",
-            "film.compression=\"carries\"",
-            "film.pretension_n_per_m=74",
-        ],
-        "finite-span-downwash" => &["steady.speed_m_s=8.0", "steady.root_angle_deg=10.0"],
-        "inertia-off-mid-stroke" => &["flapping.phase_deg=20"],
-        "camera-perspective" | "camera-tilt" => &[
-            "observation.instrument=\"camera\"",
-            "observation.camera_axis=\"stroke\"",
-        ],
-        _ => &[],
-    }
-}
-
-/// The signature of the effect of `card` at its largest plausible strength.
+/// The signature of an effect at its largest plausible strength.
 ///
 /// # Errors
 /// If the example has no solution with it, or the user asked to stop.
-pub fn signature(card: &Card, progress: &Progress) -> Result<Signature, ExploreError> {
-    let set: Vec<String> = set_for(card.name).iter().map(|set| set.to_string()).collect();
+pub fn signature(effect: &dyn Effect, progress: &Progress) -> Result<Signature, ExploreError> {
+    let card = effect.card();
+    let set: Vec<String> = (effect.set_on_example().iter())
+        .map(|set| set.to_string())
+        .collect();
     let without = read(&set, progress)?;
     let plausible = card.parameters[0].scale();
     let mut strength = plausible;

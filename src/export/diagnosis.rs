@@ -3,10 +3,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::diagnose::effect_row::{EffectRow, LookAlike};
 use crate::diagnose::ladder::LadderStep;
 use crate::diagnose::misfit::Misfit;
 use crate::diagnose::screening::Sight;
-use crate::diagnose::verdict::{Draft, EffectRow, LookAlike, NoiseFound, Prediction};
+use crate::diagnose::verdict::{Draft, NoiseFound, Prediction};
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;

@@ -1,8 +1,9 @@
 //! The hypotheses of a diagnosis for people, and how the error falls with the most probable.
 
+use crate::diagnose::hypothesis::Hypothesis;
 use crate::diagnose::ladder::LadderStep;
 use crate::diagnose::misfit::Pull;
-use crate::diagnose::verdict::{Hypothesis, PlaceFound, Strength};
+use crate::diagnose::strengths::{PlaceFound, Strength};
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::page::Digits::{After, Significant};
 use crate::page::text::significant;

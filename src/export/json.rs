@@ -7,6 +7,10 @@ use serde_json::{Map, Value};
 use super::ExportError;
 
 /// A document that the program gives to other programs: it says what it is.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no document",
+    note = "name it, with its kind, in the list of src/cli/documents.rs"
+)]
 pub trait Document: Serialize {
     /// What it is: the verb that gives it.
     const KIND: &'static str;

@@ -24,12 +24,7 @@ pub fn measurement_csv(comments: &[String], rows: &[Row]) -> Result<String, Expo
         let mut line = vec![
             row.case.clone(),
             row.channel.name().to_string(),
-            match row.instrument {
-                None => "",
-                Some(Instrument::ChordRotation) => "chord_rotation",
-                Some(Instrument::Camera) => "camera",
-            }
-            .to_string(),
+            row.instrument.map_or("", Instrument::name).to_string(),
             row.channel.unit().to_string(),
             if row.channel.is_twist() { "washout" } else { "" }.to_string(),
             row.run.clone(),

@@ -4,8 +4,10 @@ use serde::Serialize;
 
 use crate::diagnose::StudyDiagnosis;
 use crate::diagnose::fields::Law;
+use crate::diagnose::hypothesis::Hypothesis;
 use crate::diagnose::next::Candidate;
-use crate::diagnose::verdict::{Diagnosis, Hypothesis, PlaceFound, Strength, Verdict};
+use crate::diagnose::strengths::{PlaceFound, Strength};
+use crate::diagnose::verdict::{Diagnosis, Verdict};
 use crate::effects::named;
 use crate::input::study::LoadedStudy;
 use crate::page::text::significant;

@@ -127,7 +127,7 @@ impl Outcome {
             _ => 0.0,
         };
         let family = self.case.families[0];
-        let own = |row: &&washout::diagnose::verdict::EffectRow| match self.case.nature.hidden[0] {
+        let own = |row: &&washout::diagnose::effect_row::EffectRow| match self.case.nature.hidden[0] {
             Hidden::Known(name, _) => row.effect == name,
             _ => row.family == family,
         };

@@ -243,16 +243,21 @@ fn names_are_those_of_the_files_and_every_card_is_complete() {
 
 #[test]
 fn every_case_that_a_card_names_is_a_test() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/effects_contract");
-    let files = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| std::fs::read_to_string(entry.unwrap().path()).unwrap());
+    // in the effect's own file, or here where it takes a whole wing
+    let folders = ["src/effects", "tests/effects_contract"];
+    let folders = folders.map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder));
+    let files = folders
+        .iter()
+        .flat_map(|folder| std::fs::read_dir(folder).unwrap())
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.is_file())
+        .map(|path| std::fs::read_to_string(path).unwrap());
     let tests: String = files.collect();
     for effect in ALL {
         let card = effect.card();
         assert!(
             tests.contains(&format!("fn {}()", card.case)),
-            "{}: no test {}",
+            "{}: no test {} in src/effects or tests/effects_contract",
             card.name,
             card.case
         );
@@ -342,7 +347,11 @@ fn with_the_shape_frozen_an_effect_acts_at_its_seam_alone() {
             Seam::Kinematics => (false, false, air_changed),
             Seam::Picture => (false, false, false),
         };
-        assert_eq!(found, expected, "{}: structure, loads, air", card.name);
+        assert_eq!(
+            found, expected,
+            "{}: whether structure, loads, air change; the card says that it acts on {:?}, and what `Effect` has for that is called alone",
+            card.name, card.seam
+        );
     }
 }
 

@@ -230,7 +230,7 @@ pub fn is_named(path: &Path, sources: &[(PathBuf, String)]) -> bool {
         .any(|(path, source)| is_owner(path) && blank_comments_and_texts(source).contains(&declared))
 }
 
-/// The effect files that the text of `effects/library.rs` does not list in `ALL`.
+/// The effect files that the text of `effects/mod.rs` does not list in `ALL`.
 pub fn effects_not_listed(effects: &[&str], module: &str) -> Vec<Fault> {
     let code = blank_comments_and_texts(module);
     let all = code.find("ALL").map_or("", |at| &code[at..]);

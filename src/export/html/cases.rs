@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::compare::ComparedStudy;
 use crate::coupling::sensitivity::Nearby;
-use crate::diagnose::verdict::Strength;
+use crate::diagnose::strengths::Strength;
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::input::Assumption;
 use crate::input::study::LoadedStudy;

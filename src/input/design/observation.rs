@@ -35,7 +35,7 @@ pub struct Observation {
 }
 
 /// Instrument that reads twist.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Instrument {
     /// Angle of the deformed chord line about the span axis.
@@ -43,6 +43,27 @@ pub enum Instrument {
     ChordRotation,
     /// Projected distance between the edges in a video frame.
     Camera,
+}
+
+impl Instrument {
+    /// All of them.
+    pub const ALL: [Instrument; 2] = [Instrument::ChordRotation, Instrument::Camera];
+
+    /// The word for it in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Instrument::ChordRotation => "chord_rotation",
+            Instrument::Camera => "camera",
+        }
+    }
+
+    /// What reads, in a sentence.
+    pub fn words(self) -> &'static str {
+        match self {
+            Instrument::ChordRotation => "the rotation of the chord",
+            Instrument::Camera => "a camera",
+        }
+    }
 }
 
 /// Axis along which the camera looks.

@@ -113,10 +113,7 @@ fn read_unit(record: &Record, channel: Channel) -> Result<(), InputError> {
 }
 
 fn read_instrument(record: &Record, channel: Channel) -> Result<Option<Instrument>, InputError> {
-    let words = [
-        ("chord_rotation", Instrument::ChordRotation),
-        ("camera", Instrument::Camera),
-    ];
+    let words = Instrument::ALL.map(|instrument| (instrument.name(), instrument));
     match (channel.is_twist(), record.text("instrument")) {
         (true, _) => record
             .word("instrument", &words, "Say how twist was read")
@@ -217,9 +214,14 @@ fn read_chord_fraction(record: &Record, channel: Channel) -> Result<Option<f64>,
 }
 
 /// What two rows must not share: they would be one number stated twice.
-pub(super) fn identity(row: &Row) -> (String, Channel, Option<bool>, String, [Option<u64>; 3]) {
-    let camera = row.instrument.map(|instrument| instrument == Instrument::Camera);
+pub(super) fn identity(row: &Row) -> (String, Channel, Option<Instrument>, String, [Option<u64>; 3]) {
     let place =
         [row.r_mm, row.r_to_mm, row.chord_fraction].map(|station| station.map(|mm| (mm + 0.0).to_bits()));
-    (row.case.clone(), row.channel, camera, row.run.clone(), place)
+    (
+        row.case.clone(),
+        row.channel,
+        row.instrument,
+        row.run.clone(),
+        place,
+    )
 }

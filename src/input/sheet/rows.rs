@@ -197,16 +197,13 @@ impl<'a> Reader<'a> {
             )?,
             None => false,
         };
-        let instruments = [
-            ("chord_rotation", Instrument::ChordRotation),
-            ("camera", Instrument::Camera),
-        ];
+        let instruments = Instrument::ALL.map(|instrument| (instrument.name(), instrument));
         let instrument = match is_twist {
             true => Some(self.cells.choice(
                 line,
                 "instrument",
                 &instruments,
-                (instruments[0].1, "chord_rotation"),
+                (Instrument::default(), Instrument::default().name()),
             )?),
             false => None,
         };
