@@ -134,6 +134,15 @@ mod tests {
     }
 
     #[test]
+    fn a_rectangle_with_air_all_around_is_alike_at_both_its_ends() {
+        let line = LiftingLine::new(0.1, |_| 0.02, false).unwrap();
+        for r_m in [0.0, 0.01, 0.03] {
+            let [here, there] = [r_m, 0.1 - r_m].map(|r_m| line.downwash_per_lift(r_m));
+            assert!((here / there - 1.0).abs() < 1e-6, "{r_m}: {here} {there}");
+        }
+    }
+
+    #[test]
     fn a_wing_without_chord_has_no_lifting_line() {
         assert_eq!(LiftingLine::new(0.1, |_| 0.0, true), None);
         assert_eq!(LiftingLine::new(0.1, |_| f64::NAN, true), None);

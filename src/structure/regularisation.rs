@@ -102,3 +102,32 @@ impl Regularisation {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn films_are_regularised_more_after_a_short_step_and_less_after_a_whole_one_or_as_the_residual_falls() {
+        let mut film = Regularisation {
+            tension_n_per_m: 2.0,
+            strength: 0.5,
+            last: f64::INFINITY,
+            mark: (f64::INFINITY, 0),
+        };
+        let tension = |film: &Regularisation| film.tension_n_per_m();
+        film.searched(0.1);
+        assert_eq!(tension(&film), 2.0);
+        film.searched(0.5);
+        assert_eq!(tension(&film), 2.0);
+        film.searched(1.0);
+        assert!((tension(&film) - 0.6).abs() < 1e-12);
+        assert!(!film.is_stuck(1, 1.0));
+        assert!((tension(&film) - 0.12).abs() < 1e-12);
+        assert!(!film.is_stuck(2, 1e-3));
+        // whole steps that do not bring it further are given up after a while, and the films held
+        assert!(!film.is_stuck(PATIENCE + 1, 1e-3));
+        assert!(film.is_stuck(PATIENCE + 2, 1e-3));
+        assert!(film.carried() >= 1e-2 * CARRIED_SHARE);
+    }
+}
