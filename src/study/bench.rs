@@ -23,8 +23,8 @@ pub fn torque(case: &LoadedCase, twist_deg: f64) -> Option<LoadedCase> {
         ..unloaded(at_mm)
     };
     let words = format!(
-        "the still wing {} under a torque of {} near its tip ({} mm)",
-        design.name,
+        "{} under a torque of {} near its tip ({} mm)",
+        still_wing(&design.name),
         with_unit(torque_n_m, "N·m"),
         short(at_mm)
     );
@@ -52,13 +52,21 @@ pub(super) fn push(case: &LoadedCase, twist_deg: f64) -> Option<LoadedCase> {
         ..unloaded(at_mm)
     };
     let words = format!(
-        "the still wing {} under a push of {} at {} mm, {} mm behind its leading edge",
-        design.name,
+        "{} under a push of {} at {} mm, {} mm behind its leading edge",
+        still_wing(&design.name),
         with_unit(push_n, "N"),
         short(at_mm),
         short(behind_mm)
     );
     Some(still(case, load, words))
+}
+
+/// The still wing of a name in words; a name that says no more is not repeated.
+fn still_wing(name: &str) -> String {
+    match name {
+        "wing" => "the still wing".to_string(),
+        name => format!("the still wing {name}"),
+    }
 }
 
 /// A case without air to speak of, under this load alone.

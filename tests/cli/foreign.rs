@@ -72,7 +72,19 @@ fn none_is_diagnosed_wrongly(cases: &[Case]) {
                     .is_some_and(|all| all.len() == 1 && names.iter().any(|name| all[0] == *name));
                 assert!(leads && matches!(verdict, "effect" | "set"), "{case}: {sentence}");
             }
-            None => assert_eq!(verdict, "novel", "{case}: {sentence}"),
+            None => {
+                assert_eq!(verdict, "novel", "{case}: {sentence}");
+                // cosine and distance of each effect are the two legs of one triangle, whose longest side is the misfit
+                let nearest = said["novel"]["nearest"].as_array().expect("effects");
+                let misfits = nearest.iter().map(|near| {
+                    let [cosine, apart] =
+                        ["cosine", "separation_sigma"].map(|key| near[key].as_f64().expect(key));
+                    apart / (1.0 - cosine * cosine).sqrt()
+                });
+                let misfits: Vec<f64> = misfits.collect();
+                let is_one = |own: &f64| (own / misfits[0] - 1.0).abs() < 1e-9;
+                assert!(misfits.len() > 1 && misfits.iter().all(is_one), "{misfits:?}");
+            }
         }
     }
 }
