@@ -200,3 +200,26 @@ fn strain_index(strain: SectionStrain) -> usize {
         SectionStrain::BendingEdge => 5,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ply of stiffness along its fibres alone has E m mᵀ, m the strain along them: (c², s², s c); one across them alone n = (s², c², −s c).
+    #[test]
+    fn a_turned_ply_is_stiff_along_its_fibres_and_across_them() {
+        let angle: f64 = 0.4;
+        let (s, c) = angle.sin_cos();
+        let along = Vector3::new(c * c, s * s, s * c);
+        let across = Vector3::new(s * s, c * c, -s * c);
+        for (place, direction) in [(0, along), (1, across)] {
+            let mut q = Matrix3::zeros();
+            q[(place, place)] = 3.0;
+            let found = turned(&q, angle);
+            assert!(
+                (found - 3.0 * direction * direction.transpose()).norm() < 1e-14,
+                "{found}"
+            );
+        }
+    }
+}

@@ -98,6 +98,12 @@ mod tests {
     }
 
     #[test]
+    fn the_series_of_small_rotations_goes_on_where_the_closed_form_begins() {
+        let [below, above] = [0.01 * (1.0 - 1e-12), 0.01].map(|square| curvature_factors(square).0);
+        assert!((below - above).abs() < 1e-13, "{below} {above}");
+    }
+
+    #[test]
     fn spin_map_agrees_with_differences() {
         let h = 1e-6;
         for v in vectors() {
