@@ -224,6 +224,12 @@ def once(tree, executable, test, limit, environment):
         late.start()
         _, status, used = os.wait4(process.pid, 0)
         late.cancel()
+        process.returncode = status
+        # what the test has started ends with it
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
         output.seek(0)
         said = output.read().decode(errors="replace")
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGKILL, signal.SIGXCPU):

@@ -38,6 +38,12 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
         ));
     }
     notes.extend(without_solution(baseline, judgement));
+    let scale = baseline.size.scale;
+    if !baseline.on_trust() && (scale - 1.0).abs() > 0.2 {
+        notes.push(format!(
+            "The data scatter {scale:.2} times as much as stated; that is what was used."
+        ));
+    }
     notes
 }
 

@@ -132,7 +132,7 @@ fn pulled(pulls: &[Pull]) -> String {
     let most = flagged.max_by(|a, b| a.pull.abs().total_cmp(&b.pull.abs()));
     most.map_or(String::new(), |most| {
         format!(
-            " Without the effect the model comes nearer only because calibration pulls {} by {:+.1} sigma.",
+            " The calibrated model comes nearer, but for that it pulls {} by {:+.1} sigma.",
             most.unknown, most.pull
         )
     })
