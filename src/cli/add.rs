@@ -14,7 +14,7 @@ use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
 
 use super::study_file::StudyFile;
-use super::written::{listed, target as target_of};
+use super::written::target as target_of;
 use super::{Console, Failure};
 
 /// The document that lists the files of a ladder.
@@ -125,6 +125,6 @@ impl Add {
         // the study last: whoever is stopped between the two can do the same again
         let pictures = folder.commit()?;
         file.write(&fit.text)?;
-        console.answer(&page, &listed(&pictures, &report.files), &report)
+        console.answer(&page, &console.listed(&pictures, &report.files), &report)
     }
 }

@@ -26,7 +26,7 @@ use crate::study::UnknownKind;
 use crate::wing::{WingError, WingModel};
 
 use super::design_arguments::{DesignArguments, is_there};
-use super::written::{listed, target};
+use super::written::target;
 use super::{Console, Failure};
 
 /// The document that lists the files of a comparison.
@@ -167,8 +167,8 @@ impl Compare {
         progress.check()?;
         let written = folder.commit()?;
         let sketch = console.sketch(&wing_figure(&report.comparison, Some(profile)));
-        let files = listed(&written, &report.files);
-        console.answer(&report.page(), &format!("{files}{sketch}"), &report)
+        let files = console.listed(&written, &report.files);
+        console.answer_with(&report.page(), &files, &sketch, &report)
     }
 
     fn compared_study(
@@ -214,8 +214,8 @@ impl Compare {
         progress.check()?;
         let written = folder.commit()?;
         let sketch = console.sketch(&compared_figure(&Compared::of_study(&report.comparison)));
-        let after = listed(&written, &report.files) + &sketch;
-        console.answer(&page_of_study(&report.comparison), &after, &report)
+        let files = console.listed(&written, &report.files);
+        console.answer_with(&page_of_study(&report.comparison), &files, &sketch, &report)
     }
 
     /// A design of each wing as calibrated, to be solved under other conditions.

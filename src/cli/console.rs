@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::fmt;
 use std::io::{self, IsTerminal, Write};
+use std::path::Path;
 
 use clap::Args;
 use serde::Serialize;
@@ -11,6 +12,8 @@ use serde_json::Value;
 use crate::export::ExportError;
 use crate::export::json::{self, Document};
 use crate::page::Page;
+use crate::page::screen::ALL;
+use crate::page::text::{WIDTH, hanging};
 use crate::plot::Figure;
 use crate::plot::terminal::sketch;
 use crate::progress::Progress;
@@ -112,9 +115,20 @@ impl Console {
 
     /// Prints an answer and what is to be done after it; to people what fits on a screen, unless they asked for all.
     pub fn answer(&self, page: &Page, after: &str, document: &impl Document) -> Result<(), Failure> {
-        let text = match page.brief().filter(|_| !self.verbose) {
-            Some(brief) => page.ended(format!("{brief}\n{after}Full output: --verbose\n")),
-            None => format!("{}\n{after}", page.text()),
+        self.answer_with(page, after, "", document)
+    }
+
+    /// The same with a [`Console::sketch`] below it.
+    pub fn answer_with(
+        &self,
+        page: &Page,
+        after: &str,
+        sketch: &str,
+        document: &impl Document,
+    ) -> Result<(), Failure> {
+        let text = match page.on_screen(after).filter(|_| !self.verbose) {
+            Some(screen) => screen + sketch,
+            None => format!("{}\n{after}{sketch}", page.text()),
         };
         match page.answer().filter(|_| colour::is_shown()) {
             Some(answer) => self.result(&colour::coloured(&text, &answer), document),
@@ -133,6 +147,17 @@ impl Console {
     pub fn text(&self, text: &[u8]) -> Result<(), Failure> {
         self.progress.finish();
         self.print(text)
+    }
+
+    /// Which files were written, as the last line of a page: their names where these have room, or all is asked for.
+    pub fn listed(&self, folder: &Path, files: &[String]) -> String {
+        let folder = folder.display();
+        let named = format!("Files in {folder}: {}", files.join(" "));
+        // with how to see all, as on a screen
+        match self.verbose || named.chars().count() + 2 + ALL.len() <= WIDTH {
+            true => hanging("", &named, 2),
+            false => format!("{} files in {folder}\n", files.len()),
+        }
     }
 
     /// A small picture for people at a terminal; nothing for a file, another program, or where nothing is printed.

@@ -23,7 +23,6 @@ use super::layout_summary::{Best, layout_summary};
 use super::layouts::Looks;
 use super::rod_aim::RodAim;
 use super::tasks::{TaskArguments, beside, unfinished};
-use super::written::listed;
 use super::{Console, Failure};
 use crate::wing::WingModel;
 use crate::wing::flown::can_fly;
@@ -187,7 +186,7 @@ impl DesignRod {
         summary.files = folder.listed_with(self.report);
         let page = summary.page();
         let written = finished(folder, self.report.then_some(&page), &summary, console)?;
-        console.answer(&page, &listed(&written, &summary.files), &summary)
+        console.answer(&page, &console.listed(&written, &summary.files), &summary)
     }
 
     fn check(&self) -> Result<(), Failure> {

@@ -26,7 +26,7 @@ use crate::page::Part;
 use crate::page::text::significant;
 use crate::study::Campaign;
 
-use super::written::{listed, target};
+use super::written::target;
 use super::{Console, Failure};
 
 /// The document that lists the files of a diagnosis.
@@ -230,7 +230,7 @@ impl Diagnose {
             screening.derivatives, screening.factorizations, report.work
         );
         answer.section("work", "What it took", vec![Part::Text(work)]);
-        let after = to_go_on(&report) + &listed(&written, &report.files);
+        let after = to_go_on(&report) + &console.listed(&written, &report.files);
         console.answer(&answer, &after, &report)
     }
 }

@@ -101,6 +101,7 @@ fn list(cards: &[Card]) -> Page {
         )],
         ..Page::default()
     };
+    page.brief = page.lead.clone();
     let mut seams: Vec<String> = Vec::new();
     for seam in cards.iter().map(|card| word(&card.seam)) {
         if !seams.contains(&seam) {
@@ -150,9 +151,10 @@ fn page(card: &Card<'static>) -> Page {
         title: card.name.to_string(),
         kind: "effect",
         lead: vec![Part::Text(card.summary.to_string())],
-        brief: vec![Part::Named(good_for.clone())],
         ..Page::default()
     };
+    page.brief = page.lead.clone();
+    page.brief.push(Part::Named(good_for.clone()));
     page.brief.extend(numbers.iter().cloned());
     let mut lines = vec![line("formula", card.formula), line("source", card.source)];
     lines.extend(good_for);

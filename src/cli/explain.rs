@@ -16,7 +16,7 @@ use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
 
 use super::diagnose::candidates;
-use super::written::{listed, target};
+use super::written::target;
 use super::{Console, Failure};
 
 /// The document that lists the files of an explanation.
@@ -64,7 +64,7 @@ impl Explain {
         folder.add_summary(&report)?;
         console.progress().check()?;
         let written = folder.commit()?;
-        console.answer(&answer, &listed(&written, &report.files), &report)
+        console.answer(&answer, &console.listed(&written, &report.files), &report)
     }
 
     fn subject(&self) -> Result<LoadedStudy, Failure> {

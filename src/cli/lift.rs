@@ -11,7 +11,6 @@ use crate::wing::TwistSource;
 use crate::wing::flights::{Amplitudes, Flights};
 
 use super::finished::finished;
-use super::written::listed;
 use super::{Console, Failure};
 
 /// Arguments of `washout lift`.
@@ -91,7 +90,7 @@ impl Lift {
         summary.files = folder.listed_with(self.report);
         let page = summary.page();
         let written = finished(folder, self.report.then_some(&page), &summary, console)?;
-        console.answer(&page, &listed(&written, &summary.files), &summary)
+        console.answer(&page, &console.listed(&written, &summary.files), &summary)
     }
 
     fn flights(&self) -> Flights {

@@ -18,7 +18,6 @@ use crate::structure::{MassProperties, Mode, Vibration};
 
 use super::design_arguments::DesignArguments;
 use super::finished::finished;
-use super::written::listed;
 use super::{Console, Failure};
 use crate::wing::WingModel;
 
@@ -105,7 +104,7 @@ impl Modes {
         };
         let page = summary.page();
         let written = finished(folder, self.report.then_some(&page), &summary, console)?;
-        console.answer(&page, &listed(&written, &summary.files), &summary)
+        console.answer(&page, &console.listed(&written, &summary.files), &summary)
     }
 
     fn standing(&self, wing: &WingModel, console: &Console) -> Result<Standing, Failure> {

@@ -21,7 +21,6 @@ use super::fronts::Searches;
 use super::job::Job;
 use super::marked_wings::{Named, marked, named};
 use super::tasks::{TaskArguments, beside};
-use super::written::listed;
 use super::{Console, Failure};
 use crate::wing::WingModel;
 use crate::wing::flown::can_fly;
@@ -172,7 +171,7 @@ impl Pareto {
         summary.files = folder.listed_with(self.report);
         let page = summary.page();
         let written = finished(folder, self.report.then_some(&page), &summary, console)?;
-        console.answer(&page, &listed(&written, &summary.files), &summary)
+        console.answer(&page, &console.listed(&written, &summary.files), &summary)
     }
 
     fn family(&self, case: &WingModel, stroke: &Stroke) -> Result<StagedTwist, Failure> {

@@ -12,7 +12,6 @@ use crate::export::run::RunFolder;
 use crate::origin::MadeOf;
 use crate::plot::Print;
 
-use super::written::listed;
 use super::{Console, Failure};
 
 /// The document that lists the pictures.
@@ -134,7 +133,7 @@ impl Plot {
         folder.add_summary(&plotted)?;
         console.progress().check()?;
         let written = folder.commit()?;
-        console.result(&listed(&written, &plotted.files), &plotted)
+        console.result(&console.listed(&written, &plotted.files), &plotted)
     }
 
     fn wants(&self, picture: &Picture) -> bool {

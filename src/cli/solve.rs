@@ -11,7 +11,6 @@ use crate::export::solved_run::SolvedRun;
 use crate::solve::{Asked, OverStroke};
 
 use super::design_arguments::DesignArguments;
-use super::written::listed;
 use super::{Console, Failure};
 
 /// Arguments of `washout solve`.
@@ -81,12 +80,12 @@ impl Solve {
         progress.check()?;
         let earlier = read_summary(&target).ok();
         let path = folder.commit()?;
-        let mut after = listed(&path, &summary.files);
+        let mut after = console.listed(&path, &summary.files);
         if earlier.is_some_and(|earlier| earlier.design != summary.design) {
             after += "They replace an earlier run with other inputs; --output DIR keeps both\n";
         }
-        after += &console.sketch(&twist(&summary));
-        console.answer(&page(&summary, &[]), &after, &summary)
+        let sketch = console.sketch(&twist(&summary));
+        console.answer_with(&page(&summary, &[]), &after, &sketch, &summary)
     }
 }
 

@@ -23,7 +23,6 @@ use crate::sweep::{
 use super::finished::finished;
 use super::job::Job;
 use super::tasks::{MOST_TASKS, TaskArguments, Work, beside, gone};
-use super::written::listed;
 use crate::wing::WingError;
 
 use super::{Console, Failure};
@@ -346,7 +345,7 @@ impl Ready {
             });
         }
         let parts = self.parts.display();
-        let listed = listed(&written, &files);
+        let listed = console.listed(&written, &files);
         let after = format!("{listed}Its parts are kept in {parts}\n");
         console.answer(&page, &after, &summary)
     }

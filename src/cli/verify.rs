@@ -15,7 +15,6 @@ use crate::page::text::Table;
 use crate::verify::{ALL, Case, Extent, Kind, named, run};
 
 use super::finished::finished;
-use super::written::listed;
 use super::{Console, Failure};
 
 /// Name of the document of the folder.
@@ -86,7 +85,7 @@ impl Verify {
         if let Some(page) = &self.page {
             write_page(page, &trust_page(&report, &studies))?;
         }
-        console.answer(&answer, &listed(&path, &report.files), &report)?;
+        console.answer(&answer, &console.listed(&path, &report.files), &report)?;
         match report.failing() {
             failing if failing.is_empty() => Ok(()),
             failing => Err(Failure::Cases { failing }),

@@ -229,7 +229,7 @@ fn groups(rows: &[StudyRow], discrepancy: f64) -> Vec<GroupMisfit> {
             bias: [mean(&|row| row.errors()[0]), mean(&|row| row.errors()[1])],
             sigma_of_measurement: measurement.sqrt(),
             sigma_of_inputs: inputs.sqrt(),
-            explained: (measurement + inputs) / square(0).max(f64::MIN_POSITIVE),
+            explained: Some((measurement + inputs) / square(0)).filter(|share| share.is_finite()),
         }
     };
     keys.into_iter().map(group).collect()

@@ -112,8 +112,8 @@ pub struct GroupMisfit {
     /// Root mean square standard deviation of the model that the priors of inputs and ruler give.
     pub sigma_of_inputs: f64,
     /// Share of the mean square error before calibration that both together would give on average (ASME V&V 20: |E| against
-    /// its uncertainty); 1 and more means that nothing else is needed.
-    pub explained: f64,
+    /// its uncertainty); 1 and more means that nothing else is needed, none that there is no error: bounds that are kept.
+    pub explained: Option<f64>,
 }
 
 /// An unknown after calibration.

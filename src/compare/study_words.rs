@@ -37,14 +37,14 @@ pub(super) fn words(comparison: &StudyComparison) -> Vec<String> {
 pub fn of_group(group: &GroupMisfit) -> String {
     let held = if group.is_held_out { " (held out)" } else { "" };
     let total = group.sigma_of_measurement.hypot(group.sigma_of_inputs);
-    let verdict = if group.explained >= 1.0 {
-        "which the known uncertainty of ruler and inputs explains".to_string()
-    } else {
-        format!(
+    let verdict = match group.explained {
+        None => "for every bound is kept".to_string(),
+        Some(share) if share >= 1.0 => "which the known uncertainty of ruler and inputs explains".to_string(),
+        Some(share) => format!(
             "of which the known uncertainty ({total:.3} {}) explains {:.0} % (of the mean square)",
             group.unit,
-            100.0 * group.explained
-        )
+            100.0 * share
+        ),
     };
     format!(
         "{}, {}{held}: the uncalibrated model misses by {:.3} {} (root mean square of {}), {verdict}; calibrated, by {:.3}.",

@@ -17,6 +17,9 @@ use super::root_edge::RootEdge;
 use super::settings::Settings;
 use super::verdict::Diagnosis;
 
+/// How a note begins of rows that had no part in a diagnosis.
+pub const NOT_COMPARED: &str = "Not compared";
+
 /// A study diagnosed.
 #[derive(Debug)]
 pub struct StudyDiagnosis {
@@ -77,7 +80,7 @@ impl StudyDiagnosis {
         });
         let not_compared = campaign.not_compared().into_iter();
         // what had no part in it comes first
-        let not_compared = not_compared.map(|row| format!("Not compared: {row}"));
+        let not_compared = not_compared.map(|row| format!("{NOT_COMPARED}: {row}"));
         diagnosis.notes.splice(0..0, not_compared);
         let left_out = candidates.left_out.iter().cloned();
         diagnosis.notes.extend(on.into_iter().chain(left_out).chain(note));

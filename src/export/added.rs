@@ -68,15 +68,22 @@ pub fn page(report: &AddReport) -> Page {
         None => format!("without {}", report.effect),
     };
     let steps = Part::Table(ladder::steps(&report.ladder));
+    let title = format!("{}: {what}", report.written.display());
+    let lead = vec![
+        Part::Sentence(words(report)),
+        Part::List(report.others.iter().map(again).collect()),
+        Part::Notes(report.notes.clone()),
+    ];
     let mut page = Page {
-        title: format!("{}: {what}", report.written.display()),
+        brief: [
+            vec![Part::Subtitle(title.clone())],
+            lead.clone(),
+            vec![steps.clone()],
+        ]
+        .concat(),
+        title,
         kind: "ladder",
-        lead: vec![
-            Part::Sentence(words(report)),
-            Part::List(report.others.iter().map(again).collect()),
-            Part::Notes(report.notes.clone()),
-        ],
-        brief: vec![steps.clone()],
+        lead,
         ..Page::default()
     };
     page.section("ladder", "Error step by step", vec![steps]);

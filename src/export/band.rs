@@ -38,21 +38,38 @@ pub fn band(band: &Uncertainty) -> Vec<Part> {
         .most_in_text(1)
         .folded(3, "Samples without a result");
     parts.push(Part::Table(failures.table()));
-    let is_twist = |output: &OutputBand| matches!(output.output, Output::Twist { .. });
-    let outermost = band.outputs.iter().rposition(is_twist);
     parts.extend(
-        outermost
+        outermost(band)
             .into_iter()
             .flat_map(|index| shares(index, &band.outputs[index])),
     );
     parts
 }
 
+/// The same without what it says of twist further inboard.
+pub fn band_at_the_tip(found: &Uncertainty) -> Vec<Part> {
+    let mut parts = band(found);
+    if let (Some(Part::Table(table)), Some(outermost)) = (parts.first_mut(), outermost(found)) {
+        table.rows.drain(..outermost);
+    }
+    parts
+}
+
+/// The place of the outermost twist among the results.
+fn outermost(band: &Uncertainty) -> Option<usize> {
+    let is_twist = |output: &OutputBand| matches!(output.output, Output::Twist { .. });
+    band.outputs.iter().rposition(is_twist)
+}
+
 /// Which inputs a result owes its variance to; it is the one at `index` of the band.
 fn shares(index: usize, output: &OutputBand) -> Vec<Part> {
     let table = Rows::of(&format!("/uncertainty/outputs/{index}/shares"), &output.shares)
         .words("input", |share| share.key.as_str())
-        .number(["first_order", "alone", ""], After(3), |share| share.first_order)
+        .number(
+            ["first_order", "share of variance, alone", ""],
+            After(3),
+            |share| share.first_order,
+        )
         .number(["total", "with others", ""], After(3), |share| share.total)
         .caption(&format!(
             "Inputs by their share in the variance of the {}",

@@ -35,11 +35,12 @@ pub fn page(found: &Comparison) -> Page {
     page
 }
 
-/// The measured numbers; twist along the span where only few of them are twists.
+/// Where it misses, the measured numbers; twist along the span where only few of them are twists.
 fn brief(found: &Comparison) -> Vec<Part> {
-    let mut parts = vec![Part::Table(
+    let mut parts = said(found);
+    parts.push(Part::Table(
         rows("/comparison", found).without(&["chord_fraction", "kind of σ"]),
-    )];
+    ));
     if found.rows.len() < FEW {
         let spans = found.span.iter().enumerate();
         parts.extend(

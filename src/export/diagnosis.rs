@@ -67,9 +67,10 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
             Part::Text(format!("{} {}", falls(found), tried(found)).trim().to_string()),
             Part::List(meanings(found)),
         ],
-        brief: brief(found),
+        brief: Vec::new(),
         sections: Vec::new(),
     };
+    page.brief = [&page.lead[..2], &brief(found)].concat();
     page.section("hypotheses", "Hypotheses", hypotheses(found));
     page.section(
         "ladder",

@@ -31,12 +31,12 @@ pub fn page(study: &str, found: &Explanation) -> Page {
         title: study.to_string(),
         kind: "explain",
         lead: vec![Part::Sentence(found.sentence.clone()), Part::Text(tried(found))],
-        brief: vec![
-            Part::Table(table.clone()),
-            Part::Text(found.at_twice_sigma.clone()),
-        ],
+        brief: Vec::new(),
         sections: Vec::new(),
     };
+    page.brief = page.lead.clone();
+    page.brief.push(Part::Table(table.clone()));
+    page.brief.push(Part::Text(found.at_twice_sigma.clone()));
     if let Some(first) = found.sets.first() {
         page.brief.extend(of_set(0, first));
     }

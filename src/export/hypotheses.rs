@@ -3,6 +3,7 @@
 use crate::diagnose::hypothesis::Hypothesis;
 use crate::diagnose::ladder::LadderStep;
 use crate::diagnose::misfit::Pull;
+use crate::diagnose::of_study::NOT_COMPARED;
 use crate::diagnose::strengths::{PlaceFound, Strength};
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::page::Digits::{After, Significant};
@@ -23,19 +24,24 @@ const IN_SET: &str = " In set: the most probable, which hold 95 % together.";
 /// What the column of errors holds.
 const ERROR: &str = "Error: one standard error; none where a strength is all or none, or stands in steps.";
 
-/// Hypotheses that a screen has room for; of a set with more the most probable.
-const ROWS: usize = 3;
+/// Hypotheses that a screen shows at most; of a set with more the most probable.
+const ROWS: usize = 5;
 
-/// Notes that a screen has room for: the one that changes the answer most.
-const NOTES: usize = 1;
-
-/// How probable each is (of one that is named, the others are for who wants all), the first note, and what to measure next: with the answer
-/// above, what fits on a screen.
+/// What to measure next, how probable each is (of one that is named, the others are for who wants all), what it means, and notes: what a
+/// screen shows below the answer.
 pub fn brief(found: &Diagnosis) -> Vec<Part> {
-    let mut parts = vec![Part::Headline(probabilities(
-        found,
-        ["P(nothing missing)", "P(an unknown cause)"],
-    ))];
+    // what had no part in the answer is always said
+    let is_left_out = |note: &&String| note.starts_with(NOT_COMPARED);
+    let (left_out, notes): (Vec<&String>, Vec<&String>) = found.notes.iter().partition(is_left_out);
+    let next = found.next_experiment.iter();
+    let mut parts: Vec<Part> = left_out
+        .iter()
+        .take(1)
+        .map(|note| Part::Text(note.to_string()))
+        .collect();
+    parts.extend(next.map(|next| Part::Text(next.sentence.clone())));
+    let labels = ["P(nothing missing)", "P(an unknown cause)"];
+    parts.push(Part::Headline(probabilities(found, labels)));
     if found.verdict != Verdict::Effect {
         // all are plausible as a rule
         let is_plain = found.hypotheses.iter().all(|row| row.plausible || !row.in_set);
@@ -52,14 +58,9 @@ pub fn brief(found: &Diagnosis) -> Vec<Part> {
         table.most_in_text = ROWS;
         parts.push(Part::Table(table));
     }
-    let (shown, more) = found.notes.split_at(NOTES.min(found.notes.len()));
-    let mut shown = shown.to_vec();
-    if let (Some(last), true) = (shown.last_mut(), !more.is_empty()) {
-        *last += &format!(" ({} more: --verbose)", more.len());
-    }
-    parts.push(Part::Notes(shown));
-    let next = found.next_experiment.iter();
-    parts.extend(next.map(|next| Part::Text(next.sentence.clone())));
+    parts.push(Part::List(meanings(found)));
+    let notes = left_out.into_iter().skip(1).chain(notes);
+    parts.push(Part::Notes(notes.cloned().collect()));
     parts
 }
 
@@ -78,10 +79,14 @@ pub fn falls(found: &Diagnosis) -> String {
     };
     let (noise, models): (Vec<&LadderStep>, Vec<&LadderStep>) =
         steps.iter().copied().partition(|step| step.name == "noise");
-    let list = |error: fn(&LadderStep) -> Option<f64>| {
-        let each = models
-            .iter()
-            .filter_map(|step| Some(format!("{} {}", significant(error(step)?, 3), names(step))));
+    let list = |error: fn(&LadderStep) -> Option<f64>, named: bool| {
+        let each = models.iter().filter_map(|step| {
+            let error = significant(error(step)?, 3);
+            Some(match named {
+                true => format!("{error} {}", names(step)),
+                false => error,
+            })
+        });
         each.collect::<Vec<_>>().join(", ")
     };
     let times = match found.noise.scale {
@@ -92,7 +97,9 @@ pub fn falls(found: &Diagnosis) -> String {
         format!("; {} by scatter alone{times}", significant(noise.in_sample, 3))
     });
     let last = models.iter().rev().find_map(|step| step.held_out);
-    let held_out = match (list(|step| step.held_out), last, noise.first()) {
+    // all steps as a rule, which are named already
+    let is_named = models.iter().any(|step| step.held_out.is_none());
+    let held_out = match (list(|step| step.held_out, is_named), last, noise.first()) {
         (list, Some(last), Some(noise)) => {
             let is_within = last <= AS_SCATTER * noise.in_sample;
             let than = if is_within { "no more" } else { "more" };
@@ -114,7 +121,7 @@ pub fn falls(found: &Diagnosis) -> String {
     format!(
         "Error of the {channel}, rms in {}: {}{scatter}.{pulled}{held_out}{}",
         first.channel.unit(),
-        list(|step| Some(step.in_sample)),
+        list(|step| Some(step.in_sample), true),
         match (models.last(), noise.first()) {
             (Some(last), Some(noise)) => rest(
                 found.verdict,

@@ -124,9 +124,9 @@ impl ModesSummary {
             title: self.name.clone(),
             kind: "summary",
             lead: vec![Part::Text(head), Part::Notes(self.warnings.clone())],
-            brief: vec![Part::Table(self.shares())],
             ..Page::default()
         };
+        page.brief = [page.lead.clone(), vec![Part::Table(self.shares())]].concat();
         page.section("modes", "Modes", vec![Part::Table(self.shares())]);
         page.section("effective", "Effective mass", vec![Part::Table(self.effective())]);
         page

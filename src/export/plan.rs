@@ -26,9 +26,11 @@ pub fn page(study: &str, plan: &Plan) -> Page {
         title: format!("{study}: {} numbers planned", plan.numbers),
         kind: "plan",
         lead: vec![Part::Sentence(plan.sentence.clone())],
-        brief: parts(first),
         ..Page::default()
     };
+    page.brief = page.lead.clone();
+    page.brief.extend(without_solution(&plan.effects).map(Part::Text));
+    page.brief.push(Part::Table(first));
     page.section(
         "effects",
         "What could be seen, and told apart",

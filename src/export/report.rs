@@ -8,15 +8,15 @@ use crate::page::text::number;
 use crate::page::{Digits, Fact, Page, Part, Rows, Table};
 use crate::wing::stroke::{StrokeKind, StrokeSummary};
 
-use super::band::band;
+use super::band::{band, band_at_the_tip};
 use super::comparison::{against, left, said, sign, stages};
 use super::engineering::engineering;
 use super::pictures::profile::{self, StripRow};
-use super::solved::{branch, solved};
+use super::solved::{branch, diverges_at, solved};
 use super::summary::{AssumedInput, RunSummary};
 
-/// Rows that a screen shows of a stroke or a band.
-const FIRST: usize = 8;
+/// Rows that a screen shows of a stroke, or of a band and where it comes from.
+const FIRST: usize = 3;
 
 /// What `washout solve` says; `strips`: the air along the span, for its figure.
 pub fn page(summary: &RunSummary, strips: &[StripRow]) -> Page {
@@ -62,19 +62,24 @@ pub fn page(summary: &RunSummary, strips: &[StripRow]) -> Page {
     page
 }
 
-/// The twist along the span, and the first rows of what was asked for besides.
+/// What counts of a solved wing, what to keep in mind, what was asked for besides, and the twist along the span; how it stands where
+/// that is no matter of course.
 fn brief(summary: &RunSummary) -> Vec<Part> {
-    let mut parts = vec![Part::Table(profile(summary)), Part::Named(branch(summary))];
+    let mut facts = [twist_facts(summary), lift_facts(summary)].concat();
+    facts.extend(mass_and_frequency_facts(summary).into_iter().take(1));
+    let mut parts = vec![Part::Headline(facts), Part::Notes(summary.warnings.clone())];
+    if summary.solve.negative_pivots > 0 || diverges_at(summary).is_some() {
+        parts.push(Part::Named(branch(summary).into_iter().take(1).collect()));
+    }
     let asked = summary.stroke.iter().flat_map(stroke);
-    for part in asked.chain(summary.uncertainty.iter().flat_map(band)) {
-        match part {
-            Part::Table(mut table) => {
-                table.most_in_text = table.most_in_text.min(FIRST);
-                parts.push(Part::Table(table));
-            }
-            part => parts.push(part),
+    for part in asked.chain(summary.uncertainty.iter().flat_map(band_at_the_tip)) {
+        if let Part::Table(mut table) = part {
+            table.most_in_text = table.most_in_text.min(FIRST);
+            table.caption = String::new();
+            parts.push(Part::Table(table));
         }
     }
+    parts.push(Part::Table(profile(summary)));
     parts
 }
 
@@ -199,6 +204,7 @@ fn profile(summary: &RunSummary) -> Table {
             row.le_deflection_mm
         })
         .number(["le_sweep_mm", "sweep", "mm"], After(3), |row| row.le_sweep_mm)
+        .along()
         .table()
 }
 
@@ -304,6 +310,7 @@ fn stroke(stroke: &StrokeSummary) -> Vec<Part> {
             }
         })
         .caption(head)
+        .along()
         .folded(12, "Phases")
         .table();
     let mut parts = vec![Part::Table(table)];

@@ -68,9 +68,8 @@ pub fn branch(summary: &RunSummary) -> Vec<Line> {
             .number("/solve/negative_pivots", count as f64, After(0))
             .words(" negative pivots of the tangent"),
     };
-    let mut lines = vec![match solve.critical_pressure_ratio {
-        // The ratio is an estimate from this shape, so far away it only says that twist takes load off the wing.
-        None | Some(100.0..) => branch.words("; no divergence in sight"),
+    let mut lines = vec![match diverges_at(summary) {
+        None => branch.words("; no divergence in sight"),
         Some(ratio) => branch
             .words("; divergence at about ")
             .number("/solve/critical_pressure_ratio", ratio, Significant(3))
@@ -82,6 +81,15 @@ pub fn branch(summary: &RunSummary) -> Vec<Line> {
         }),
     );
     lines
+}
+
+/// How many times this dynamic pressure the wing diverges, if that is in sight: the ratio is an estimate from this shape, so far away it only
+/// says that twist takes load off the wing.
+pub fn diverges_at(summary: &RunSummary) -> Option<f64> {
+    summary
+        .solve
+        .critical_pressure_ratio
+        .filter(|ratio| *ratio < 100.0)
 }
 
 /// What the pitch stop carries, positive as it pushes; none where a flexure stands between, or nothing flaps.

@@ -99,7 +99,7 @@ pub fn page(comparison: &StudyComparison) -> Page {
     page
 }
 
-/// What is said, and the error of each wing and channel: of more than a few in the table alone.
+/// What could not be compared, the error of each wing and channel, and what is said of it: of more than a few in the table alone.
 fn brief(comparison: &StudyComparison) -> Vec<Part> {
     let of_groups: Vec<String> = match comparison.groups.len() {
         0..=FEW => Vec::new(),
@@ -116,11 +116,20 @@ fn brief(comparison: &StudyComparison) -> Vec<Part> {
     let mut table = groups(comparison).without(&left_out);
     table.caption = "Error by wing and channel, root mean square:".to_string();
     table.most_in_text = GROUPS;
-    vec![
-        Part::List(words.cloned().collect()),
-        Part::List(comparison.not_compared.clone()),
-        Part::Table(table),
-    ]
+    let mut parts = vec![chi_square(comparison)];
+    parts.extend(first_of(&comparison.not_compared).map(Part::Text));
+    parts.push(Part::Table(table));
+    parts.push(Part::List(words.cloned().collect()));
+    parts
+}
+
+/// The first row that had no part, and how many more there are.
+fn first_of(not_compared: &[String]) -> Option<String> {
+    match not_compared {
+        [] => None,
+        [only] => Some(format!("Not compared: {only}")),
+        [first, more @ ..] => Some(format!("Not compared: {first} ({} more)", more.len())),
+    }
 }
 
 fn chi_square(comparison: &StudyComparison) -> Part {

@@ -102,10 +102,9 @@ fn measured(studies: &[StudyComparison]) -> String {
     for study in studies {
         for group in &study.groups {
             let held_out = if group.is_held_out { " held out" } else { "" };
-            let explained = if group.explained < 1.0 {
-                format!("{} %", number(100.0 * group.explained, 0))
-            } else {
-                "all".to_string()
+            let explained = match group.explained {
+                Some(share) if share < 1.0 => format!("{} %", number(100.0 * share, 0)),
+                _ => "all".to_string(),
             };
             let cells = [
                 study.study.clone(),

@@ -183,10 +183,9 @@ impl VerifyReport {
         nearest.sort_by(|(_, a), (_, b)| b.share_of_limit().total_cmp(&a.share_of_limit()));
         nearest.truncate(NEAREST);
         let nearest = table(&nearest).without(&["reference", "observed_order", "source"]);
-        page.brief = vec![
-            Part::Text("Nearest to their limits, and beyond:".to_string()),
-            Part::Table(nearest),
-        ];
+        page.brief = page.lead.clone();
+        let nearest_to = "Nearest to their limits, and beyond:".to_string();
+        page.brief.extend([Part::Text(nearest_to), Part::Table(nearest)]);
         page
     }
 

@@ -72,7 +72,7 @@ fn of_mesh(summary: &RunSummary) -> Option<String> {
     let share = error / tip.abs();
     (share > COARSE_SHARE && error > READABLE_DEG).then(|| {
         format!(
-            "the mesh leaves about {} deg of the tip's twist ({} %), by a mesh half as fine; a finer mesh leaves less (--accuracy 1: until 1 % is left)",
+            "mesh error {} deg at the tip ({} %); --accuracy 1 refines to 1 %",
             number(error, 1),
             significant(100.0 * share, 2)
         )

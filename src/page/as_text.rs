@@ -17,11 +17,7 @@ impl Page {
     pub fn text(&self) -> String {
         let mut blocks = vec![self.head()];
         blocks.extend(self.sections.iter().filter_map(Section::text));
-        self.ended(blocks.join("\n"))
-    }
-
-    /// A text of this page; where it is longer than a screen, with the answer at its end once more.
-    pub fn ended(&self, text: String) -> String {
+        let text = blocks.join("\n");
         match self.answer() {
             Some(answer) if text.lines().count() > LONG => format!("{text}\n{answer}"),
             _ => text,
@@ -32,12 +28,6 @@ impl Page {
     pub fn answer(&self) -> Option<String> {
         let is_answer = |part: &&Part| matches!(part, Part::Headline(_) | Part::Sentence(_));
         Some(self.lead.iter().find(is_answer)?.text(0))
-    }
-
-    /// What of it fits on a screen; none where all of it does.
-    pub fn brief(&self) -> Option<String> {
-        let parts: String = self.brief.iter().map(|part| part.text(0)).collect();
-        (!self.brief.is_empty()).then(|| format!("{}\n{parts}", self.head()))
     }
 
     fn head(&self) -> String {
@@ -57,7 +47,7 @@ impl Section {
 }
 
 impl Part {
-    fn text(&self, indent: usize) -> String {
+    pub(super) fn text(&self, indent: usize) -> String {
         let all = |lines: &[String]| lines.iter().map(|line| wrapped(line, indent)).collect();
         match self {
             Part::Headline(facts) => headline(facts, indent),
@@ -126,7 +116,7 @@ impl Table {
         }
         let heads: Vec<String> = self.columns.iter().map(|column| column.head()).collect();
         let mut table = text::Table::new(heads.iter().map(String::as_str));
-        for row in self.rows.iter().take(self.most_in_text) {
+        for row in self.rows_in_text() {
             table.row(self.cells(row));
         }
         let caption = match self.caption.as_str() {

@@ -6,6 +6,8 @@ pub mod text;
 
 pub mod as_text;
 
+pub mod screen;
+
 use serde_json::Value;
 
 use crate::plot::Figure;
@@ -21,7 +23,7 @@ pub struct Page {
     pub kind: &'static str,
     /// What stands above all sections.
     pub lead: Vec<Part>,
-    /// What a terminal shows of the sections unless all is asked for: what fits on a screen. Empty where all of them do.
+    /// What a terminal shows instead, unless all is asked for; of tables, lists and notes what has room. Empty where the page is short.
     pub brief: Vec<Part>,
     /// The sections, in order.
     pub sections: Vec<Section>,

@@ -78,6 +78,8 @@ pub struct Table {
     pub rows: Vec<Row>,
     /// Rows that text shows; how many more there are is said.
     pub most_in_text: usize,
+    /// Whether its rows go along something, so that text shows the first and the last of more than it has room for, and those evenly between.
+    pub is_along: bool,
     /// Rows up to which it lies open in HTML.
     pub most_open: usize,
 }
@@ -113,6 +115,7 @@ impl<'a, T> Rows<'a, T> {
                 columns: Vec::new(),
                 rows: Vec::new(),
                 most_in_text: usize::MAX,
+                is_along: false,
                 most_open: usize::MAX,
             },
         }
@@ -194,6 +197,12 @@ impl<'a, T> Rows<'a, T> {
         self
     }
 
+    /// Its rows go along the span, or along something else.
+    pub fn along(mut self) -> Self {
+        self.table.is_along = true;
+        self
+    }
+
     /// Folded under a title where there are more rows than so many.
     pub fn folded(mut self, above: usize, title: &'static str) -> Self {
         (self.table.most_open, self.table.title) = (above, title);
@@ -267,6 +276,17 @@ impl Table {
             .collect();
         self.keep(&kept);
         self
+    }
+
+    /// The rows that text shows.
+    pub fn rows_in_text(&self) -> Vec<&Row> {
+        let (count, most) = (self.rows.len(), self.most_in_text);
+        match self.is_along && most > 1 && count > most {
+            true => (0..most)
+                .map(|place| &self.rows[place * (count - 1) / (most - 1)])
+                .collect(),
+            false => self.rows.iter().take(most).collect(),
+        }
     }
 
     /// Leaves out the columns that are not kept.

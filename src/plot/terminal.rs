@@ -14,7 +14,7 @@ const BITS: [[u8; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
 const LABELS: usize = 8;
 
 /// Characters of a sketch: columns and rows.
-const SKETCH: [usize; 2] = [64, 14];
+const SKETCH: [usize; 2] = [64, 10];
 
 /// The first chart of a figure, small, with what its marks mean; nothing if it has no chart.
 pub fn sketch(figure: &Figure) -> String {

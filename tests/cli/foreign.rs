@@ -31,6 +31,22 @@ const MORE: [Case; 5] = [
 #[test]
 fn of_seven_wings_of_another_model_none_is_diagnosed_wrongly() {
     none_is_diagnosed_wrongly(&CASES);
+    // to a person: fifteen lines, the verdict first, the command that takes the effect into the model
+    let (here, wings) = (
+        folder(),
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/foreign"),
+    );
+    let study = wings.join("c018.toml").display().to_string();
+    let said = washout(here.path(), &["diagnose", &study]);
+    assert!(said.out.lines().count() <= 15, "{}", said.out);
+    assert!(
+        said.out.starts_with("Missing: centre-of-pressure-shift")
+            && said
+                .out
+                .contains("\n  washout add centre-of-pressure-shift --to "),
+        "{}",
+        said.out
+    );
 }
 
 /// Two that lack nothing, two effects, one unknown cause.

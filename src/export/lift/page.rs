@@ -15,9 +15,11 @@ impl LiftSummary {
                 Part::Text(format!("The wings fly with {}.", self.twist)),
                 Part::Notes(self.warnings.clone()),
             ],
-            brief: vec![Part::Table(self.wings().without(&["departure_from_ellipse"]))],
             ..Page::default()
         };
+        page.brief = page.lead.clone();
+        let wings = self.wings().without(&["departure_from_ellipse"]);
+        page.brief.push(Part::Table(wings));
         if !self.ratios.is_empty() {
             page.brief.push(Part::Table(self.main_ratios()));
         }
