@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use crate::compare::ladder::{StudyLadderStep, ladder};
 use crate::compare::{ComparedStudy, StudyComparison};
-use crate::effects::{Card, named};
+use crate::effects::{Card, bind, named};
+use crate::input::Design;
 use crate::input::study::LoadedStudy;
 use crate::origin::InputFile;
 use crate::progress::Progress;
@@ -45,6 +46,8 @@ pub struct Fit {
     pub text: String,
     /// Fitted strength and standard error (0 if it is there wholly or not at all); none if it was taken out.
     pub strength: Option<[f64; 2]>,
+    /// What the strength is on the wing as something that a bench measures: the number, and its unit with what it is; none if no number says it.
+    pub stands_for: Option<(f64, String)>,
     /// What the strength does to the still wing; none if nothing, or the effect was taken out.
     pub on_bench: Option<OnBench>,
     /// The other effects that are fitted in the study, with the strengths that it has now.
@@ -53,6 +56,8 @@ pub struct Fit {
     pub notes: Vec<String>,
     /// The error step by step.
     pub ladder: Vec<StudyLadderStep>,
+    /// Each wing as calibrated on the study as it is now, to be solved at other operating points.
+    pub designs: Vec<Design>,
     /// Files that were read besides those of the study.
     pub files: Vec<InputFile>,
 }
@@ -65,6 +70,14 @@ struct Known {
     numbers: toml::Table,
     /// The file of one's own that it stands in.
     file: Option<InputFile>,
+}
+
+/// A study before the effect joins or leaves it.
+struct Before {
+    /// Each step with its name.
+    steps: Vec<(String, StudyComparison)>,
+    /// Its wings as calibrated at the last step.
+    designs: Vec<Design>,
 }
 
 impl Joining {
@@ -112,18 +125,24 @@ impl Joining {
         };
         let changed = entry.changed(text, whole.unwrap_or(0.0))?;
         let added = added_effects(study);
-        let mut steps = steps_before(study, text, progress)?;
+        let Before {
+            mut steps,
+            designs: before,
+        } = steps_before(study, text, progress)?;
         let stands = study.study.effect.iter().any(|effect| effect.name == self.effect);
         let change = self.change(added.contains(&self.effect), stands);
         progress.say(&change);
-        let (with_effect, fitted) = solved(&study.path, &changed, progress)?;
+        let (changed_study, fitted) = solved(&study.path, &changed, progress)?;
+        let designs = calibrated(&changed_study, &fitted)?;
         let on_bench = match self.is_removed {
             true => Ok(None),
-            false => {
-                let designs = fitted.calibrated_designs(&with_effect);
-                let designs = designs.map_err(|source| of_study(&study.path, source))?;
-                OnBench::of(&with_effect, &designs, &self.effect, &progress.unseen())
-            }
+            false => OnBench::of(
+                &changed_study,
+                &designs,
+                &before,
+                &self.effect,
+                &progress.unseen(),
+            ),
         };
         let after = fitted.comparison;
         let key = format!("effects.{}.strength", self.effect);
@@ -155,10 +174,12 @@ impl Joining {
         Ok(Fit {
             text: with_strengths(&written, &others)?,
             strength,
+            stands_for: stands_for(&designs, &self.effect),
             on_bench: on_bench.ok().flatten(),
             others,
             notes,
             ladder,
+            designs,
             files: known.file.into_iter().collect(),
         })
     }
@@ -258,22 +279,32 @@ impl Joining {
     }
 }
 
-/// The study without any effect that was added, and with one after the other of them.
-fn steps_before(
-    study: &LoadedStudy,
-    text: &str,
-    progress: &Progress,
-) -> Result<Vec<(String, StudyComparison)>, AddError> {
-    let mut steps = Vec::new();
-    for (step, text) in stages(study, text)? {
-        progress.say(&step);
-        steps.push((step, compared(&study.path, &text, progress)?));
-    }
-    Ok(steps)
+/// What the strength of an effect is on the first wing that has it.
+fn stands_for(designs: &[Design], effect: &str) -> Option<(f64, String)> {
+    let design = designs
+        .iter()
+        .find(|design| design.effects.contains_key(effect))?;
+    let bound = bind(design).ok()?;
+    let own = bound.iter().find(|own| own.effect.card().name == effect)?;
+    let (value, unit) = own.effect.stands_for(&own.values, design)?;
+    Some((value, unit.to_string()))
 }
 
-fn compared(path: &Path, text: &str, progress: &Progress) -> Result<StudyComparison, AddError> {
-    Ok(solved(path, text, progress)?.1.comparison)
+/// The study without any effect that was added, and with one after the other of them; and its wings as calibrated at the last step.
+fn steps_before(study: &LoadedStudy, text: &str, progress: &Progress) -> Result<Before, AddError> {
+    let (mut steps, mut designs) = (Vec::new(), Vec::new());
+    for (step, text) in stages(study, text)? {
+        progress.say(&step);
+        let (stage, compared) = solved(&study.path, &text, progress)?;
+        designs = calibrated(&stage, &compared)?;
+        steps.push((step, compared.comparison));
+    }
+    Ok(Before { steps, designs })
+}
+
+fn calibrated(study: &LoadedStudy, compared: &ComparedStudy) -> Result<Vec<Design>, AddError> {
+    let designs = compared.calibrated_designs(study);
+    designs.map_err(|source| of_study(&study.path, source))
 }
 
 fn solved(path: &Path, text: &str, progress: &Progress) -> Result<(LoadedStudy, ComparedStudy), AddError> {

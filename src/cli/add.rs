@@ -6,6 +6,7 @@ use clap::Args;
 
 use crate::add::{Fit, Joining, with_sets};
 use crate::export::added::{AddReport, page, what};
+use crate::export::calibrated;
 use crate::export::html::{self, Document};
 use crate::export::pictures::ladder::Fall;
 use crate::export::pictures::write::add_falls;
@@ -30,7 +31,7 @@ pub const LADDER: &str = "ladder.json";
   washout add glue-seam --own examples/effect_of_ones_own.toml \\
     --to my-study.toml
 
-The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of the strength stays as wide as what is plausible. Comments of the study are kept. The error is shown step by step: uncalibrated and calibrated without any effect that was added, then with one after the other of those in the study, this one last (or taken out), down to the noise; fitted, left out (each case predicted from the others), held out. Writes output/NAME-ladder/ besides: the same as a picture (SVG), with its numbers (CSV); ladder.json.")]
+The effect is fitted together with all else that the study leaves open, and written with its fitted strength; the prior of the strength stays as wide as what is plausible. Comments of the study are kept. The error is shown step by step: uncalibrated and calibrated without any effect that was added, then with one after the other of those in the study, this one last (or taken out), down to the noise; fitted, left out (each case predicted from the others), held out. Writes output/NAME-ladder/ besides: the same as a picture (SVG), with its numbers (CSV); calibrated-WING.toml, each wing as calibrated; ladder.json.")]
 pub struct Add {
     /// The effect: its name, or with --own that of a table [effects.NAME]
     pub effect: String,
@@ -104,11 +105,16 @@ impl Add {
         console: &Console,
     ) -> Result<(), Failure> {
         add_falls(&mut folder, &study.study.name, &Fall::of_study(&fit.ladder))?;
+        for design in &fit.designs {
+            let (name, text) = calibrated::file(&study.study.name, design);
+            folder.add(&name, text.as_bytes())?;
+        }
         let report = AddReport {
             written: file.target.clone(),
             effect: self.effect.clone(),
             strength: fit.strength,
             what: what(&self.effect),
+            stands_for: fit.stands_for,
             on_bench: fit.on_bench,
             others: fit.others,
             notes: fit.notes,
@@ -125,6 +131,14 @@ impl Add {
         // the study last: whoever is stopped between the two can do the same again
         let pictures = folder.commit()?;
         file.write(&fit.text)?;
-        console.answer(&page, &console.listed(&pictures, &report.files), &report)
+        let first = report.files.iter().find(|file| file.starts_with("calibrated-"));
+        let solve = first.map_or(String::new(), |file| {
+            format!(
+                "The wing as calibrated: washout solve {}\n",
+                pictures.join(file).display()
+            )
+        });
+        let files = console.listed(&pictures, &report.files);
+        console.answer(&page, &(solve + &files), &report)
     }
 }

@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use crate::compare::study_comparison::CalibratedUnknown;
 use crate::compare::{ComparedStudy, DesignComparison};
+use crate::export::calibrated;
 use crate::export::compare_report::CompareReport;
 use crate::export::html::study::StudyParts;
 use crate::export::html::{self, REPORT};
@@ -16,7 +17,6 @@ use crate::export::pictures::panels::Compared;
 use crate::export::pictures::wing::figure as wing_figure;
 use crate::export::pictures::write::{add_study, add_wing};
 use crate::export::run::RunFolder;
-use crate::export::sheet::understood;
 use crate::export::study::{StudyReport, page as page_of_study};
 use crate::input::measurement::Measurement;
 use crate::input::sheet::{DesignReadings, Sigmas};
@@ -117,7 +117,7 @@ impl Compare {
             return Ok(Subject::Study(Box::new(study), None));
         }
         if let Some(table) = self.sheet()? {
-            console.note(understood(&table.sheet));
+            console.understood(&table.sheet);
             let study = table.study(&self.sets())?;
             return Ok(Subject::Study(Box::new(study), Some(Box::new(table))));
         }
@@ -235,13 +235,8 @@ impl Compare {
             source,
         })?;
         for design in designs {
-            let name = design.name.clone();
-            let text = format!(
-                "# {name} as calibrated on {}, with the effects of that study. Set its operating point to solve it at another one.\n{}",
-                study.study.name,
-                design.to_toml()
-            );
-            folder.add(&format!("calibrated-{name}.toml"), text.as_bytes())?;
+            let (name, text) = calibrated::file(&study.study.name, &design);
+            folder.add(&name, text.as_bytes())?;
         }
         Ok(())
     }

@@ -11,6 +11,8 @@ use serde_json::Value;
 
 use crate::export::ExportError;
 use crate::export::json::{self, Document};
+use crate::export::sheet::{understood, understood_briefly};
+use crate::input::sheet::Sheet;
 use crate::page::Page;
 use crate::page::screen::ALL;
 use crate::page::text::{WIDTH, hanging};
@@ -175,6 +177,14 @@ impl Console {
                 Ok(())
             }
             None => print(text),
+        }
+    }
+
+    /// Says on standard error what was understood of a table of readings, before anything is solved.
+    pub fn understood(&self, sheet: &Sheet) {
+        match self.verbose {
+            true => self.note(understood(sheet)),
+            false => self.note(understood_briefly(sheet)),
         }
     }
 

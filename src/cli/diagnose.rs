@@ -19,7 +19,7 @@ use crate::export::json;
 use crate::export::pictures::write::add_diagnosis;
 use crate::export::plan::page as page_of_plan;
 use crate::export::run::RunFolder;
-use crate::export::sheet::{to_keep, understood};
+use crate::export::sheet::to_keep;
 use crate::input::sheet::{DesignReadings, Sigmas};
 use crate::input::study::LoadedStudy;
 use crate::page::Part;
@@ -138,7 +138,7 @@ impl Diagnose {
         });
         let table = table.transpose()?;
         if let Some(table) = &table {
-            console.note(understood(&table.sheet));
+            console.understood(&table.sheet);
         }
         let mut study = match (&table, self.plan) {
             (Some(table), _) => table.study(&self.set)?,

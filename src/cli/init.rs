@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::export::drawn::Drawn;
 use crate::export::file::{refuse_any, write_new};
-use crate::export::sheet::{files, understood};
+use crate::export::sheet::{files, understood_briefly};
 use crate::input::sheet::{DesignReadings, Sigmas};
 
 use super::{Console, Failure};
@@ -139,7 +139,7 @@ impl Init {
         let beside: Vec<String> = names.collect();
         let page = if let Some(table) = &table {
             let with = beside.join(" and ");
-            let understood = understood(&table.sheet);
+            let understood = understood_briefly(&table.sheet);
             format!("{understood}\n{file} written, with {with}; diagnose it with: washout diagnose {file}\n")
         } else if self.study {
             let with = beside.join(" and ");

@@ -80,12 +80,15 @@ impl Solve {
         progress.check()?;
         let earlier = read_summary(&target).ok();
         let path = folder.commit()?;
-        let mut after = console.listed(&path, &summary.files);
+        let files = console.listed(&path, &summary.files);
         if earlier.is_some_and(|earlier| earlier.design != summary.design) {
-            after += "They replace an earlier run with other inputs; --output DIR keeps both\n";
+            console.note(format_args!(
+                "{} replaces an earlier run with other inputs; --output DIR keeps both",
+                path.display()
+            ));
         }
         let sketch = console.sketch(&twist(&summary));
-        console.answer_with(&page(&summary, &[]), &after, &sketch, &summary)
+        console.answer_with(&page(&summary, &[]), &files, &sketch, &summary)
     }
 }
 

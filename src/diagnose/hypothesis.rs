@@ -8,6 +8,7 @@ use crate::study::UnknownKind;
 use super::baseline::Baseline;
 use super::gains::Gains;
 use super::judge::Judgement;
+use super::misfit::{Pull, pulls_of_inputs};
 use super::posterior::{Belief, Case};
 use super::strengths::{Strength, is_nameable, strengths, unknown};
 
@@ -26,6 +27,9 @@ pub struct Hypothesis {
     pub strength: Option<f64>,
     /// Its standard error.
     pub standard_error: Option<f64>,
+    /// Inputs of the design in the same fit; none where it was not fitted.
+    #[serde(default)]
+    pub inputs: Vec<Pull>,
     /// Whether the plausible range of every strength lies within two standard errors of it.
     pub plausible: bool,
     /// Whether it belongs to the smallest set that holds the truth with 95 %.
@@ -46,6 +50,7 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
         Some((index, explanation)) => strengths(baseline, &judgement.trials[index], explanation, &families),
         None => (Vec::new(), true),
     };
+    let fit = found.and_then(|(_, explanation)| Some(&explanation?.fit));
     let local = found.and_then(|(_, explanation)| Some(&explanation?.local));
     let family_names = families
         .iter()
@@ -73,6 +78,7 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
         strength: strengths.first().map(|s| s.value),
         standard_error: strengths.first().map(|s| s.standard_error),
         strengths,
+        inputs: fit.map_or(Vec::new(), |fit| pulls_of_inputs(baseline.forward, fit)),
         plausible,
         in_set: belief.in_set,
         refitted: found.is_some_and(|(_, explanation)| explanation.is_some()),

@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::input::measurement::Channel;
-use crate::study::Observable;
+use crate::study::{Fit, Forward, Observable, UnknownKind};
 
 use super::baseline::Baseline;
 
@@ -67,6 +67,9 @@ pub struct MisfitStation {
 pub struct Pull {
     /// The unknown.
     pub unknown: String,
+    /// Its unit; `1` for pure numbers.
+    #[serde(default)]
+    pub unit: String,
     /// Fitted value.
     pub value: f64,
     /// Its standard error.
@@ -75,6 +78,9 @@ pub struct Pull {
     pub pull: f64,
     /// Whether that is far: the unknown may be standing in for what is missing.
     pub is_flagged: bool,
+    /// Whether it ended at an end of its range.
+    #[serde(default)]
+    pub at_end: bool,
 }
 
 /// Of the calibrated model.
@@ -85,7 +91,7 @@ pub fn of(baseline: &Baseline) -> Misfit {
         numbers: errors.each.len(),
         by_condition: errors.by_condition(),
         by_station: errors.by_station(),
-        pulls: pulls(baseline),
+        pulls: pulls(baseline.forward, &baseline.fit),
     }
 }
 
@@ -202,18 +208,30 @@ impl<'a> Errors<'a> {
     }
 }
 
-fn pulls(baseline: &Baseline) -> Vec<Pull> {
-    let fit = &baseline.fit;
+/// What a fit did to each unknown that was free in it.
+pub fn pulls(forward: &dyn Forward, fit: &Fit) -> Vec<Pull> {
     let pulls = fit.free.iter().enumerate().map(|(position, &i)| {
-        let unknown = &baseline.forward.unknowns()[i];
+        let unknown = &forward.unknowns()[i];
         let pull = (fit.at[i] - unknown.mean) / unknown.sigma;
         Pull {
             unknown: unknown.name.clone(),
+            unit: unknown.unit.clone(),
             value: fit.at[i],
             standard_error: fit.covariance[(position, position)].sqrt(),
             pull,
             is_flagged: pull.abs() > FLAGGED_PULL,
+            at_end: fit.at_end.contains(&i),
         }
     });
     pulls.collect()
+}
+
+/// The same of the inputs of the design alone.
+pub fn pulls_of_inputs(forward: &dyn Forward, fit: &Fit) -> Vec<Pull> {
+    let inputs = forward.unknowns().iter();
+    let inputs = inputs.filter(|unknown| unknown.kind == UnknownKind::Input);
+    let names: Vec<&str> = inputs.map(|unknown| unknown.name.as_str()).collect();
+    let mut pulls = pulls(forward, fit);
+    pulls.retain(|pull| names.contains(&pull.unknown.as_str()));
+    pulls
 }

@@ -49,6 +49,11 @@ pub trait Effect: Sync + Send + std::fmt::Debug {
         Ok(Vec::new())
     }
 
+    /// What its strength is on this wing as something that a bench measures: the number, and its unit with what it is.
+    fn stands_for(&self, _values: &Values, _design: &Design) -> Option<(f64, &'static str)> {
+        None
+    }
+
     /// Whether it is there with its plausible size or not at all, so that a diagnosis fits no strength between.
     fn is_all_or_none(&self) -> bool {
         false

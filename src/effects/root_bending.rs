@@ -3,7 +3,7 @@
 use super::card::{Card, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
 use crate::input::Design;
-use crate::structure::{StructureError, innermost_rod};
+use crate::structure::{StructureError, innermost_rod, rod_length_m};
 
 /// See the module.
 #[derive(Debug)]
@@ -54,6 +54,15 @@ impl Effect for RootBending {
             .iter()
             .map(|section| ("ei_n_m2", section.ei_flap_n_m2()))
             .collect())
+    }
+
+    fn stands_for(&self, values: &Values, design: &Design) -> Option<(f64, &'static str)> {
+        let stated = Some(values.at(1)).filter(|stated| *stated > 0.0);
+        let own = || Some(innermost_rod(design).ok()??.ei_flap_n_m2());
+        let stiffness = stated.or_else(own)? / (values.strength() * rod_length_m(design));
+        stiffness
+            .is_finite()
+            .then_some((1e3 * stiffness, "mN·m/rad, the stiffness of the root in bending"))
     }
 
     fn structure(&self, values: &Values, wing: &mut Structure) -> Result<(), StructureError> {

@@ -25,6 +25,9 @@ pub struct AddReport {
     pub strength: Option<[f64; 2]>,
     /// What it is, one sentence, and what a strength of 1 means; none of an effect of one's own.
     pub what: Option<[String; 2]>,
+    /// What the strength is on the wing as something that a bench measures: the number, and its unit with what it is; none if no number says it.
+    #[serde(default)]
+    pub stands_for: Option<(f64, String)>,
     /// What the strength does to the still wing under a torque; none if nothing, or the effect was taken out.
     pub on_bench: Option<OnBench>,
     /// The other effects that are fitted in the study, with the strengths that it has now.
@@ -94,12 +97,16 @@ pub fn page(report: &AddReport) -> Page {
 /// What joined or left, what that does to the error, and what it would do on a bench.
 fn words(report: &AddReport) -> String {
     let what = report.what.as_ref().filter(|_| report.strength.is_some());
-    let what = what.map(|[summary, strength]| format!("{summary} Strength: {strength}."));
+    let here = report.stands_for.as_ref().map_or(String::new(), |(value, unit)| {
+        format!("; here {} {unit}", significant(*value, 3))
+    });
+    let what = what.map(|[summary, strength]| format!("{summary} Strength: {strength}{here}."));
     let on_bench = report.on_bench.as_ref().map(|bench| {
         format!(
-            "On a bench, {} turns there by {} deg with it and by {} deg without: a way to check it by hand.",
+            "On a bench, {} turns by {} deg at {} mm as calibrated with it, and by {} deg as calibrated without: a way to check it by hand.",
             bench.load,
             significant(bench.with_effect_deg, 3),
+            bench.r_mm,
             significant(bench.without_deg, 3)
         )
     });

@@ -15,7 +15,7 @@ use crate::page::text::{number, significant};
 use crate::page::{Digits, Page, Part, Rows, Table};
 use crate::study::Work;
 
-use super::hypotheses::{brief, falls, hypotheses, meanings, place};
+use super::hypotheses::{brief, falls, hypotheses, inputs, meanings, place};
 use super::ladder::step_words;
 use super::pictures::ladder::{self, Fall};
 use super::pictures::{diagnosis as pictures, in_sigma};
@@ -65,7 +65,7 @@ pub fn page(study: &str, found: &Diagnosis) -> Page {
         lead: vec![
             Part::Sentence(found.sentence.clone()),
             Part::Text(format!("{} {}", falls(found), tried(found)).trim().to_string()),
-            Part::List(meanings(found)),
+            Part::List(inputs(found).into_iter().chain(meanings(found)).collect()),
         ],
         brief: Vec::new(),
         sections: Vec::new(),

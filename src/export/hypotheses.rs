@@ -18,6 +18,9 @@ const OFF: f64 = 0.05;
 /// A held-out error up to so many times the scatter may be scatter: of a dozen readings, one draw in a hundred is larger.
 const AS_SCATTER: f64 = 1.5;
 
+/// Standard errors by which an input must move to be worth a word.
+const APART: f64 = 1.0;
+
 /// What the column of the set holds.
 const IN_SET: &str = " In set: the most probable, which hold 95 % together.";
 
@@ -58,7 +61,9 @@ pub fn brief(found: &Diagnosis) -> Vec<Part> {
         table.most_in_text = ROWS;
         parts.push(Part::Table(table));
     }
-    parts.push(Part::List(meanings(found)));
+    parts.push(Part::List(
+        inputs(found).into_iter().chain(meanings(found)).collect(),
+    ));
     let notes = left_out.into_iter().skip(1).chain(notes);
     parts.push(Part::Notes(notes.cloned().collect()));
     parts
@@ -158,16 +163,55 @@ fn rest(verdict: Verdict, formulation: f64, [error, scatter]: [f64; 2]) -> Strin
     )
 }
 
+/// What the fit with the most probable explanation makes of the inputs that it moves farthest from where they are without it.
+pub fn inputs(found: &Diagnosis) -> Option<String> {
+    let leads = leading(found)?;
+    let without = |own: &Pull| found.misfit.pulls.iter().find(|pull| pull.unknown == own.unknown);
+    let moved = leads.inputs.iter().filter_map(|own| Some((own, without(own)?)));
+    // in standard errors of the fit without: what these data do not know moves by nothing
+    let far = |(own, without): &(&Pull, &Pull)| {
+        (own.value - without.value).abs() / own.standard_error.min(without.standard_error)
+    };
+    let (own, without) = moved.max_by(|a, b| far(a).total_cmp(&far(b)))?;
+    if far(&(own, without)) < APART {
+        return None;
+    }
+    let unit = match own.unit.as_str() {
+        "1" | "" => String::new(),
+        unit => format!(" {unit}"),
+    };
+    let end = |pull: &Pull| {
+        if pull.at_end {
+            " (the end of its range)"
+        } else {
+            ""
+        }
+    };
+    Some(format!(
+        "With it {} is fitted as {} ± {}{unit}{}, without it as {}{unit}{}.",
+        own.unknown,
+        significant(own.value, 3),
+        significant(own.standard_error, 2),
+        end(own),
+        significant(without.value, 3),
+        end(without)
+    ))
+}
+
+/// The most probable explanation by known effects, where there is one to go on with.
+fn leading(found: &Diagnosis) -> Option<&Hypothesis> {
+    match found.verdict {
+        Verdict::Effect | Verdict::Set => found.hypotheses.iter().find(|row| !row.families.is_empty()),
+        Verdict::Nothing | Verdict::Novel | Verdict::Undecidable => None,
+    }
+}
+
 /// What the most probable effects are, and what their strengths mean; where nothing is missing, what could not have been seen.
 pub fn meanings(found: &Diagnosis) -> Vec<String> {
     if found.verdict == Verdict::Nothing && found.unseen.len() > 1 {
         return vec![format!("Could not have been seen: {}.", found.unseen.join(", "))];
     }
-    let leads = match found.verdict {
-        Verdict::Effect | Verdict::Set => found.hypotheses.iter().find(|row| !row.families.is_empty()),
-        Verdict::Nothing | Verdict::Novel | Verdict::Undecidable => None,
-    };
-    let effects = leads.map_or(&[][..], |row| row.effects.as_slice());
+    let effects = leading(found).map_or(&[][..], |row| row.effects.as_slice());
     let words = effects.iter().filter_map(|effect| {
         let [what, strength] = what(effect)?;
         Some(format!("{effect}: {what} Strength: {strength}."))
@@ -270,6 +314,8 @@ mod tests {
             standard_error: 0.1,
             pull,
             is_flagged: pull.abs() > 2.0,
+            unit: "1".to_string(),
+            at_end: false,
         };
         let words = pulled(&[pull("a", -2.5), pull("b", 3.76), pull("c", 1.0)]);
         assert!(words.ends_with("pulls b by +3.8 sigma."), "{words}");

@@ -35,6 +35,8 @@ pub mod pareto;
 #[cfg(feature = "cli")]
 pub mod added;
 
+pub mod calibrated;
+
 #[cfg(feature = "cli")]
 pub mod ladder;
 

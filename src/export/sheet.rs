@@ -18,6 +18,9 @@ pub struct Files {
     pub readings: String,
 }
 
+/// What is said of a table without doubts.
+const WELL: &str = "Nothing in the table looks wrong.\n";
+
 /// What was understood, what is assumed and what looks wrong, before anything is solved.
 pub fn understood(sheet: &Sheet) -> String {
     let mut text = format!("What {} says\n", sheet.measurement.file);
@@ -33,12 +36,36 @@ pub fn understood(sheet: &Sheet) -> String {
         text += &pairs(["what", "is"], &sheet.assumed);
     }
     if sheet.doubts.is_empty() {
-        text += "\nNothing in the table looks wrong.\n";
+        text += &format!("\n{WELL}");
     }
     for doubt in &sheet.doubts {
         text += &format!("\n{}", wrapped(&format!("Check: {doubt}"), 0));
     }
     text
+}
+
+/// The same in a few lines where nothing looks wrong: its conditions, and what it says nothing of.
+pub fn understood_briefly(sheet: &Sheet) -> String {
+    if !sheet.doubts.is_empty() {
+        return understood(sheet);
+    }
+    let kind = sheet.understood.iter().find(|[what, _]| what == "file");
+    let kind = kind.map_or(String::new(), |[_, is]| format!(" ({is})"));
+    let mut text = format!(
+        "What {} says{kind}\n{}",
+        sheet.measurement.file,
+        conditions(sheet)
+    );
+    if !sheet.assumed.is_empty() {
+        let taken: Vec<String> = sheet
+            .assumed
+            .iter()
+            .map(|[what, is]| format!("{what}: {is}"))
+            .collect();
+        let taken = format!("Not in it, so taken to be: {}.", taken.join("; "));
+        text += &wrapped(&taken, 0);
+    }
+    text + WELL
 }
 
 /// Its conditions, a line each.

@@ -63,6 +63,9 @@ pub fn warnings(summary: &RunSummary) -> Vec<String> {
     warnings
 }
 
+/// Density below which a material is lighter than foams, kg/m³.
+const LIGHTEST_KG_M3: f64 = 10.0;
+
 /// That the mesh error is not known; or what the mesh leaves of the tip's twist, where that is more than a fiftieth of it and more than any instrument reads.
 fn of_mesh(summary: &RunSummary) -> Option<String> {
     if let Some(reason) = &summary.mesh_error.unknown_because {
@@ -124,6 +127,15 @@ fn of_design(design: &Design, tip_mm: f64) -> Vec<String> {
                     significant(angle.to_degrees(), 3)
                 ));
             }
+        }
+    }
+    for (name, material) in &design.material {
+        let density = material.density_kg_m3.value();
+        if density < LIGHTEST_KG_M3 {
+            warnings.push(format!(
+                "material.{name}.density_kg_m3 is {density}, less than the lightest foam: is it in g/cm³? Then write {}",
+                significant(1e3 * density, 4)
+            ));
         }
     }
     let rod_end_mm = design.rod.iter().map(|piece| piece.to_mm.value());

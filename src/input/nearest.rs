@@ -11,7 +11,8 @@ pub(crate) fn nearest<'a>(word: &str, allowed: impl IntoIterator<Item = &'a str>
         .map(|candidate| (edits(&word, &candidate.to_lowercase()), candidate))
         .min_by_key(|(distance, _)| *distance)?;
     let longest = word.chars().count().max(best.chars().count());
-    (distance <= 1 + longest / 5).then_some(best)
+    // of a word as short as that nothing would be left
+    (distance <= 1 + longest / 5 && distance < longest).then_some(best)
 }
 
 /// Insertions, deletions, replacements and swaps of neighbours that lead from `a` to `b`.

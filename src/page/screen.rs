@@ -133,7 +133,7 @@ mod tests {
         let whole = shown(8);
         assert_eq!(
             lines(&whole),
-            13,
+            14,
             "an empty line above the table and below it: {whole}"
         );
         assert!(whole.contains("What it is."), "{whole}");

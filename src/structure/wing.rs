@@ -188,6 +188,13 @@ pub fn innermost_rod(design: &Design) -> Result<Option<Section>, StructureError>
         .transpose()
 }
 
+/// Length of the leading edge along its rods, m.
+pub fn rod_length_m(design: &Design) -> f64 {
+    let ends = design.rod.iter().map(|rod| rod.to_mm.value());
+    let starts = design.rod.iter().map(|rod| rod.from_mm.value());
+    1e-3 * (ends.fold(0.0, f64::max) - starts.fold(f64::INFINITY, f64::min))
+}
+
 /// Twist of the rods from the base to a place under a torque there, over that torque, rad/(N·m): spars and film left out.
 ///
 /// # Errors

@@ -101,8 +101,7 @@ fn a_run_that_replaces_one_with_other_inputs_says_so_and_one_with_the_same_does_
     .expect("written");
     let replaces = |set: &[&str]| {
         let said = washout(here.path(), &[&["solve", "bench.toml"], set].concat());
-        said.out
-            .contains("\nThey replace an earlier run with other inputs")
+        said.err.contains("replaces an earlier run with other inputs")
     };
     assert!(!replaces(&[]) && !replaces(&[]));
     assert!(replaces(&["--set", "load[0].force_n=[0.0, 0.0, 0.2]"]));

@@ -159,7 +159,7 @@ fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_
     );
     assert_eq!(
         listed("bench-ladder"),
-        ["ladder.csv", "ladder.json", "ladder.svg"]
+        ["calibrated-rod.toml", "ladder.csv", "ladder.json", "ladder.svg"]
     );
     let ladder = fs::read_to_string(folder.path().join("output/bench-ladder/ladder.csv")).unwrap();
     assert!(
@@ -167,7 +167,7 @@ fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_
         "{ladder}"
     );
     assert!(
-        added.out.contains("3 files in output/bench-ladder"),
+        added.out.contains("4 files in output/bench-ladder"),
         "{}",
         added.out
     );
@@ -189,6 +189,7 @@ fn a_rod_softer_than_stated_is_found_and_added_and_the_error_falls_where_it_was_
         "goes from ",
         " where it was held out",
         "On a bench, the still wing rod",
+        "washout solve output/bench-ladder/calibrated-rod.toml",
     ] {
         assert!(
             added.out.replace('\n', " ").contains(words),

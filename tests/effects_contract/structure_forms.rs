@@ -2,6 +2,7 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use washout::coupling::wing::Wing;
+use washout::effects::bind;
 use washout::effects::custom::Custom;
 use washout::input::design::{Design, Flat, Section};
 use washout::mesh::{BeamPart, Mesh, for_design};
@@ -362,6 +363,23 @@ fn a_spar_that_tapers_by_a_formula_of_ones_own_bends_by_its_integral() {
 fn a_root_as_soft_as_the_rod_doubles_the_twist_of_its_tip() {
     let design = with(rectangle(TORQUE), "root-flexure", 1.0);
     assert_near(relative_twist(&design), 2.0, 1e-9);
+}
+
+/// What the root turns by is the torque over the stiffness that its strength stands for, also where the table states the rod.
+#[test]
+fn the_stiffness_that_a_strength_of_a_root_stands_for_is_the_torque_over_the_turn() {
+    let stated = also(
+        with(rectangle(TORQUE), "root-flexure", 0.5),
+        "effects.root-flexure.gj_n_m2",
+        2.0 * GJ,
+    );
+    for design in [with(rectangle(TORQUE), "root-flexure", 0.5), stated] {
+        let turn_rad = (relative_twist(&design) - 1.0) * 0.001 * LENGTH_M / GJ;
+        let bound = bind(&design).unwrap();
+        let (stiffness, unit) = bound[0].effect.stands_for(&bound[0].values, &design).unwrap();
+        assert!(unit.starts_with("mN·m/rad"), "{unit}");
+        assert_near(stiffness, 1.0 / turn_rad, 1e-9);
+    }
 }
 
 /// 1 + 3 (1 − h + h²/3), h the share of the first element.

@@ -241,6 +241,13 @@ fn wrong_type(node: &Node, expected: &str, key: &Key, path: &KeyPath) -> InputEr
     if number && starts_as_number {
         cure.push_str("Write the number without quotes and without unit. ");
     }
+    if matches!(key.kind, Kind::Quantity(_)) && node.length() == Some(2) {
+        cure.push_str(&format!(
+            "A range is written {} = {{ assumed = NUMBER, range = {}, why = \"...\" }}. ",
+            key.name,
+            node.shown()
+        ));
+    }
     cure.push_str(&key.cure());
     InputError::new(node.place(), &path.to_string(), &node.shown(), problem, cure)
 }

@@ -253,7 +253,10 @@ fn cure_of(head: &str) -> String {
         .unwrap_or(digits.len());
     let usual = "Heads are understood such as: r (mm), twist (deg), sigma, 22 Hz, \"22 Hz, 35 deg\", frequency (Hz), condition, run";
     if head.is_empty() {
-        return format!("Give the column a name. {usual}");
+        return format!("Give the column a name; of the distance from the wing base r (mm). {usual}");
+    }
+    if ["mm", "cm", "m"].contains(&head) {
+        return format!("Is it the distance from the wing base? Then write r ({head}). {usual}");
     }
     if end > 0 {
         let after = digits[end..].trim().to_lowercase();
