@@ -11,6 +11,7 @@ use crate::diagnose::hypothesis::Hypothesis;
 use crate::diagnose::of_study::refuse_own_data;
 use crate::diagnose::strengths::Strength;
 use crate::diagnose::verdict::{Diagnosis, Verdict};
+use crate::diagnose::words::{AGREED, probability_of};
 use crate::diagnose::{Cache, Candidates, Plan, Settings, StudyDiagnosis, plan_study};
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::html::cases::{at_work, found};
@@ -23,7 +24,7 @@ use crate::export::sheet::to_keep;
 use crate::input::sheet::{DesignReadings, Sigmas};
 use crate::input::study::LoadedStudy;
 use crate::page::Part;
-use crate::page::text::significant;
+use crate::page::text::{significant, wrapped};
 use crate::study::Campaign;
 
 use super::written::target;
@@ -245,28 +246,62 @@ fn to_go_on(report: &DiagnosisReport) -> String {
         _ if !report.commands.iter().any(is_added) => {
             "To go on with a study, and to see what more readings could show"
         }
-        Verdict::Set => "To try the most probable, which is not sure",
+        Verdict::Set => &format!("To try {}, which is not sure", strengths(&report.diagnosis)),
         _ => "To take it into the model",
     };
     let lines = report.commands.iter().map(|command| format!("  {command}\n"));
-    format!("{why}:\n{}", lines.collect::<String>())
+    wrapped(&format!("{why}:"), 0) + &lines.collect::<String>()
+}
+
+/// What is most probable of a set, with its strengths.
+fn strengths(diagnosis: &Diagnosis) -> String {
+    let each = to_try(diagnosis).into_iter().map(|own| {
+        let unit = Some(own.unit.as_str()).filter(|unit| *unit != "1");
+        let unit = unit.map_or(String::new(), |unit| format!(" {unit}"));
+        format!(
+            "{} = {} ± {}{unit}",
+            own.effect,
+            significant(own.value, 3),
+            significant(own.standard_error, 2)
+        )
+    });
+    each.collect::<Vec<_>>().join(" and ")
 }
 
 /// The commands that take what is named, or is most probable in a set, into the model of the study.
 fn to_add(study: &Path, on: &[String], diagnosis: &Diagnosis) -> Vec<String> {
+    let strengths = to_try(diagnosis).into_iter();
+    strengths.map(|strength| add(strength, study, on)).collect()
+}
+
+/// The strengths of what is named, or is most probable in a set, the surest first; of a pair in a set those alone that most of the
+/// probability agrees on, if it does on any.
+fn to_try(diagnosis: &Diagnosis) -> Vec<&Strength> {
     let is_known = |hypothesis: &&Hypothesis| !hypothesis.families.is_empty() && hypothesis.in_set;
     let known = match diagnosis.verdict {
         Verdict::Effect | Verdict::Set => diagnosis.hypotheses.iter().find(is_known),
         Verdict::Nothing | Verdict::Novel | Verdict::Undecidable => None,
     };
-    let mut strengths: Vec<&Strength> = known.map_or(Vec::new(), |known| known.strengths.iter().collect());
+    let Some(known) = known else {
+        return Vec::new();
+    };
+    let mut strengths: Vec<&Strength> = known.strengths.iter().collect();
     // what is surest first: a fit of the other alone might end elsewhere
     let in_errors = |own: &Strength| own.value.abs() / own.standard_error;
     strengths.sort_by(|a, b| in_errors(b).total_cmp(&in_errors(a)));
+    let is_agreed = |effect: &String| {
+        let family = known
+            .effects
+            .iter()
+            .position(|own| own == effect)
+            .and_then(|place| known.families.get(place));
+        family.is_some_and(|family| probability_of(diagnosis, family) >= AGREED)
+    };
+    let is_pair = diagnosis.verdict == Verdict::Set && known.families.len() > 1;
+    if is_pair && strengths.iter().any(|own| is_agreed(&own.effect)) {
+        strengths.retain(|own| is_agreed(&own.effect));
+    }
     strengths
-        .into_iter()
-        .map(|strength| add(strength, study, on))
-        .collect()
 }
 
 /// The command that takes an effect into the model of the study.

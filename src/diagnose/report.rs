@@ -27,6 +27,9 @@ use super::verdict::{Diagnosis, NoiseFound, Novel, Outlier, Prediction, Verdict}
 use super::words::sentence;
 
 /// Something is said to be missing where nothing has a probability below so many times the accepted one of a false alarm. With 10, seven
+/// Sigmas by which a case must miss to be asked for, and those of every other over its.
+const FAR_OFF: f64 = 10.0;
+const ALONE: f64 = 0.3;
 /// of 12 readings with errors of uneven size about a fit would raise one (two do), and no case more of 47 of another model would be told.
 const ALARM: f64 = 5.0;
 /// Probability from which on nothing, or a cause without a name, is the answer.
@@ -104,8 +107,46 @@ pub fn report(
         hypotheses,
         effects,
     };
-    diagnosis.sentence = sentence(&diagnosis);
+    let alone = alone_in_missing(baseline, found(judgement).unwrap_or(&baseline.fit));
+    let parts = alone.into_iter().chain([sentence(&diagnosis)]);
+    diagnosis.sentence = parts.collect::<Vec<_>>().join(" ");
     Ok(diagnosis)
+}
+
+/// That one case misses by far more than all others, and still does with what was found: as it does where its load or unit is not what the
+/// study says.
+fn alone_in_missing(baseline: &Baseline, found: &Fit) -> Option<String> {
+    let even_so = farthest(baseline, found)?;
+    let is_alone = |[(worst, _), (next, _)]: &[(f64, usize); 2]| *next < ALONE * worst;
+    // a fit may spread the misfit over all
+    let both = [even_so, farthest(baseline, &baseline.fit)?];
+    let [(worst, condition), (next, _)] = both.into_iter().find(is_alone)?;
+    let name = &baseline.forward.conditions()[condition].name;
+    (even_so[0].0 > FAR_OFF).then(|| {
+        format!(
+            "Check the case {name} first: it misses by {worst:.0} sigma, every other by at most {next:.1}; are its load, its unit and its sign \
+             those of the measurement?"
+        )
+    })
+}
+
+/// The two cases that miss most in a fit: by how many stated sigmas, root mean square, and which they are.
+fn farthest(baseline: &Baseline, fit: &Fit) -> Option<[(f64, usize); 2]> {
+    let observables = baseline.forward.observables();
+    let rms = |positions: &[usize]| {
+        let squares = positions.iter().map(|&position| {
+            let row = baseline.data.rows[position];
+            (observables[row].misfit(fit.predicted[row]) / observables[row].sigma).powi(2)
+        });
+        (squares.sum::<f64>() / positions.len() as f64).sqrt()
+    };
+    let groups = baseline.data.conditions(baseline.forward).into_iter();
+    let mut each: Vec<(f64, usize)> = groups.map(|(condition, own)| (rms(&own), condition)).collect();
+    each.sort_by(|a, b| b.0.total_cmp(&a.0));
+    match each[..] {
+        [worst, next, ..] => Some([worst, next]),
+        _ => None,
+    }
 }
 
 fn best_known(judgement: &Judgement) -> Option<&Explanation> {

@@ -8,6 +8,8 @@ use super::verdict::{Diagnosis, Verdict};
 
 /// Other explanations listed before "and others".
 const LISTED: usize = 3;
+/// Probability of an effect, whatever is beside it, from which on the explanations of a set agree on it.
+pub const AGREED: f64 = 0.5;
 /// Distance between explanations, in standard deviations, from which on a reading that does not decide is told.
 const WORTH_SAYING: f64 = 1.0;
 
@@ -109,14 +111,8 @@ fn pulled(diagnosis: &Diagnosis) -> String {
 
 /// Probability of the first effect of a hypothesis, whatever is missing beside it.
 fn with_any_second(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> f64 {
-    let Some(family) = hypothesis.families.first() else {
-        return hypothesis.probability;
-    };
-    let own = diagnosis
-        .hypotheses
-        .iter()
-        .filter(|other| other.families.contains(family));
-    own.map(|other| other.probability).sum()
+    let family = hypothesis.families.first();
+    family.map_or(hypothesis.probability, |family| probability_of(diagnosis, family))
 }
 
 /// One effect that may be named; `probability`: of the effect, with any second or none.
@@ -224,7 +220,7 @@ fn set(diagnosis: &Diagnosis) -> String {
         in_set.partition(|own| is_one && is_with_first(own));
     let alone = format!("{} (probability {:.2}", name_or_nothing(first), first.probability);
     let most = match with_first.len() {
-        0 => format!("{alone})"),
+        0 => format!("{alone}{})", shared(diagnosis, first)),
         _ => {
             let whole = with_any_second(diagnosis, first);
             format!("{alone} alone, {whole:.2} with a second effect or none)")
@@ -246,6 +242,27 @@ fn set(diagnosis: &Diagnosis) -> String {
         [most @ .., last] => format!("{} or {last}", most.join(", ")),
     };
     format!("most likely {most}, or else {or_else}, which these data cannot tell apart")
+}
+
+/// Of a pair that is first: the effect that most of the probability agrees on, whatever is beside it.
+fn shared(diagnosis: &Diagnosis, first: &Hypothesis) -> String {
+    let each = first.families.iter().zip(&first.effects);
+    let each = each.map(|(family, effect)| (probability_of(diagnosis, family), effect));
+    match each.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        Some((whole, effect)) if first.families.len() > 1 && whole >= AGREED => {
+            format!("; {effect}, alone or with another, has {whole:.2}")
+        }
+        _ => String::new(),
+    }
+}
+
+/// Probability that an effect of a family is missing, whatever is beside it.
+pub fn probability_of(diagnosis: &Diagnosis, family: &String) -> f64 {
+    let with = diagnosis
+        .hypotheses
+        .iter()
+        .filter(|own| own.families.contains(family));
+    with.map(|own| own.probability).sum()
 }
 
 /// What a hypothesis of a set says.

@@ -345,3 +345,29 @@ fn rows_of_a_misspelt_condition_are_named_with_what_was_meant() {
     let notes = document("diagnose")["notes"].clone();
     assert!(notes.to_string().contains(&told), "{notes}");
 }
+
+/// The load of one case is a twentieth of what its readings were taken under: a slip of its unit.
+#[test]
+fn the_one_case_that_misses_by_far_more_than_all_others_is_asked_for_first() {
+    let here = tempfile::tempdir().unwrap();
+    campaign(here.path(), &MANY);
+    let hide = ["synthesize", "study.toml", "--seed", "3", "--output", "made"];
+    json(&washout(here.path(), &[&hide[..], &["--json"]].concat()));
+    let ask = || washout(here.path(), &["diagnose", "made/study.toml"]).out;
+    assert!(!ask().starts_with("Check"), "{}", ask());
+    let file = here.path().join("made/m.csv");
+    let text = fs::read_to_string(&file).unwrap();
+    let slipped = text.lines().map(|line| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_string).collect();
+        if cells[0] == "m-1" {
+            cells[8] = (20.0 * cells[8].parse::<f64>().unwrap()).to_string();
+        }
+        cells.join(",") + "\n"
+    });
+    fs::write(&file, slipped.collect::<String>()).unwrap();
+    let said = ask();
+    assert!(
+        said.starts_with("Check the case m-1 first: it misses by "),
+        "{said}"
+    );
+}
