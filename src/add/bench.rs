@@ -15,7 +15,8 @@ const TWIST_DEG: f64 = 10.0;
 /// Share of the twist by which an effect must move it to be said.
 const SEEN: f64 = 0.01;
 
-/// How well a bench tells two twists apart: what it reads, deg, and what is not known of the wing, as a share of its twist.
+/// How well a bench tells two twists apart: what it reads, deg, and what is not known of the wing, as a share of its twist. Assumed; they choose the
+/// station alone.
 const READ_DEG: f64 = 0.25;
 const KNOWN: f64 = 0.1;
 

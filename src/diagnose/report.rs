@@ -27,7 +27,7 @@ use super::verdict::{Diagnosis, NoiseFound, Novel, Outlier, Prediction, Verdict}
 use super::words::sentence;
 
 /// Something is said to be missing where nothing has a probability below so many times the accepted one of a false alarm. With 10, seven
-/// Sigmas by which a case must miss to be asked for, and those of every other over its.
+/// Sigmas by which a case must miss to be asked for, and those of every other over its. A choice: it changes no probability.
 const FAR_OFF: f64 = 10.0;
 const ALONE: f64 = 0.3;
 /// of 12 readings with errors of uneven size about a fit would raise one (two do), and no case more of 47 of another model would be told.

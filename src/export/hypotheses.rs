@@ -18,7 +18,7 @@ const OFF: f64 = 0.05;
 /// A held-out error up to so many times the scatter may be scatter: of a dozen readings, one draw in a hundred is larger.
 const AS_SCATTER: f64 = 1.5;
 
-/// Standard errors by which an input must move to be worth a word.
+/// Standard errors by which an input must move to be worth a word. A choice.
 const APART: f64 = 1.0;
 
 /// What the column of the set holds.
