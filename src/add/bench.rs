@@ -78,11 +78,10 @@ fn on_bench(
         case.loaded.design = design.clone();
         case
     };
-    let Some(still) = torque(&as_calibrated(with), TWIST_DEG) else {
+    let Some((bench, still)) = torque(&as_calibrated(with), TWIST_DEG) else {
         return Ok(None);
     };
-    let load = still.loaded.design.load.clone();
-    let at_mm = load.first().map_or(0.0, |load| load.at_mm.value());
+    let at_mm = bench.at_mm;
     let model = WingModel::new(still.loaded)?;
     let with_effect = model.solve(progress)?;
     let alone = model.with_effect(effect, 0.0)?.solve(progress)?;
@@ -94,10 +93,8 @@ fn on_bench(
         return Ok(None);
     }
     // the same torque, though the rods of the other may be softer
-    let Some(mut other) = torque(&as_calibrated(without), TWIST_DEG) else {
-        return Ok(None);
-    };
-    other.loaded.design.load = load;
+    let mut other = as_calibrated(without);
+    bench.put(&mut other.loaded.design);
     let mut other = WingModel::new(other.loaded)?;
     if without.effects.contains_key(effect) {
         other = other.with_effect(effect, 0.0)?;

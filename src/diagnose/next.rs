@@ -42,6 +42,9 @@ pub struct NextExperiment {
 pub struct Candidate {
     /// Name of its condition; of what a study does not list, what to do in plain words.
     pub name: String,
+    /// Head of the column that holds it in a table of readings; none unless it is measured on a bench.
+    #[serde(default)]
+    pub column: Option<String>,
     /// Distance expected between the rivals, in standard deviations.
     pub separation_sigma: f64,
     /// What the two most probable rivals predict for the reading of it that tells them apart best; none where it has no reading.
@@ -101,12 +104,26 @@ pub fn next_experiment(
     Ok((Some(next), left_out))
 }
 
+impl NextExperiment {
+    /// Says how a table holds what is asked for, if it is measured on a bench.
+    pub fn for_table(&mut self, table: &str) {
+        let best = self
+            .candidates
+            .iter()
+            .find(|own| Some(&own.name) == self.best.as_ref());
+        if let Some(column) = best.and_then(|own| own.column.as_ref()) {
+            self.sentence += &format!(" In {table} it is one more column: {column}.");
+        }
+    }
+}
+
 /// The advice of candidates, best first.
 fn sentence(candidates: &[Candidate], is_listed: bool, is_decided: bool) -> String {
     let Some(Candidate {
         name,
         separation_sigma,
         expected,
+        ..
     }) = candidates.first()
     else {
         return "No candidate experiment was listed.".into();
@@ -150,6 +167,7 @@ fn listed_ones(
         let counts = |own: &Observable| own.condition == index;
         Candidate {
             name: name.clone(),
+            column: None,
             separation_sigma: separation(&answers, rivals, observables, &counts),
             expected: expected(&answers, rivals, observables, &counts),
         }
@@ -214,6 +232,7 @@ fn proposed(
         let counts = |own: &Observable| rows.iter().any(|row| std::ptr::eq(*row, own));
         Candidate {
             name: proposal.words(rows),
+            column: proposal.column(),
             separation_sigma: separation(&answers, rivals, observables, &counts),
             expected: expected(&answers, rivals, observables, &counts),
         }
@@ -370,6 +389,7 @@ mod tests {
         let far = |separation_sigma: f64| {
             vec![Candidate {
                 name: "the still wing w under a torque of 0.2 mN·m near its tip (67 mm)".into(),
+                column: None,
                 separation_sigma,
                 expected: Some(ExpectedReading {
                     channel: Channel::Twist,

@@ -104,7 +104,15 @@ impl StudyDiagnosis {
         sets: &[String],
         progress: &Progress,
     ) -> Result<StudyDiagnosis, DiagnoseError> {
-        let Diagnosis { sentence, notes, .. } = &mut self.diagnosis;
+        let Diagnosis {
+            sentence,
+            notes,
+            next_experiment,
+            ..
+        } = &mut self.diagnosis;
+        if let Some(next) = next_experiment {
+            next.for_table(&table.sheet.measurement.file);
+        }
         if let Some(doubts) = table.doubts() {
             *sentence = format!("{doubts} {sentence}");
         }

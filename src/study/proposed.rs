@@ -4,7 +4,7 @@
 //! A flapping wing shows the other side of its film in the other half of every stroke, and the model of that half is the mirror image:
 //! there is nothing to propose.
 
-use super::bench::{STILL_HZ, push, short, torque};
+use super::bench::{push, torque};
 use super::campaign::Campaign;
 use super::error::StudyError;
 use super::forward::Observable;
@@ -12,6 +12,7 @@ use super::quantile::quantile;
 use super::two_meshes::COARSE;
 use crate::input::measurement::{Bound, Channel, Row};
 use crate::input::quantity::Quantity;
+use crate::input::sheet::{Bench, STILL_HZ, short};
 use crate::input::study::{LoadedCase, LoadedStudy};
 use crate::progress::Progress;
 
@@ -65,6 +66,8 @@ pub struct Proposal {
     pub cost: Cost,
     /// The wing in its condition, named in plain words, with rows whose values are yet to come.
     case: LoadedCase,
+    /// The load on the still wing, of what is measured on a bench.
+    bench: Option<Bench>,
 }
 
 impl Proposal {
@@ -83,6 +86,11 @@ impl Proposal {
             }
             _ => self.case.name.clone(),
         }
+    }
+
+    /// Head of the column that holds it in a table of readings; none unless it is measured on a bench.
+    pub fn column(&self) -> Option<String> {
+        self.bench.map(|bench| bench.head())
     }
 
     /// Whether every reading is a proposal of its own.
@@ -169,16 +177,20 @@ fn of_wing(study: &LoadedStudy, clearest: &LoadedCase) -> Vec<Proposal> {
         mesh.refine *= 0.5;
     }
     case.rows = rows;
+    let in_air = |case: LoadedCase| (None, case);
+    let on_bench = |(bench, case): (Bench, LoadedCase)| (Some(bench), case);
     let found = [
-        more_stations(&case),
-        torque(&case, twist_deg),
-        push(&case, twist_deg),
-        slower(&case),
-        other_side(&case),
+        more_stations(&case).map(in_air),
+        torque(&case, twist_deg).map(on_bench),
+        push(&case, twist_deg).map(on_bench),
+        slower(&case).map(in_air),
+        other_side(&case).map(in_air),
     ];
-    let found = Cost::ALL.into_iter().zip(found);
-    let proposal = |(cost, case): (Cost, Option<LoadedCase>)| Some(Proposal { cost, case: case? });
-    found.filter_map(proposal).collect()
+    let proposal = |(cost, found): (Cost, Option<(Option<Bench>, LoadedCase)>)| {
+        let (bench, case) = found?;
+        Some(Proposal { cost, case, bench })
+    };
+    Cost::ALL.into_iter().zip(found).filter_map(proposal).collect()
 }
 
 /// The twist that a bench load is to make, deg.

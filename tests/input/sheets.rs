@@ -99,6 +99,57 @@ fn conditions_of_the_head_become_settings_of_the_study() {
 }
 
 #[test]
+fn a_load_on_the_still_wing_is_a_condition_in_a_head_or_in_a_column() {
+    let wide = understood(
+        "r (mm);22 Hz;torque 20 uN m at 62 mm;torque 20 uN m at 62 mm sigma\n15;10,5;3,1;0,2\n28;12;;\n",
+    );
+    let long = understood(
+        "condition,r,value,sigma\n22 Hz,15,10.5,\n22 Hz,28,12,\nTorque of 20 µN·m at 62 mm,15,3.1,0.2\n",
+    );
+    assert_eq!(readings(&wide), readings(&long));
+    for sheet in [&wide, &long] {
+        let family = &sheet.families[usize::from(sheet.families[0].form.starts_with('{'))];
+        assert_eq!(family.form, "torque-20-un-m-at-62-mm");
+        assert_eq!(
+            family.set,
+            [
+                "flapping.frequency_hz=0.1",
+                "load=[{at_mm=62.0, moment_n_m=[2e-5, 0.0, 0.0]}]"
+            ]
+        );
+        let row = sheet.measurement.rows.iter().find(|row| row.case == family.form);
+        assert_eq!(row.map(|row| (row.value, row.sigma)), Some((3.1, 0.2)));
+        assert!(sheet.doubts.is_empty(), "{:?}", sheet.doubts);
+    }
+    let pushed = understood("r,deflection at push 2 g at 24 mm 12 mm behind (mm)\n20,0.4\n");
+    assert_eq!(pushed.measurement.rows[0].channel, Channel::Deflection);
+    assert_eq!(
+        pushed.families[0].set[1],
+        "load=[{at_mm=24.0, chord_offset_mm=12.0, force_n=[0.0, 0.0, 0.0196133]}]"
+    );
+    for (text, message, cure) in [
+        (
+            "r,torque 20 mN at 62 mm\n20,4\n",
+            "without its number and unit",
+            "torque 20 uN m at 62 mm",
+        ),
+        (
+            "frequency (Hz),condition,r,value\n22,push 2 mN at 20 mm 9 mm behind,20,4\n",
+            "is of the still wing, but sets flapping.frequency_hz to 22",
+            "leave that cell empty",
+        ),
+        (
+            "condition,r,push 2 mN at 20 mm 9 mm behind\ntorque 2 uN m at 20 mm,20,4\n",
+            "names another load than the head",
+            "once",
+        ),
+    ] {
+        let error = read(text).expect_err(text).to_string();
+        assert!(error.contains(message) && error.contains(cure), "{error}");
+    }
+}
+
+#[test]
 fn what_the_table_leaves_out_is_assumed_and_told() {
     let told = |text: &str| {
         understood(text)

@@ -1,5 +1,7 @@
 //! Conditions such as `22 Hz, 35 deg`: which keys of the design they set, and how their cases are named.
 
+use super::bench::Bench;
+use super::words::Kind;
 use crate::input::design::Design;
 use crate::input::unit::{of_key, without_unit};
 
@@ -12,59 +14,6 @@ pub struct Family {
     pub set: Vec<String>,
     /// Their names, in the order of the table.
     pub cases: Vec<String>,
-}
-
-/// What a unit in a header or a condition stands for.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Kind {
-    /// A frequency, Hz.
-    Frequency,
-    /// An angle, deg: the half amplitude of a flapping wing, the root angle of a steady one.
-    Angle,
-    /// A speed, m/s.
-    Speed,
-    /// A length, mm: a station.
-    Length,
-}
-
-impl Kind {
-    /// A number of this kind in words.
-    pub fn words(self, value: f64) -> String {
-        let unit = match self {
-            Kind::Frequency => "Hz",
-            Kind::Angle => "deg",
-            Kind::Speed => "m/s",
-            Kind::Length => "mm",
-        };
-        format!("{value} {unit}")
-    }
-}
-
-/// Units as people write them, in lower case, longer ones first; with the factor to the unit of [`Kind`].
-pub const UNITS: [(&str, Kind, f64); 14] = [
-    ("millimetres", Kind::Length, 1.0),
-    ("degrees", Kind::Angle, 1.0),
-    ("degree", Kind::Angle, 1.0),
-    ("hertz", Kind::Frequency, 1.0),
-    ("rpm", Kind::Frequency, 1.0 / 60.0),
-    ("deg", Kind::Angle, 1.0),
-    ("rad", Kind::Angle, 180.0 / std::f64::consts::PI),
-    ("m/s", Kind::Speed, 1.0),
-    ("m_s", Kind::Speed, 1.0),
-    ("hz", Kind::Frequency, 1.0),
-    ("mm", Kind::Length, 1.0),
-    ("cm", Kind::Length, 10.0),
-    ("°", Kind::Angle, 1.0),
-    ("m", Kind::Length, 1000.0),
-];
-
-/// The unit that these words begin with, and what follows it.
-pub fn unit_at(words: &str) -> Option<(Kind, f64, &str)> {
-    UNITS.iter().find_map(|(unit, kind, factor)| {
-        let rest = words.strip_prefix(unit)?;
-        let ends = !rest.starts_with(|next: char| next.is_alphabetic() || next == '/' || next == '³');
-        ends.then_some((*kind, *factor, rest))
-    })
 }
 
 /// A number of a condition, and the key that it sets.
@@ -81,6 +30,8 @@ pub struct Point {
 pub struct Condition {
     /// Its numbers, each key once.
     pub points: Vec<Point>,
+    /// The load on the still wing, if it is on a bench; then it has no numbers.
+    pub bench: Option<Bench>,
     /// Name of its case if it has no numbers.
     pub name: String,
 }
@@ -107,35 +58,6 @@ pub fn key(kind: Kind, design: &Design) -> Result<&'static str, String> {
     }
 }
 
-/// Numbers with a unit in some words, and the words that are left; in lower case.
-pub fn numbers(words: &str) -> (Vec<(f64, Kind)>, String) {
-    let words = words.to_lowercase();
-    let mut found = Vec::new();
-    let mut left = String::new();
-    let mut rest = words.as_str();
-    while let Some(next) = rest.chars().next() {
-        let is_inside = left.ends_with(|last: char| last.is_alphanumeric());
-        let length = match is_inside {
-            true => 0,
-            false => rest
-                .find(|c: char| !(c.is_ascii_digit() || "+-.−".contains(c)))
-                .unwrap_or(rest.len()),
-        };
-        let number = rest[..length].replace('−', "-").parse::<f64>().ok();
-        let after = rest[length..].trim_start_matches([' ', '_']);
-        if let (Some(number), Some((kind, factor, after))) = (number, unit_at(after)) {
-            found.push((number * factor, kind));
-            left.push(' ');
-            // 22hz-35deg, as cases are named
-            rest = after.strip_prefix('-').unwrap_or(after);
-            continue;
-        }
-        left.push(next);
-        rest = &rest[next.len_utf8()..];
-    }
-    (found, left)
-}
-
 /// Name of a key in the forms of cases: `frequency` of `flapping.frequency_hz`; the whole key where it is not the usual one, so
 /// that no two are named alike.
 fn short(key: &str) -> String {
@@ -154,6 +76,9 @@ fn behind(key: &str) -> String {
 impl Condition {
     /// Name of its case, such as `22hz-35deg`.
     pub fn case(&self) -> String {
+        if let Some(bench) = &self.bench {
+            return bench.case();
+        }
         let parts = self
             .points
             .iter()
@@ -165,6 +90,9 @@ impl Condition {
     }
 
     fn form(&self) -> String {
+        if self.bench.is_some() {
+            return self.case();
+        }
         let parts = self
             .points
             .iter()
@@ -175,7 +103,10 @@ impl Condition {
         }
     }
 
-    fn set(&self) -> Vec<String> {
+    fn set(&self, design: &Design) -> Vec<String> {
+        if let Some(bench) = &self.bench {
+            return bench.sets(design);
+        }
         let sets = self
             .points
             .iter()
@@ -214,15 +145,15 @@ pub fn of_design(conditions: &[Condition], design: &Design) -> Vec<[String; 2]> 
         .collect()
 }
 
-/// Conditions by what they set.
-pub fn families(conditions: &[Condition]) -> Vec<Family> {
+/// Conditions by what they set in a design.
+pub fn families(conditions: &[Condition], design: &Design) -> Vec<Family> {
     let mut families: Vec<Family> = Vec::new();
     for condition in conditions {
         let (form, case) = (condition.form(), condition.case());
         match families.iter_mut().find(|family| family.form == form) {
             Some(family) => family.cases.push(case),
             None => families.push(Family {
-                set: condition.set(),
+                set: condition.set(design),
                 cases: vec![case],
                 form,
             }),

@@ -196,7 +196,8 @@ fn of_conditions(conditions: &[Condition]) -> Vec<String> {
             )
         })
     };
-    conditions.iter().filter_map(lacking).collect()
+    let in_air = conditions.iter().filter(|condition| condition.bench.is_none());
+    in_air.filter_map(lacking).collect()
 }
 
 fn of_stations(table: &Measurement, design: &Design) -> Result<Option<String>, InputError> {

@@ -1,7 +1,9 @@
 //! What the head of a column says: stations, readings at a condition, standard deviations, and the rest.
 
-use super::condition::{Kind, Point, UNITS, key, numbers, unit_at};
+use super::bench::Bench;
+use super::condition::{Point, key};
 use super::grid::Grid;
+use super::words::{Kind, UNITS, numbers, unit_at};
 use crate::input::design::Design;
 use crate::input::error::InputError;
 use crate::input::measurement::{CHANNELS, Channel, OPTIONAL_COLUMNS};
@@ -33,6 +35,8 @@ pub enum Role {
     Readings {
         /// The condition that the head names.
         points: Vec<Point>,
+        /// The load on the still wing that the head names.
+        bench: Option<Bench>,
         /// The station that the head names, mm.
         station: Option<f64>,
         /// The channel, if the head names it.
@@ -133,19 +137,24 @@ fn column(place: usize, head: &str, design: &Design) -> Result<Column, (String, 
     if head.contains('.') && head.starts_with(|c: char| c.is_ascii_lowercase()) && !head.contains(' ') {
         return Ok(made(Role::Key(head.to_string()), 1.0, true));
     }
-    let (found, left) = numbers(head);
+    let (bench, head) = match Bench::of(head)? {
+        Some((bench, left)) => (Some(bench), left),
+        None => (None, head.to_string()),
+    };
+    let (found, left) = numbers(&head);
     let (name, unit) = parted(&left);
     if let Some(column) = OPTIONAL_COLUMNS.iter().find(|column| **column == name) {
         return Ok(made(Role::Word(column), 1.0, true));
     }
     let (points, station) = condition(found, design)?;
-    let is_condition = !points.is_empty() || station.is_some();
+    let is_condition = !points.is_empty() || station.is_some() || bench.is_some();
     let readings = Words::of(&name);
     if let Some(readings) = readings.filter(|words| is_condition || words.says_something()) {
         let channel = readings.channel;
         let factor = reading_factor(unit.as_deref(), channel)?;
         let role = Role::Readings {
             points,
+            bench,
             station,
             channel,
             nose_up: readings.nose_up,
@@ -156,7 +165,7 @@ fn column(place: usize, head: &str, design: &Design) -> Result<Column, (String, 
     if !is_condition && let Some(column) = named(place, &name, unit.as_deref(), design)? {
         return Ok(column);
     }
-    Err(("is not understood".to_string(), cure_of(head)))
+    Err(("is not understood".to_string(), cure_of(&head)))
 }
 
 /// The points of a condition and the station, mm, that the numbers of a head give.
@@ -215,6 +224,7 @@ fn named(
         (Some(column @ ("value" | "sigma")), _) => {
             let role = Role::Readings {
                 points: Vec::new(),
+                bench: None,
                 station: None,
                 channel: None,
                 nose_up: None,
@@ -409,6 +419,7 @@ impl Column {
             Role::Word(name) => name.to_string(),
             Role::Readings {
                 points,
+                bench,
                 station,
                 channel,
                 nose_up,
@@ -416,6 +427,9 @@ impl Column {
             } => {
                 let what = if *is_sigma { "sigma of " } else { "" };
                 let mut words = format!("{what}{}{factor}", channel.map_or("twist", Channel::name));
+                if let Some(bench) = bench {
+                    words += &format!("; the still wing, {}", bench.head());
+                }
                 for point in points {
                     words += &format!("; {} = {}", point.key, point.value);
                 }

@@ -8,6 +8,8 @@ use super::error::InputError;
 use super::load::Loaded;
 use super::measurement::{Made, Measurement, SigmaKind};
 
+mod bench;
+
 mod cells;
 
 mod condition;
@@ -28,6 +30,9 @@ mod sigmas;
 
 pub mod study;
 
+mod words;
+
+pub use bench::{Bench, Load, STILL_HZ, short};
 pub use condition::Family;
 pub use of_design::DesignReadings;
 pub use sigmas::Sigmas;
@@ -113,7 +118,7 @@ impl Sheet {
         assumed.extend(choice(&loaded.design));
         assumed.extend(flats(&loaded.design));
         Ok(Sheet {
-            families: condition::families(&read.conditions),
+            families: condition::families(&read.conditions, &loaded.design),
             loaded,
             measurement,
             understood,

@@ -1,15 +1,23 @@
 //! The condition of a row: what its column, its row and its name say, each number once and one that the design can have.
 
+use super::bench::Bench;
 use super::cells::Checked;
-use super::condition::{Condition, Point, key, numbers};
+use super::condition::{Condition, Point, key};
 use super::grid::Line;
 use super::header::{Column, Role};
 use super::rows::Reader;
+use super::words::numbers;
 use crate::input::error::{InputError, Place};
 
 impl Reader<'_> {
-    /// The name of the condition of a reading of which the head names these points.
-    pub(super) fn condition(&mut self, line: &Line, of: &Column, mut points: Vec<Point>) -> Checked<String> {
+    /// The name of the condition of a reading of which the head names these points, or this load on the still wing.
+    pub(super) fn condition(
+        &mut self,
+        line: &Line,
+        of: &Column,
+        mut points: Vec<Point>,
+        mut bench: Option<Bench>,
+    ) -> Checked<String> {
         let in_head = points.len();
         for column in self.cells.columns {
             if let Role::Key(key) = &column.role
@@ -23,18 +31,36 @@ impl Reader<'_> {
         }
         let named = self.cells.word(line, "case");
         if let Some((cell, column)) = named {
-            self.points_of_name(line, (cell, column), &mut points)?;
+            let of_name = Bench::of(cell);
+            let of_name =
+                of_name.map_err(|(message, cure)| self.cells.refuse(line, column, &message, cure))?;
+            match of_name {
+                Some((load, _)) if bench.is_none_or(|known| known == load) => bench = Some(load),
+                Some(_) => {
+                    let cure = "State it once, in the head or in the row";
+                    return Err(self
+                        .cells
+                        .refuse(line, column, "names another load than the head", cure));
+                }
+                None => self.points_of_name(line, (cell, column), &mut points)?,
+            }
+        }
+        if let (Some(_), Some(point)) = (&bench, points.first()) {
+            let message = format!("is of the still wing, but sets {} to {}", point.key, point.value);
+            let cure = "A wing on the bench neither flaps nor stands in a flow: leave that cell empty, or write no load";
+            return Err(self.cells.refuse(line, of, &message, cure));
         }
         let heads = points[..in_head].to_vec();
         let once = self.once(line, points)?;
         let name = named.map_or(self.design.name.as_str(), |(cell, _)| cell);
         let condition = Condition {
             points: once,
+            bench,
             name: name.replace(['{', '}'], ""),
         };
         let case = condition.case();
         if !self.conditions.iter().any(|known| known.case() == case) {
-            if condition.points.is_empty() {
+            if condition.points.is_empty() && bench.is_none() {
                 self.cells.assume("condition", "the design as it stands");
             }
             for point in &condition.points {
@@ -129,7 +155,7 @@ impl Reader<'_> {
         let mut plain = self
             .conditions
             .iter()
-            .filter(|condition| condition.points.is_empty());
+            .filter(|condition| condition.points.is_empty() && condition.bench.is_none());
         let (Some(first), Some(second)) = (plain.next(), plain.next()) else {
             return Ok(());
         };

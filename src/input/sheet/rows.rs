@@ -94,6 +94,7 @@ impl<'a> Reader<'a> {
     fn reading(&mut self, line: &Line, column: &Column) -> Checked<()> {
         let Role::Readings {
             points,
+            bench,
             station,
             channel,
             nose_up,
@@ -125,7 +126,7 @@ impl<'a> Reader<'a> {
             let cure = format!("{} must lie in {}", channel.name(), channel.range());
             return Err(self.cells.refuse(line, column, "is out of range", cure));
         }
-        let condition = self.condition(line, column, points.clone())?;
+        let condition = self.condition(line, column, points.clone(), *bench)?;
         self.rows.push(Row {
             line: line.number,
             case: condition,
@@ -251,6 +252,7 @@ impl<'a> Reader<'a> {
     fn sigma(&mut self, line: &Line, of: &Column, channel: Channel, factor: f64) -> Checked<(f64, bool)> {
         let Role::Readings {
             points,
+            bench,
             station,
             channel: named,
             ..
@@ -262,15 +264,16 @@ impl<'a> Reader<'a> {
         let fits = |column: &&Column, own: bool| match &column.role {
             Role::Readings {
                 points: p,
+                bench: b,
                 station: s,
                 channel: c,
                 is_sigma: true,
                 ..
             } => {
                 let place = if own {
-                    p == points && s == station
+                    p == points && b == bench && s == station
                 } else {
-                    p.is_empty() && s.is_none()
+                    p.is_empty() && b.is_none() && s.is_none()
                 };
                 place && (c.is_none() || c == named || (named.is_none() && *c == Some(channel)))
             }
