@@ -134,7 +134,7 @@ impl Add {
         let first = report.files.iter().find(|file| file.starts_with("calibrated-"));
         let solve = first.map_or(String::new(), |file| {
             format!(
-                "The wing as calibrated: washout solve {}\n",
+                "The wing as calibrated, in the condition of its first case: washout solve {}\n",
                 pictures.join(file).display()
             )
         });

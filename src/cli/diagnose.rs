@@ -192,7 +192,12 @@ impl Diagnose {
         let path = table.map_or(self.study.clone(), |table| {
             PathBuf::from(format!("{}.toml", table.name()))
         });
-        let to_add = to_add(&path, &self.on, diagnosis);
+        let is_sound = diagnosis.check_first.is_none();
+        let to_add = if is_sound {
+            to_add(&path, &self.on, diagnosis)
+        } else {
+            Vec::new()
+        };
         let plan = table.filter(|_| to_add.is_empty());
         let plan = plan.map(|_| format!("washout diagnose {} --plan", path.display()));
         table.map(to_keep).into_iter().chain(to_add).chain(plan).collect()

@@ -113,6 +113,8 @@ pub enum CouplingError {
 pub struct Overload {
     /// Whether a rod or spar turns so, as opposed to a film beside them.
     pub is_rod: bool,
+    /// Whether it is the bench loads that turn it, as opposed to the air.
+    pub is_by_bench: bool,
     /// Turn to first order, rad.
     pub turn_rad: f64,
     /// Station where it is largest, m.
@@ -123,11 +125,16 @@ impl fmt::Display for Overload {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Overload { turn_rad, r_m, .. } = self;
         let (r_mm, turn) = (1e3 * r_m, turn_rad.round());
+        let lower = if self.is_by_bench {
+            "Check the number and the unit of the bench load"
+        } else {
+            "Lower the speed or the amplitude"
+        };
         if self.is_rod {
             write!(
                 f,
                 "the rods are far too weak for the load. If they stayed as stiff as they are at rest, it would turn them by {turn} rad at \
-                 r = {r_mm:.1} mm. Lower the speed or the amplitude, or make the rods thicker"
+                 r = {r_mm:.1} mm. {lower}, or make the rods thicker"
             )
         } else {
             write!(

@@ -1,6 +1,6 @@
 //! From what was weighed to what is said.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::progress::Progress;
 use crate::study::Fit;
@@ -26,10 +26,10 @@ use super::strengths::name;
 use super::verdict::{Diagnosis, NoiseFound, Novel, Outlier, Prediction, Verdict};
 use super::words::sentence;
 
-/// Something is said to be missing where nothing has a probability below so many times the accepted one of a false alarm. With 10, seven
 /// Sigmas by which a case must miss to be asked for, and those of every other over its. A choice: it changes no probability.
 const FAR_OFF: f64 = 10.0;
 const ALONE: f64 = 0.3;
+/// Something is said to be missing where nothing has a probability below so many times the accepted one of a false alarm. With 10, seven
 /// of 12 readings with errors of uneven size about a fit would raise one (two do), and no case more of 47 of another model would be told.
 const ALARM: f64 = 5.0;
 /// Probability from which on nothing, or a cause without a name, is the answer.
@@ -91,6 +91,7 @@ pub fn report(
     let (next_experiment, left_out) = next(baseline, judgement, (experiments, verdict), progress)?;
     let mut diagnosis = Diagnosis {
         sentence: String::new(),
+        check_first: None,
         verdict,
         p_nothing: judgement.probability(&Case::Nothing),
         tried: effects.len(),
@@ -107,36 +108,45 @@ pub fn report(
         hypotheses,
         effects,
     };
-    let alone = alone_in_missing(baseline, found(judgement).unwrap_or(&baseline.fit));
-    let parts = alone.into_iter().chain([sentence(&diagnosis)]);
-    diagnosis.sentence = parts.collect::<Vec<_>>().join(" ");
+    // a load that is not what the study says is sooner to be thought of than a cause that nobody knows, which can take it up as calibration can
+    let modelled = match (verdict, found(judgement)) {
+        (Verdict::Novel, _) => &baseline.raw,
+        (_, found) => &found.unwrap_or(&baseline.fit).predicted,
+    };
+    let alone = alone_in_missing(baseline, modelled);
+    diagnosis.sentence = sentence(&diagnosis);
+    if let Some((case, words)) = alone {
+        diagnosis.sentence = format!("{words} {}", diagnosis.sentence);
+        diagnosis.check_first = Some(case);
+    }
     Ok(diagnosis)
 }
 
-/// That one case misses by far more than all others, and still does with what was found: as it does where its load or unit is not what the
-/// study says.
-fn alone_in_missing(baseline: &Baseline, found: &Fit) -> Option<String> {
-    let even_so = farthest(baseline, found)?;
+/// The one case that misses by far more than all others, and still does with what was found, and what to say of it: so it does where its load
+/// or unit is not what the study says.
+fn alone_in_missing(baseline: &Baseline, modelled: &DVector<f64>) -> Option<(String, String)> {
+    let even_so = farthest(baseline, modelled)?;
     let is_alone = |[(worst, _), (next, _)]: &[(f64, usize); 2]| *next < ALONE * worst;
     // a fit may spread the misfit over all
-    let both = [even_so, farthest(baseline, &baseline.fit)?];
+    let both = [even_so, farthest(baseline, &baseline.fit.predicted)?];
     let [(worst, condition), (next, _)] = both.into_iter().find(is_alone)?;
     let name = &baseline.forward.conditions()[condition].name;
     (even_so[0].0 > FAR_OFF).then(|| {
-        format!(
+        let words = format!(
             "Check the case {name} first: it misses by {worst:.0} sigma, every other by at most {next:.1}; are its load, its unit and its sign \
-             those of the measurement?"
-        )
+             those of the measurement? If not, what follows means nothing."
+        );
+        (name.clone(), words)
     })
 }
 
-/// The two cases that miss most in a fit: by how many stated sigmas, root mean square, and which they are.
-fn farthest(baseline: &Baseline, fit: &Fit) -> Option<[(f64, usize); 2]> {
+/// The two cases that miss most: by how many stated sigmas, root mean square, and which they are.
+fn farthest(baseline: &Baseline, modelled: &DVector<f64>) -> Option<[(f64, usize); 2]> {
     let observables = baseline.forward.observables();
     let rms = |positions: &[usize]| {
         let squares = positions.iter().map(|&position| {
             let row = baseline.data.rows[position];
-            (observables[row].misfit(fit.predicted[row]) / observables[row].sigma).powi(2)
+            (observables[row].misfit(modelled[row]) / observables[row].sigma).powi(2)
         });
         (squares.sum::<f64>() / positions.len() as f64).sqrt()
     };

@@ -35,6 +35,9 @@ pub enum Verdict {
 pub struct Diagnosis {
     /// The answer in one plain sentence.
     pub sentence: String,
+    /// The case that misses by far more than all others, to be checked before all else; none if there is none.
+    #[serde(default)]
+    pub check_first: Option<String>,
     /// Its kind.
     pub verdict: Verdict,
     /// Probability that nothing is missing.

@@ -4,11 +4,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::compare::StudyComparison;
+use crate::compare::study_comparison::StudyRow;
 use crate::compare::study_words::of_group;
+use crate::input::measurement::Channel;
 use crate::input::study::LoadedStudy;
 use crate::origin::MadeOf;
 use crate::page::Digits::{After, Significant};
-use crate::page::text::number;
+use crate::page::text::{number, significant};
 use crate::page::{Fact, Page, Part, Rows, Table};
 
 use super::comparison::sign;
@@ -41,6 +43,8 @@ impl StudyReport {
 /// Wings and channels of which a screen has room for a sentence each, and for a line each.
 const FEW: usize = 3;
 const GROUPS: usize = 8;
+/// Channels of which a screen says how far the model is from them.
+const CHANNELS: usize = 3;
 
 /// Measured numbers that text shows when there are more.
 const SHOWN: usize = 12;
@@ -59,7 +63,11 @@ pub fn page(comparison: &StudyComparison) -> Page {
     let mut page = Page {
         title: comparison.study.clone(),
         kind: "comparison",
-        lead: vec![chi_square(comparison), Part::Text(counts)],
+        lead: [
+            errors(comparison),
+            vec![chi_square(comparison), Part::Text(counts)],
+        ]
+        .concat(),
         brief: brief(comparison),
         sections: Vec::new(),
     };
@@ -99,13 +107,66 @@ pub fn page(comparison: &StudyComparison) -> Page {
     page
 }
 
+/// How far the model is from each channel, all wings together: as it is and calibrated, and what scatter alone would leave.
+fn errors(comparison: &StudyComparison) -> Vec<Part> {
+    let mut channels: Vec<Channel> = Vec::new();
+    for row in &comparison.rows {
+        if !channels.contains(&row.channel) {
+            channels.push(row.channel);
+        }
+    }
+    let each = channels
+        .into_iter()
+        .map(|channel| of_channel(comparison, channel));
+    each.map(Part::Sentence).collect()
+}
+
+fn of_channel(comparison: &StudyComparison, channel: Channel) -> String {
+    let rms = |is_held_out: bool, error: &dyn Fn(&StudyRow) -> f64| {
+        let own = comparison.rows.iter().filter(|row| row.channel == channel);
+        let own = own.filter(|row| row.is_held_out == is_held_out);
+        let (sum, count) = own.fold((0.0, 0), |(sum, count), row| {
+            (sum + error(row).powi(2), count + 1)
+        });
+        (count > 0).then(|| significant((sum / f64::from(count)).sqrt(), 3))
+    };
+    let errors = |is_held_out: bool| {
+        let [before, after] = [0, 1].map(|model| rms(is_held_out, &|row| row.errors()[model]));
+        before.zip(after)
+    };
+    let in_full = |(before, after): (String, String), is_held_out: bool| {
+        let scatter = rms(is_held_out, &|row| row.sigma).unwrap_or_default();
+        format!("{before} uncalibrated, {after} calibrated, {scatter} by scatter")
+    };
+    let name = channel.name().replace('_', " ");
+    let unit = match channel.unit() {
+        "1" => String::new(),
+        unit => format!(" in {unit}"),
+    };
+    match (errors(false), errors(true)) {
+        (Some(fitted), None) => format!("Error of the {name}, rms{unit}: {}.", in_full(fitted, false)),
+        (Some(fitted), Some((before, after))) => format!(
+            "Error of the {name}, rms{unit}: {}. Held out: {before} and {after}.",
+            in_full(fitted, false)
+        ),
+        (None, Some(held_out)) => {
+            format!(
+                "Error of the {name}, held out, rms{unit}: {}.",
+                in_full(held_out, true)
+            )
+        }
+        (None, None) => String::new(),
+    }
+}
+
 /// What could not be compared, the error of each wing and channel, and what is said of it: of more than a few in the table alone.
 fn brief(comparison: &StudyComparison) -> Vec<Part> {
-    let of_groups: Vec<String> = match comparison.groups.len() {
-        0..=FEW => Vec::new(),
-        _ => comparison.groups.iter().map(of_group).collect(),
-    };
-    let words = comparison.words.iter().filter(|words| !of_groups.contains(words));
+    // what calibration had to move comes before what the table says too
+    let of_groups: Vec<String> = comparison.groups.iter().map(of_group).collect();
+    let is_of_group = |words: &&String| of_groups.contains(words);
+    let (said, moved): (Vec<&String>, Vec<&String>) = comparison.words.iter().partition(is_of_group);
+    let said = said.into_iter().filter(|_| comparison.groups.len() <= FEW);
+    let words = moved.into_iter().chain(said);
     let left_out = [
         "bias/0",
         "bias/1",
@@ -116,7 +177,12 @@ fn brief(comparison: &StudyComparison) -> Vec<Part> {
     let mut table = groups(comparison).without(&left_out);
     table.caption = "Error by wing and channel, root mean square:".to_string();
     table.most_in_text = GROUPS;
-    let mut parts = vec![chi_square(comparison)];
+    let mut parts = match comparison.rows.is_empty() {
+        true => Vec::new(),
+        false => errors(comparison),
+    };
+    parts.truncate(CHANNELS);
+    parts.push(chi_square(comparison));
     parts.extend(first_of(&comparison.not_compared).map(Part::Text));
     parts.push(Part::Table(table));
     parts.push(Part::List(words.cloned().collect()));

@@ -100,6 +100,18 @@ impl Design {
         Ok(())
     }
 
+    /// The design with all of these changes, as `--set` takes them.
+    ///
+    /// # Errors
+    /// If one cannot be read, or the result is refused.
+    pub(super) fn with(&self, changes: &[String]) -> Result<Design, InputError> {
+        let mut root = self.tree(&Source::other("set"))?;
+        for change in changes {
+            Setting::parse(change)?.apply(&mut root)?;
+        }
+        design_of(&root)
+    }
+
     /// The number at a dotted key, in the unit of the key; none where no number stands or may stand there.
     pub fn get(&self, key: &str) -> Option<f64> {
         if let Some((name, number)) = effect_key(key)

@@ -2,7 +2,7 @@
 
 use crate::geometry::Planform;
 use crate::input::Design;
-use crate::input::sheet::{Bench, Load};
+use crate::input::sheet::{Bench, Load, ON_BENCH};
 use crate::input::study::LoadedCase;
 use crate::structure::rod_twist_rad_n_m;
 
@@ -40,6 +40,10 @@ fn still(case: &LoadedCase, bench: Bench) -> (Bench, LoadedCase) {
     let mut still = case.clone();
     let design = &mut still.loaded.design;
     bench.put(design);
+    still
+        .rows
+        .iter_mut()
+        .for_each(|row| row.run = ON_BENCH.to_string());
     let wing = match design.name.as_str() {
         "wing" => "the still wing".to_string(),
         name => format!("the still wing {name}"),

@@ -370,4 +370,7 @@ fn the_one_case_that_misses_by_far_more_than_all_others_is_asked_for_first() {
         said.starts_with("Check the case m-1 first: it misses by "),
         "{said}"
     );
+    assert!(!said.contains("washout add"), "nothing is built on it: {said}");
+    let document = json(&washout(here.path(), &["diagnose", "made/study.toml", "--json"]));
+    assert_eq!(document["check_first"], "m-1");
 }

@@ -119,7 +119,9 @@ fn tables_of_readings() {
     let mut seeds = files(&["measurements/three-rods.csv"]);
     seeds.push(b"r (mm);22 Hz, 30 deg;23 Hz, 34 deg\n40;5,1;6,0\n60;11,2;13,4\n".to_vec());
     seeds.push(b"station_mm\ttwist (deg)\tsigma\n40\t5.1\t0.3\n60\t11.2\t0.4\n".to_vec());
-    seeds.push(b"r (mm),22 Hz,torque 20 uN m at 62 mm,push 2 g at 24 mm 12 mm behind\n15,5.1,3.1,2\n".to_vec());
+    seeds.push(
+        b"r (mm),22 Hz,torque 20 uN m at 62 mm,push 2 g at 24 mm 12 mm behind\n15,5.1,3.1,2\n".to_vec(),
+    );
     let design = Path::new(env!("CARGO_MANIFEST_DIR")).join(DESIGNS[0]);
     let design = Design::load(&design, &[]).expect("a design").design;
     fuzz("table", &seeds, 6000, |bytes| {

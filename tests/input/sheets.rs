@@ -118,7 +118,9 @@ fn a_load_on_the_still_wing_is_a_condition_in_a_head_or_in_a_column() {
             ]
         );
         let row = sheet.measurement.rows.iter().find(|row| row.case == family.form);
-        assert_eq!(row.map(|row| (row.value, row.sigma)), Some((3.1, 0.2)));
+        let row = row.map(|row| (row.value, row.sigma, row.run.as_str()));
+        assert_eq!(row, Some((3.1, 0.2, "bench")), "with a zero of its own");
+        assert!(sheet.measurement.rows.iter().any(|row| row.run.is_empty()));
         assert!(sheet.doubts.is_empty(), "{:?}", sheet.doubts);
     }
     let pushed = understood("r,deflection at push 2 g at 24 mm 12 mm behind (mm)\n20,0.4\n");
@@ -127,7 +129,38 @@ fn a_load_on_the_still_wing_is_a_condition_in_a_head_or_in_a_column() {
         pushed.families[0].set[1],
         "load=[{at_mm=24.0, chord_offset_mm=12.0, force_n=[0.0, 0.0, 0.0196133]}]"
     );
+    // the torque turns the wing where it acts, as no flight does
+    let steep = understood(
+        "r (mm),16 Hz,18 Hz,22 Hz,torque 20 uN m at 62 mm\n15,7.2,8.3,10.5,0.7\n28,9.5,11,14.4,1.1\n40,9.7,11.5,14.6,1.1\n\
+         51,16.3,17.9,21.7,3.9\n62,16.3,18.3,21.4,8.5\n",
+    );
+    assert!(steep.doubts.is_empty(), "{:?}", steep.doubts);
+    let weighed = understood("r,weight of 2 g at 24 mm and 12 mm behind\n20,4\n");
+    assert_eq!(weighed.families[0].set, pushed.families[0].set);
+    let with_comma = understood("r;torque 0,02 mN m at 62 mm;22,5 Hz\n20;4,5;5,5\n");
+    assert_eq!(with_comma.families[0].cases, ["torque-20-un-m-at-62-mm"]);
+    assert_eq!(with_comma.families[1].cases, ["22.5hz"]);
     for (text, message, cure) in [
+        (
+            "r,torque 20 uN m at 620 mm\n20,4\n",
+            "column \"torque 20 uN m at 620 mm\": load[0].at_mm",
+            "between 0 and",
+        ),
+        (
+            "r,0 Hz\n20,4\n",
+            "must lie in",
+            "Of the still wing write what loads it",
+        ),
+        (
+            "r,still wing 20\n20,4\n",
+            "is not understood",
+            "torque 20 uN m at 62 mm",
+        ),
+        (
+            "r,load 5 g at 20 mm\n20,4\n",
+            "is not understood",
+            "Is it a load on the still wing?",
+        ),
         (
             "r,torque 20 mN at 62 mm\n20,4\n",
             "without its number and unit",
@@ -172,6 +205,7 @@ fn what_the_table_leaves_out_is_assumed_and_told() {
     let full =
         "r (mm),case,twist (deg),sigma,sign,instrument,run\n20,\"22 Hz, 30 deg\",4,0.25,nose up,camera,a\n";
     let of_design = [
+        "zero of twist: known to 0.25 deg, as a reading is",
         "root.chord: \"free\", of the design",
         "rod[0].section.flat: \"in-plane\", of the design",
     ];
@@ -423,13 +457,24 @@ fn the_study_of_a_table_loads_with_its_readings_and_leaves_no_row_out() {
     let path = folder.path().join("mine.toml");
     let study = LoadedStudy::with_readings(
         Path::new(&path),
-        &sheet.study(names, &[]),
+        &sheet.study(names, &[], &sheet.loaded.design.assumptions()),
         &[],
         &sheet.measurement,
     );
     let study = study.unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(study.study.candidates, None, "no effect is left out in silence");
     assert!(study.unused.is_empty());
+    let zeros: Vec<_> = study
+        .study
+        .ruler
+        .iter()
+        .map(|zero| (zero.channel, zero.sigma))
+        .collect();
+    assert_eq!(
+        zeros,
+        [(Channel::Twist, 0.25)],
+        "the zero is as uncertain as a reading"
+    );
     let found: Vec<_> = study
         .cases
         .iter()
@@ -531,4 +576,21 @@ fn a_condition_that_is_held_out_is_named_as_the_table_has_it_or_as_its_case() {
         error.contains("holds out all there are") && error.contains("Leave at least one"),
         "{error}"
     );
+}
+
+#[test]
+fn what_is_set_of_what_the_design_assumes_is_known() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [design, table] = ["wing.toml", "sheet.csv"].map(|name| folder.path().join(name));
+    std::fs::write(&design, WING).expect("written");
+    std::fs::write(&table, "r (mm);18 Hz;22 Hz\n20;4;5\n40;6;7\n").expect("written");
+    let read = DesignReadings::load(&table, &design, &0.25.into()).unwrap_or_else(|error| panic!("{error}"));
+    let uncertain = |sets: &[&str]| {
+        let sets: Vec<String> = sets.iter().map(|set| (*set).to_string()).collect();
+        let study = read.study(&sets).unwrap_or_else(|error| panic!("{error}"));
+        let keys = study.study.uncertain.iter().map(|own| own.key.clone());
+        keys.filter(|key| key == "flapping.half_amplitude_deg").count()
+    };
+    assert_eq!(uncertain(&[]), 1);
+    assert_eq!(uncertain(&["flapping.half_amplitude_deg=31"]), 0);
 }

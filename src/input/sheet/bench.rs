@@ -9,7 +9,8 @@ pub const STILL_HZ: f64 = 0.1;
 /// Speed of a stream without air to speak of, over that of the design.
 const STILL_SPEED: f64 = 0.01;
 /// How a condition on a bench is written.
-const FORMS: &str = "\"torque 20 uN m at 62 mm\", or \"push 20 mN at 24 mm, 12 mm behind\" the leading edge";
+pub const FORMS: &str =
+    "\"torque 20 uN m at 62 mm\", or \"push 20 mN at 24 mm, 12 mm behind\" the leading edge";
 /// Units of force in lower case, longer ones first, N as a quotient; of a weight in grams, with g = 9.80665 m/s² (CGPM, 1901).
 const FORCES: [(&str, f64, f64); 5] = [
     ("un", 1.0, 1e6),
@@ -19,10 +20,21 @@ const FORCES: [(&str, f64, f64); 5] = [
     ("g", 9.80665, 1e3),
 ];
 /// Words around the numbers that say nothing of their own.
-const AROUND: [&str; 20] = [
-    "a", "aft", "at", "behind", "bench", "edge", "from", "its", "leading", "le", "moment", "near", "of",
-    "push", "still", "the", "tip", "torque", "under", "wing",
+const AROUND: [&str; 22] = [
+    "a", "aft", "at", "behind", "bench", "by", "edge", "from", "its", "leading", "le", "moment", "near",
+    "of", "push", "still", "the", "tip", "torque", "under", "weight", "wing",
 ];
+/// Words of those who mean a load on the still wing and do not write it so.
+const MEANT: [&str; 9] = [
+    "behind", "bench", "force", "hang", "load", "loaded", "mass", "moment", "still",
+];
+
+/// Whether a head seems to name a load on the still wing, though not as it is written.
+pub fn is_meant(head: &str) -> bool {
+    let head = head.to_lowercase();
+    head.split(|c: char| !c.is_alphabetic())
+        .any(|word| MEANT.contains(&word))
+}
 
 /// A load on the still wing; a torque along the span and a push across the wing make washout where they are positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +67,7 @@ impl Bench {
     pub fn of(words: &str) -> Result<Option<(Bench, String)>, (String, String)> {
         let words = words.to_lowercase().replace(['µ', 'μ'], "u");
         let is_word = |word: &str| words.split(|c: char| !c.is_alphabetic()).any(|own| own == word);
-        let is_push = is_word("push");
+        let is_push = is_word("push") || is_word("weight");
         if !is_push && !is_word("torque") {
             return Ok(None);
         }

@@ -36,8 +36,14 @@ pub fn doubts(
     let mut doubts = Vec::new();
     doubts.extend(of_stations(table, design)?);
     doubts.extend(of_twists(table, columns));
-    let among = of_slips_among(table);
-    let slips = of_slips(table);
+    // what a load on the bench does has its steps where the load and the spars are
+    let is_in_air = |row: &&Row| {
+        let of_row = conditions.iter().find(|condition| condition.case() == row.case);
+        row.channel == Channel::Twist && of_row.is_none_or(|condition| condition.bench.is_none())
+    };
+    let in_air = runs(table.rows.iter().filter(is_in_air));
+    let among = of_slips_among(&in_air);
+    let slips = of_slips(in_air);
     // at the end of a wing its neighbour may seem the one that slipped
     let is_other = |slip: &&Slip| among.iter().all(|known| known.case != slip.case);
     doubts.extend(
@@ -59,12 +65,11 @@ struct Slip {
 }
 
 /// The twist that stands alone against what the other conditions lead one to expect.
-fn of_slips_among(table: &Measurement) -> Option<Slip> {
-    let runs = runs(table.rows.iter().filter(|row| row.channel == Channel::Twist));
+fn of_slips_among(runs: &[Vec<&Row>]) -> Option<Slip> {
     let off = |(row, expected): &(&Row, f64)| (row.value - expected).abs();
     let cells = (0..runs.len()).flat_map(|run| runs[run].iter().map(move |row| (run, *row)));
     let cells: Vec<(&Row, f64)> = cells
-        .filter_map(|(run, row)| Some((row, expected(&runs, run, row)?)))
+        .filter_map(|(run, row)| Some((row, expected(runs, run, row)?)))
         .collect();
     let usual = median(cells.iter().map(off).collect())?;
     let worst = cells.iter().max_by(|a, b| off(a).total_cmp(&off(b)))?;
@@ -123,9 +128,7 @@ fn runs<'a>(rows: impl Iterator<Item = &'a Row>) -> Vec<Vec<&'a Row>> {
 }
 
 /// Twists that stand alone among their neighbours, the worst of each condition.
-fn of_slips(table: &Measurement) -> Vec<Slip> {
-    let twists = table.rows.iter().filter(|row| row.channel == Channel::Twist);
-    let mut runs = runs(twists);
+fn of_slips(mut runs: Vec<Vec<&Row>>) -> Vec<Slip> {
     runs.retain(|run| run.len() >= ENOUGH);
     for run in &mut runs {
         run.sort_by(|a, b| a.r_mm.partial_cmp(&b.r_mm).unwrap_or(std::cmp::Ordering::Equal));

@@ -1,6 +1,6 @@
 //! What the head of a column says: stations, readings at a condition, standard deviations, and the rest.
 
-use super::bench::Bench;
+use super::bench::{Bench, FORMS, is_meant};
 use super::condition::{Point, key};
 use super::grid::Grid;
 use super::words::{Kind, UNITS, numbers, unit_at};
@@ -261,7 +261,11 @@ fn cure_of(head: &str) -> String {
     let end = digits
         .find(|c: char| !(c.is_ascii_digit() || c == '.'))
         .unwrap_or(digits.len());
-    let usual = "Heads are understood such as: r (mm), twist (deg), sigma, 22 Hz, \"22 Hz, 35 deg\", frequency (Hz), condition, run";
+    let usual = "Heads are understood such as: r (mm), twist (deg), sigma, 22 Hz, \"22 Hz, 35 deg\", frequency (Hz), condition, run, \
+                 \"torque 20 uN m at 62 mm\"";
+    if is_meant(head) {
+        return format!("Is it a load on the still wing? Then write e.g. {FORMS}. {usual}");
+    }
     if head.is_empty() {
         return format!("Give the column a name; of the distance from the wing base r (mm). {usual}");
     }

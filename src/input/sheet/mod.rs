@@ -32,9 +32,12 @@ pub mod study;
 
 mod words;
 
+mod zeros;
+
 pub use bench::{Bench, Load, STILL_HZ, short};
 pub use condition::Family;
 pub use of_design::DesignReadings;
+pub use rows::ON_BENCH;
 pub use sigmas::Sigmas;
 
 /// A table that was read for a design, with all that was understood of it and all that was assumed.
@@ -114,6 +117,10 @@ impl Sheet {
         });
         understood.extend(heads);
         let mut assumed = read.assumed;
+        assumed.extend(zeros::zeros(&measurement).into_iter().map(|(channel, sigma)| {
+            let is = format!("known to {sigma} {}, as a reading is", channel.unit());
+            [format!("zero of {}", channel.name().replace('_', " ")), is]
+        }));
         assumed.extend(condition::of_design(&read.conditions, &loaded.design));
         assumed.extend(choice(&loaded.design));
         assumed.extend(flats(&loaded.design));

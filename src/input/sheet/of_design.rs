@@ -108,17 +108,21 @@ impl DesignReadings {
     pub fn study(&self, sets: &[String]) -> Result<LoadedStudy, InputError> {
         let name = self.name();
         let path = PathBuf::from(format!("{name}.toml"));
-        let text = self.text(Names {
+        let names = Names {
             study: &name,
             design: &self.design.display().to_string(),
             readings: &self.sheet.measurement.file,
-        });
+        };
+        // what is set is known
+        let design = self.sheet.loaded.design.with(sets)?;
+        let text = self.sheet.study(names, &self.held_out, &design.assumptions());
         LoadedStudy::with_readings(&path, &text, sets, &self.sheet.measurement)
     }
 
     /// The text of the study, as [`Sheet::study`] has it.
     pub fn text(&self, names: Names) -> String {
-        self.sheet.study(names, &self.held_out)
+        let assumed = self.sheet.loaded.design.assumptions();
+        self.sheet.study(names, &self.held_out, &assumed)
     }
 
     /// Name of the study: of its design and its table.

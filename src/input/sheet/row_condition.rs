@@ -1,6 +1,6 @@
 //! The condition of a row: what its column, its row and its name say, each number once and one that the design can have.
 
-use super::bench::Bench;
+use super::bench::{Bench, FORMS};
 use super::cells::Checked;
 use super::condition::{Condition, Point, key};
 use super::grid::Line;
@@ -60,6 +60,12 @@ impl Reader<'_> {
         };
         let case = condition.case();
         if !self.conditions.iter().any(|known| known.case() == case) {
+            if let Some(bench) = &bench {
+                let set = self.design.with(&bench.sets(self.design));
+                set.map_err(|error| {
+                    self.cannot_be(self.cells.grid.head.number, self.cells.head(of), &error, None)
+                })?;
+            }
             if condition.points.is_empty() && bench.is_none() {
                 self.cells.assume("condition", "the design as it stands");
             }
@@ -78,17 +84,23 @@ impl Reader<'_> {
 
     /// Refuses a number that the design cannot have.
     fn can_be(&self, line: usize, column: &str, point: &Point) -> Checked<()> {
+        let is_motion = ["flapping.frequency_hz", "steady.speed_m_s"].contains(&point.key.as_str());
+        let is_still = is_motion && point.value == 0.0;
+        let cure = is_still.then(|| format!("Of the still wing write what loads it, e.g. {FORMS}"));
         let set = self.design.clone().set(&point.key, point.value);
-        set.map_err(|error| {
-            let place = Place {
-                file: self.cells.grid.input.file.clone(),
-                line: Some(line),
-                column: None,
-            };
-            let key = format!("column \"{column}\": {}", point.key);
-            let value = point.value.to_string();
-            InputError::new(place, &key, &value, error.problem.clone(), error.cure.clone())
-        })
+        set.map_err(|error| self.cannot_be(line, column, &error, cure))
+    }
+
+    /// What the design refuses, at its place in the table, with its own cure or another.
+    fn cannot_be(&self, line: usize, column: &str, error: &InputError, cure: Option<String>) -> InputError {
+        let place = Place {
+            file: self.cells.grid.input.file.clone(),
+            line: Some(line),
+            column: None,
+        };
+        let key = format!("column \"{column}\": {}", error.key);
+        let cure = cure.unwrap_or_else(|| error.cure.clone());
+        InputError::new(place, &key, &error.value, error.problem.clone(), cure)
     }
 
     /// Adds the points that the name of a condition holds.

@@ -14,6 +14,9 @@ use crate::input::measurement::{Bound, CHANNELS, Channel, Row, SigmaKind};
 /// Standard deviation of a twist that states none, deg, and of a displacement, mm: a careful reading of a video frame.
 const SIGMA: f64 = 0.5;
 
+/// Run of readings of the still wing that name none: they have a zero of their own.
+pub const ON_BENCH: &str = "bench";
+
 const BOUNDS: [(&str, Bound); 3] = [
     ("none", Bound::None),
     ("upper", Bound::Upper),
@@ -127,6 +130,12 @@ impl<'a> Reader<'a> {
             return Err(self.cells.refuse(line, column, "is out of range", cure));
         }
         let condition = self.condition(line, column, points.clone(), *bench)?;
+        let is_on_bench = |known: &Condition| known.bench.is_some() && known.case() == condition;
+        // a zero of its own: it was not read in flight
+        let run = match run.is_empty() && self.conditions.iter().any(is_on_bench) {
+            true => ON_BENCH.to_string(),
+            false => run,
+        };
         self.rows.push(Row {
             line: line.number,
             case: condition,
@@ -174,7 +183,8 @@ impl<'a> Reader<'a> {
             .word(line, "run")
             .map_or(String::new(), |(cell, _)| cell.to_string());
         if run.is_empty() {
-            self.cells.assume("run", "one for all readings");
+            self.cells
+                .assume("run", "one for all readings in air, one for all on the bench");
         }
         run
     }

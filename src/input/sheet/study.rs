@@ -4,6 +4,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::Sheet;
+use super::zeros::zeros;
+use crate::input::assumption::Assumption;
 
 /// Where the texts of a study point to, as they stand in it.
 #[derive(Debug, Clone, Copy)]
@@ -17,9 +19,9 @@ pub struct Names<'a> {
 }
 
 impl Sheet {
-    /// The text of a study file in which no fit sees the cases `held_out`. What the design assumes is uncertain in it; all effects that
-    /// can act may be tried.
-    pub fn study(&self, names: Names, held_out: &[String]) -> String {
+    /// The text of a study file in which no fit sees the cases `held_out`. What the design assumes, `assumed`, is uncertain in it; all
+    /// effects that can act may be tried.
+    pub fn study(&self, names: Names, held_out: &[String], assumed: &[Assumption]) -> String {
         let text = |words: &str| toml::Value::from(words).to_string();
         let path = Path::new(&self.measurement.file);
         let file = path.file_name().unwrap_or(path.as_os_str());
@@ -61,7 +63,6 @@ impl Sheet {
             .flat_map(|family| &family.set)
             .filter_map(|set| Some(set.split_once('=')?.0))
             .collect();
-        let assumed = self.loaded.design.assumptions();
         for assumed in assumed
             .iter()
             .filter(|assumed| !set.contains(&assumed.key.as_str()))
@@ -73,8 +74,13 @@ impl Sheet {
                 text(&format!("assumed by the design: {}", assumed.why)),
             );
         }
-        study += "\n# An error of the instrument that moves all readings of a run together; its sigma is in the unit of the channel.\n\
-                  # [[ruler]]\n# kind = \"offset\"\n# channel = \"twist\"\n# sigma = 0.2\n# why = \"the zero of the camera\"\n";
+        for (channel, sigma) in zeros(&self.measurement) {
+            let _ = write!(
+                study,
+                "\n# An error of the zero moves all readings of a run together; sigma is in the unit of the channel.\n[[ruler]]\nkind = \"offset\"\nchannel = \"{}\"\nsigma = {sigma:?}\nwhy = \"assumed: the zero was read as a reading is\"\n",
+                channel.name()
+            );
+        }
         study
     }
 }

@@ -58,10 +58,16 @@ pub fn number_at(words: &str, before: Option<char>) -> Option<(f64, &str)> {
     if before.is_some_and(char::is_alphanumeric) {
         return None;
     }
-    let length = words
-        .find(|c: char| !(c.is_ascii_digit() || "+-.−".contains(c)))
-        .unwrap_or(words.len());
-    let number = words[..length].replace('−', "-").parse::<f64>().ok()?;
+    let is_of_number = |(at, c): &(usize, char)| {
+        // a comma between two digits is a decimal one
+        let is_inside = words[..*at].ends_with(|c: char| c.is_ascii_digit())
+            && words[at + 1..].starts_with(|c: char| c.is_ascii_digit());
+        c.is_ascii_digit() || "+-.−".contains(*c) || (*c == ',' && is_inside)
+    };
+    let length = words.char_indices().take_while(is_of_number);
+    let length = length.map(|(at, c)| at + c.len_utf8()).last().unwrap_or(0);
+    let number = words[..length].replace('−', "-").replace(',', ".");
+    let number = number.parse::<f64>().ok()?;
     Some((number, words[length..].trim_start_matches([' ', '_'])))
 }
 
