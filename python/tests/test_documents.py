@@ -72,7 +72,7 @@ def test_a_diagnosis_is_that_of_the_command_line(
 ) -> None:
     assert diagnosis.document == without_files(printed("diagnose", STUDY, "--output", tmp_path / "run"))
     assert diagnosis.verdict == "nothing" and diagnosis.sentence.startswith("Nothing detectable is missing")
-    assert diagnosis.hypotheses["what"][0] == "nothing"
+    assert diagnosis.hypotheses["what"][0] == "nothing" and diagnosis.check_first is None
     assert diagnosis.hypotheses["probability"][0] == diagnosis.p_nothing
     assert diagnosis.residuals.size == diagnosis.document["noise"]["numbers"]
     assert all(plot["residual"].tolist() == diagnosis.residuals.tolist() for plot in diagnosis.added_variables.values())

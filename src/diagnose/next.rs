@@ -42,7 +42,7 @@ pub struct NextExperiment {
 pub struct Candidate {
     /// Name of its condition; of what a study does not list, what to do in plain words.
     pub name: String,
-    /// Head of the column that holds it in a table of readings; none unless it is measured on a bench.
+    /// Head of the column that holds it in a table of readings; none where it is one more station of a column that is there.
     #[serde(default)]
     pub column: Option<String>,
     /// Distance expected between the rivals, in standard deviations.

@@ -8,6 +8,8 @@ use super::verdict::{Diagnosis, Verdict};
 
 /// Other explanations listed before "and others".
 const LISTED: usize = 3;
+/// Probability of the first of a set, whatever is beside it, from which on its rivals are no more than not excluded. Assumed; it chooses words.
+const FIRM: f64 = 0.9;
 /// Probability of an effect, whatever is beside it, from which on the explanations of a set agree on it.
 pub const AGREED: f64 = 0.5;
 /// Distance between explanations, in standard deviations, from which on a reading that does not decide is told.
@@ -241,7 +243,14 @@ fn set(diagnosis: &Diagnosis) -> String {
         [one] => one.clone(),
         [most @ .., last] => format!("{} or {last}", most.join(", ")),
     };
-    format!("most likely {most}, or else {or_else}, which these data cannot tell apart")
+    let whole = match first.families.as_slice() {
+        [_] => with_any_second(diagnosis, first),
+        _ => first.probability,
+    };
+    match whole >= FIRM {
+        true => format!("most likely {most}; not excluded: {or_else}"),
+        false => format!("most likely {most}, or else {or_else}, which these data cannot tell apart"),
+    }
 }
 
 /// Of a pair that is first: the effect that most of the probability agrees on, whatever is beside it.

@@ -88,9 +88,13 @@ impl Proposal {
         }
     }
 
-    /// Head of the column that holds it in a table of readings; none unless it is measured on a bench.
+    /// Head of the column that holds it in a table of readings; none where it is one more station of a column that is there.
     pub fn column(&self) -> Option<String> {
-        self.bench.map(|bench| bench.head())
+        match self.cost {
+            Cost::Station => None,
+            Cost::Torque | Cost::Push => self.bench.map(|bench| bench.head()),
+            Cost::Slower | Cost::OtherSide => head_in_air(&self.case),
+        }
     }
 
     /// Whether every reading is a proposal of its own.
@@ -144,6 +148,22 @@ impl<'a> Proposals<'a> {
         let case = std::slice::from_ref(&proposal.case);
         Campaign::of_others(&study, case, self.candidates, &progress.unseen())
     }
+}
+
+/// Head of a column with the motion of a case, and with the numbers that its study sets besides.
+fn head_in_air(case: &LoadedCase) -> Option<String> {
+    let design = &case.loaded.design;
+    let is_set = |key: &str| case.sets.iter().any(|set| set.starts_with(key));
+    if let Some(flapping) = &design.flapping {
+        let amplitude = match is_set("flapping.half_amplitude_deg") {
+            true => format!(", {} deg", short(flapping.half_amplitude_deg.value())),
+            false => String::new(),
+        };
+        return Some(format!("{} Hz{amplitude}", short(flapping.frequency_hz.value())));
+    }
+    let steady = design.steady.as_ref()?;
+    let (speed, angle) = (steady.speed_m_s.value(), steady.root_angle_deg.value());
+    Some(format!("{} m/s, {} deg", short(speed), short(angle)))
 }
 
 /// Numbers of a case that tell how a wing is deformed somewhere.
@@ -363,6 +383,19 @@ mod tests {
                 .contains(" at 35 mm, 13 mm behind its leading edge")
         );
         assert!(all[9].words(&[]).contains("twist-v1 as in case twist-v1-"));
+        let heads: Vec<Option<String>> = [0, 3, 6, 9].map(|place| all[place].column()).into();
+        let begins = [None, Some("torque "), Some("push "), Some("")];
+        for (head, begin) in heads.iter().zip(begins) {
+            let begins = head
+                .as_deref()
+                .zip(begin)
+                .is_none_or(|(head, begin)| head.starts_with(begin));
+            assert!(begins && head.is_some() == begin.is_some(), "{head:?}");
+        }
+        assert!(
+            heads[3].as_ref().is_some_and(|head| head.contains(" Hz")),
+            "{heads:?}"
+        );
     }
 
     #[test]
@@ -376,6 +409,12 @@ mod tests {
         let (slower, other) = (of(Cost::Slower), of(Cost::OtherSide));
         let speed = |design: &crate::input::Design| design.steady.as_ref().unwrap().speed_m_s.value();
         assert!((speed(slower) / speed(other) - 0.5).abs() < 1e-12);
+        let turned = all.iter().find(|own| own.cost == Cost::OtherSide).unwrap();
+        assert!(
+            turned.column().unwrap().ends_with(" m/s, -1 deg"),
+            "{:?}",
+            turned.column()
+        );
         let gravity = other.gravity.as_ref().unwrap();
         assert_eq!(
             [

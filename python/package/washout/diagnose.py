@@ -60,7 +60,7 @@ def diagnose(
 class Diagnosis:
     """What a study says about the model.
 
-    `print(diagnosis)` shows the verdict, what it means, the error step by step and the rivals. Attributes: `sentence`, `verdict`, `p_nothing`, `tried`, `hypotheses`, `effects`, `unseen`, `misfit`, `added_variables`, `ladder`,
+    `print(diagnosis)` shows the verdict, what it means, the error step by step and the rivals. Attributes: `sentence`, `check_first`, `verdict`, `p_nothing`, `tried`, `hypotheses`, `effects`, `unseen`, `misfit`, `added_variables`, `ladder`,
     `predictions`, `next_experiment`, `unknown_cause`, `notes`, `residuals`; `document` holds all. Each table is a
     `Columns`: `table["name"]`, `table.rows`, `table.to_frame()`. What their columns mean: `washout schema` and
     docs/reference/outputs.md.
@@ -71,6 +71,8 @@ class Diagnosis:
         """What `washout diagnose STUDY --json` prints."""
         self.sentence: str = document["sentence"]
         """The verdict in one sentence."""
+        self.check_first: str | None = document["check_first"]
+        """The case to check before all else, because it misses by far more than all others; None where there is none."""
         self.verdict: str = document["verdict"]
         """`nothing`, `effect`, `set`, `pair`, `novel`, …: the word for it."""
         self.p_nothing: float = document["p_nothing"]

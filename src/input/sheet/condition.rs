@@ -3,6 +3,7 @@
 use super::bench::Bench;
 use super::words::Kind;
 use crate::input::design::Design;
+use crate::input::quantity::Quantity;
 use crate::input::unit::{of_key, without_unit};
 
 /// Conditions that set the same keys of the design.
@@ -119,18 +120,14 @@ impl Condition {
 pub fn of_design(conditions: &[Condition], design: &Design) -> Vec<[String; 2]> {
     let flapping = design.flapping.iter().flat_map(|own| {
         [
-            ("flapping.frequency_hz", own.frequency_hz.value(), "Hz"),
-            (
-                "flapping.half_amplitude_deg",
-                own.half_amplitude_deg.value(),
-                "deg",
-            ),
+            ("flapping.frequency_hz", &own.frequency_hz, "Hz"),
+            ("flapping.half_amplitude_deg", &own.half_amplitude_deg, "deg"),
         ]
     });
     let steady = design.steady.iter().flat_map(|own| {
         [
-            ("steady.speed_m_s", own.speed_m_s.value(), "m/s"),
-            ("steady.root_angle_deg", own.root_angle_deg.value(), "deg"),
+            ("steady.speed_m_s", &own.speed_m_s, "m/s"),
+            ("steady.root_angle_deg", &own.root_angle_deg, "deg"),
         ]
     });
     let is_named = |key: &str| {
@@ -141,7 +138,14 @@ pub fn of_design(conditions: &[Condition], design: &Design) -> Vec<[String; 2]> 
     let own = flapping
         .chain(steady)
         .filter(|(key, ..)| is_any && !is_named(key));
-    own.map(|(key, value, unit)| [key.to_string(), format!("{value} {unit}, of the design")])
+    let range = |quantity: &Quantity| match quantity.assumption() {
+        Some(assumed) => format!(" ({} to {})", assumed.range[0], assumed.range[1]),
+        None => String::new(),
+    };
+    let words = |quantity: &Quantity, unit: &str| {
+        format!("{} {unit}{}, of the design", quantity.value(), range(quantity))
+    };
+    own.map(|(key, quantity, unit)| [key.to_string(), words(quantity, unit)])
         .collect()
 }
 
