@@ -9,7 +9,7 @@ use super::verdict::{Diagnosis, Verdict};
 /// Other explanations listed before "and others".
 const LISTED: usize = 3;
 /// Probability of the first of a set, whatever is beside it, from which on its rivals are no more than not excluded. Assumed; it chooses words.
-const FIRM: f64 = 0.9;
+const FIRM: f64 = 0.95;
 /// Probability of an effect, whatever is beside it, from which on the explanations of a set agree on it.
 pub const AGREED: f64 = 0.5;
 /// Distance between explanations, in standard deviations, from which on a reading that does not decide is told.

@@ -140,6 +140,8 @@ fn a_load_on_the_still_wing_is_a_condition_in_a_head_or_in_a_column() {
     let with_comma = understood("r;torque 0,02 mN m at 62 mm;22,5 Hz\n20;4,5;5,5\n");
     assert_eq!(with_comma.families[0].cases, ["torque-20-un-m-at-62-mm"]);
     assert_eq!(with_comma.families[1].cases, ["22.5hz"]);
+    // a letter of several bytes where a comma might stand
+    assert!(read("r,torque 44\u{fffd}5 mN m at 20 mm\n20,4\n").is_err());
     for (text, message, cure) in [
         (
             "r,torque 20 uN m at 620 mm\n20,4\n",

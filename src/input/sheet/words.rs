@@ -58,11 +58,12 @@ pub fn number_at(words: &str, before: Option<char>) -> Option<(f64, &str)> {
     if before.is_some_and(char::is_alphanumeric) {
         return None;
     }
-    let is_of_number = |(at, c): &(usize, char)| {
-        // a comma between two digits is a decimal one
-        let is_inside = words[..*at].ends_with(|c: char| c.is_ascii_digit())
-            && words[at + 1..].starts_with(|c: char| c.is_ascii_digit());
-        c.is_ascii_digit() || "+-.−".contains(*c) || (*c == ',' && is_inside)
+    let is_digit = |c: char| c.is_ascii_digit();
+    // a comma between two digits is a decimal one
+    let is_decimal = |at: usize| words[..at].ends_with(is_digit) && words[at + 1..].starts_with(is_digit);
+    let is_of_number = |(at, c): &(usize, char)| match c {
+        ',' => is_decimal(*at),
+        _ => is_digit(*c) || "+-.−".contains(*c),
     };
     let length = words.char_indices().take_while(is_of_number);
     let length = length.map(|(at, c)| at + c.len_utf8()).last().unwrap_or(0);
