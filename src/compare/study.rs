@@ -188,8 +188,8 @@ impl StudyRow {
     }
 }
 
-/// Of errors, if there are any.
-pub(super) fn root_mean_square(errors: impl Iterator<Item = f64>) -> Option<f64> {
+/// Root mean square of some errors; none of none.
+pub fn root_mean_square(errors: impl Iterator<Item = f64>) -> Option<f64> {
     let (sum, count) = errors.fold((0.0, 0usize), |(sum, count), error| {
         (sum + error * error, count + 1)
     });

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::compare::StudyComparison;
+use crate::compare::study::root_mean_square;
 use crate::compare::study_comparison::StudyRow;
 use crate::compare::study_words::of_group;
 use crate::input::measurement::Channel;
@@ -125,10 +126,7 @@ fn of_channel(comparison: &StudyComparison, channel: Channel) -> String {
     let rms = |is_held_out: bool, error: &dyn Fn(&StudyRow) -> f64| {
         let own = comparison.rows.iter().filter(|row| row.channel == channel);
         let own = own.filter(|row| row.is_held_out == is_held_out);
-        let (sum, count) = own.fold((0.0, 0), |(sum, count), row| {
-            (sum + error(row).powi(2), count + 1)
-        });
-        (count > 0).then(|| significant((sum / f64::from(count)).sqrt(), 3))
+        root_mean_square(own.map(error)).map(|error| significant(error, 3))
     };
     let errors = |is_held_out: bool| {
         let [before, after] = [0, 1].map(|model| rms(is_held_out, &|row| row.errors()[model]));
@@ -177,10 +175,7 @@ fn brief(comparison: &StudyComparison) -> Vec<Part> {
     let mut table = groups(comparison).without(&left_out);
     table.caption = "Error by wing and channel, root mean square:".to_string();
     table.most_in_text = GROUPS;
-    let mut parts = match comparison.rows.is_empty() {
-        true => Vec::new(),
-        false => errors(comparison),
-    };
+    let mut parts = errors(comparison);
     parts.truncate(CHANNELS);
     parts.push(chi_square(comparison));
     parts.extend(first_of(&comparison.not_compared).map(Part::Text));

@@ -596,3 +596,25 @@ fn what_is_set_of_what_the_design_assumes_is_known() {
     assert_eq!(uncertain(&[]), 1);
     assert_eq!(uncertain(&["flapping.half_amplitude_deg=31"]), 0);
 }
+
+#[test]
+fn a_range_of_the_frequency_that_the_bench_leaves_out_is_told() {
+    let begin = WING.find("frequency_hz = ").expect("it flaps");
+    let end = begin + WING[begin..].find('\n').expect("a line");
+    let range = "frequency_hz = { assumed = 23.0, range = [20.0, 26.0], why = \"by ear\" }";
+    let text = format!("{}{range}{}", &WING[..begin], &WING[end..]);
+    let told = |table: &str| {
+        let design = Design::from_toml(&text, "wing.toml").unwrap_or_else(|error| panic!("{error}"));
+        let sheet = Sheet::from_text(table, "sheet.csv", design, &Sigmas::default());
+        let sheet = sheet.unwrap_or_else(|error| panic!("{error}"));
+        let own = sheet
+            .assumed
+            .into_iter()
+            .find(|[key, _]| key == "flapping.frequency_hz");
+        own.map(|[_, words]| words)
+    };
+    let with_bench = told("r,twist,torque 20 uN m at 62 mm\n20,4,1\n").expect("told");
+    assert!(with_bench.contains("without its range"), "{with_bench}");
+    let in_air = told("r,\"30 deg\"\n20,4\n").expect("told");
+    assert!(in_air.contains("(20 to 26)"), "{in_air}");
+}

@@ -299,6 +299,22 @@ mod tests {
     }
 
     #[test]
+    fn a_design_is_put_on_the_bench_as_its_settings_say() {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("designs/twist-v2.toml");
+        let design = Design::load(&path, &[]).unwrap().design;
+        for words in ["torque 20 uN m at 62 mm", "push 20 mN at 24 mm, 12 mm behind"] {
+            let (bench, _) = of(words);
+            let mut put = design.clone();
+            bench.put(&mut put);
+            assert_eq!(
+                put.to_toml(),
+                design.with(&bench.sets(&design)).unwrap().to_toml(),
+                "{words}"
+            );
+        }
+    }
+
+    #[test]
     fn small_loads_are_in_small_units() {
         assert_eq!(
             [2e-5, 2e-4, 0.05, 0.5, 20.0].map(|load| with_unit(load, "N·m")),

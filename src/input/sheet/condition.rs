@@ -135,17 +135,24 @@ pub fn of_design(conditions: &[Condition], design: &Design) -> Vec<[String; 2]> 
         points.any(|point| point.key == key)
     };
     let is_any = conditions.iter().any(|condition| !condition.points.is_empty());
+    let [on_bench, in_air] = [true, false].map(|is| conditions.iter().any(|own| own.bench.is_some() == is));
     let own = flapping
         .chain(steady)
-        .filter(|(key, ..)| is_any && !is_named(key));
+        .filter(|(key, ..)| (is_any || (on_bench && in_air)) && !is_named(key));
     let range = |quantity: &Quantity| match quantity.assumption() {
         Some(assumed) => format!(" ({} to {})", assumed.range[0], assumed.range[1]),
         None => String::new(),
     };
-    let words = |quantity: &Quantity, unit: &str| {
-        format!("{} {unit}{}, of the design", quantity.value(), range(quantity))
+    // the study of the table leaves out the range of what a case sets
+    let is_set = |key: &str| on_bench && ["flapping.frequency_hz", "steady.speed_m_s"].contains(&key);
+    let words = |key: &str, quantity: &Quantity, unit: &str| match (is_set(key), quantity.assumption()) {
+        (true, Some(_)) => format!(
+            "{} {unit}, of the design, without its range: the bench sets another",
+            quantity.value()
+        ),
+        _ => format!("{} {unit}{}, of the design", quantity.value(), range(quantity)),
     };
-    own.map(|(key, quantity, unit)| [key.to_string(), words(quantity, unit)])
+    own.map(|(key, quantity, unit)| [key.to_string(), words(key, quantity, unit)])
         .collect()
 }
 
