@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::compare::ladder::{StudyLadderStep, ladder};
 use crate::compare::{ComparedStudy, StudyComparison};
-use crate::effects::{Card, bind, named};
+use crate::effects::{Card, named, stands_for};
 use crate::input::Design;
 use crate::input::study::LoadedStudy;
 use crate::origin::InputFile;
@@ -174,7 +174,7 @@ impl Joining {
         Ok(Fit {
             text: with_strengths(&written, &others)?,
             strength,
-            stands_for: stands_for(&designs, &self.effect),
+            stands_for: designs.iter().find_map(|design| stands_for(design, &self.effect)),
             on_bench: on_bench.ok().flatten(),
             others,
             notes,
@@ -277,17 +277,6 @@ impl Joining {
         }
         Ok(numbers)
     }
-}
-
-/// What the strength of an effect is on the first wing that has it.
-fn stands_for(designs: &[Design], effect: &str) -> Option<(f64, String)> {
-    let design = designs
-        .iter()
-        .find(|design| design.effects.contains_key(effect))?;
-    let bound = bind(design).ok()?;
-    let own = bound.iter().find(|own| own.effect.card().name == effect)?;
-    let (value, unit) = own.effect.stands_for(&own.values, design)?;
-    Some((value, unit.to_string()))
 }
 
 /// The study without any effect that was added, and with one after the other of them; and its wings as calibrated at the last step.

@@ -51,7 +51,7 @@ pub const DIAGNOSIS: &str = "diagnosis.json";
   washout diagnose my-study.toml --report
   washout diagnose my-study.toml --json | jq .verdict
 
-The verdict comes first, in one sentence; then what it rests on. Where explanations compete it says what to measure next: of tables [[experiment]] in the study (as [[case]], the values of their measurement files empty), which one; without such tables, the cheapest of these that decides: one more station, the still wing under a torque or a push, half the frequency or the speed. Writes output/NAME-diagnosis/: effects against the residual, residuals in sigma, the error step by step and what is missing as pictures (SVG), with the numbers behind each (CSV); diagnosis.json. With --plan it writes no files. How the model answers to every effect takes most of the time. It does not depend on what was measured, and is kept for the next question in the cache folder of the user: $XDG_CACHE_HOME/washout or ~/.cache/washout; WASHOUT_CACHE names another, and none if empty.")]
+The verdict comes first, in one sentence; then what it rests on. Where explanations compete it says what to measure next: of tables [[experiment]] in the study (as [[case]], the values of their measurement files empty), which one; without such tables, the cheapest of these that decides: one more station, the still wing under a torque or a push, half the frequency or the speed. Writes output/NAME-diagnosis/: effects against the residual, residuals in sigma, the error step by step and what is missing as pictures (SVG), with the numbers behind each (CSV); diagnosis.json. With --plan it writes no files. How the model answers to every effect takes most of the time. It does not depend on what was measured, and is kept for the next question, as is the answer for the same question, in the cache folder of the user: $XDG_CACHE_HOME/washout or ~/.cache/washout; WASHOUT_CACHE names another, and none if empty.")]
 pub struct Diagnose {
     /// The study; with --with the design
     #[arg(value_name = "STUDY|DESIGN")]
@@ -252,7 +252,7 @@ fn to_go_on(report: &DiagnosisReport) -> String {
             "To go on with a study, and to see what more readings could show"
         }
         Verdict::Set => &format!("To try {}, which is not sure", strengths(&report.diagnosis)),
-        _ => "To take it into the model",
+        _ => &format!("To take it into the model{}", on_a_bench(&report.diagnosis)),
     };
     let lines = report.commands.iter().map(|command| format!("  {command}\n"));
     wrapped(&format!("{why}:"), 0) + &lines.collect::<String>()
@@ -264,13 +264,27 @@ fn strengths(diagnosis: &Diagnosis) -> String {
         let unit = Some(own.unit.as_str()).filter(|unit| *unit != "1");
         let unit = unit.map_or(String::new(), |unit| format!(" {unit}"));
         format!(
-            "{} = {} ± {}{unit}",
+            "{} = {} ± {}{unit}{}",
             own.effect,
             significant(own.value, 3),
-            significant(own.standard_error, 2)
+            significant(own.standard_error, 2),
+            as_measured(own)
         )
     });
     each.collect::<Vec<_>>().join(" and ")
+}
+
+/// What the strengths of what is named are on a bench, as the end of a phrase.
+fn on_a_bench(diagnosis: &Diagnosis) -> String {
+    to_try(diagnosis).into_iter().map(as_measured).collect()
+}
+
+/// What a strength is as something that a bench measures, in brackets.
+fn as_measured(strength: &Strength) -> String {
+    let known = strength.stands_for.as_ref();
+    known.map_or(String::new(), |(value, unit)| {
+        format!(" ({} {unit})", significant(*value, 3))
+    })
 }
 
 /// The commands that take what is named, or is most probable in a set, into the model of the study.

@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::origin::sha256;
 
 /// Entries that are kept at most; those used longest ago go.
-const MOST: usize = 64;
+const MOST: usize = 128;
 /// Variable that names another folder than the user's; empty: nothing is kept.
 const FOLDER: &str = "WASHOUT_CACHE";
 

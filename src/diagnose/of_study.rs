@@ -1,9 +1,14 @@
 //! A study, diagnosed: its campaign made ready, what it lacks, and what to measure next.
 
+use serde::{Deserialize, Serialize};
+
+use crate::effects::stands_for;
 use crate::input::measurement::InCommon;
 use crate::input::sheet::DesignReadings;
 use crate::input::study::LoadedStudy;
+use crate::origin::program_sha256;
 use crate::progress::Progress;
+use crate::study::case::PreparedCase;
 use crate::study::{Campaign, Forward, Proposals, Work};
 
 use super::cache::Cache;
@@ -31,8 +36,16 @@ pub struct StudyDiagnosis {
     pub work: Work,
 }
 
+/// What is kept of an answer, for the same question asked again.
+#[derive(Serialize, Deserialize)]
+struct Kept {
+    diagnosis: Diagnosis,
+    work: Work,
+}
+
 impl StudyDiagnosis {
-    /// What the measurements of a study say, and what to measure next: of its experiments, or of what any study can add.
+    /// What the measurements of a study say, and what to measure next: of its experiments, or of what any study can add. Asked again, it
+    /// is what `cache` kept.
     ///
     /// # Errors
     /// As [`super::diagnose`].
@@ -58,6 +71,8 @@ impl StudyDiagnosis {
         progress: &Progress,
     ) -> Result<StudyDiagnosis, DiagnoseError> {
         let names = candidates.names();
+        let asked = (study, &names, &candidates.left_out, &settings);
+        let asked = format!("{}{asked:?}", program_sha256());
         let Prepared {
             campaign,
             settings,
@@ -65,6 +80,13 @@ impl StudyDiagnosis {
             beside,
             note,
         } = Prepared::new(study, &names, settings, cache, progress)?;
+        if let Some(Kept { diagnosis, work }) = cache.read(&asked) {
+            return Ok(StudyDiagnosis {
+                campaign,
+                diagnosis,
+                work,
+            });
+        }
         let listed = Campaign::of_experiments(study, &names, progress)?;
         let proposals = Proposals::new(study, &names);
         let experiments = match &listed {
@@ -72,6 +94,7 @@ impl StudyDiagnosis {
             None => Experiments::Proposed(&proposals),
         };
         let mut diagnosis = diagnose_among(&campaign, experiments, Some(&table), &settings, progress)?;
+        say_what_strengths_stand_for(&mut diagnosis, &campaign);
         let on = study.study.candidates_on.as_ref().map(|wings| {
             format!(
                 "Effects were tried on {} alone; the other wings are held to be as modelled.",
@@ -86,9 +109,11 @@ impl StudyDiagnosis {
         diagnosis.notes.extend(on.into_iter().chain(left_out).chain(note));
         let mut work = campaign.work();
         work += beside;
+        let kept = Kept { diagnosis, work };
+        cache.keep(&asked, &kept);
         Ok(StudyDiagnosis {
             campaign,
-            diagnosis,
+            diagnosis: kept.diagnosis,
             work,
         })
     }
@@ -122,6 +147,20 @@ impl StudyDiagnosis {
             edge => notes.extend(edge.map(|edge| edge.words())),
         }
         Ok(self)
+    }
+}
+
+/// Says of every strength what it is on the first wing that has its effect.
+fn say_what_strengths_stand_for(diagnosis: &mut Diagnosis, campaign: &Campaign) {
+    let all = diagnosis.hypotheses.iter_mut();
+    for strength in all.flat_map(|own| &mut own.strengths) {
+        let key = format!("effects.{}.strength", strength.effect);
+        let on = |case: &PreparedCase| {
+            let mut design = case.design.clone();
+            design.set(&key, strength.value).ok()?;
+            stands_for(&design, &strength.effect)
+        };
+        strength.stands_for = campaign.cases().iter().find_map(on);
     }
 }
 

@@ -36,6 +36,9 @@ pub struct Strength {
     pub unit: String,
     /// Where it sits, if that was not known.
     pub place: Option<PlaceFound>,
+    /// What it is on the first wing that has the effect, as something that a bench measures: the number, and its unit with what it is.
+    #[serde(default)]
+    pub stands_for: Option<(f64, String)>,
 }
 
 /// Where an effect sits.
@@ -104,6 +107,7 @@ pub(super) fn strengths(
             standard_error: error,
             unit: own.unit.clone(),
             place: place(baseline, k, explanation.and_then(|e| e.places[position])),
+            stands_for: None,
         });
     }
     (strengths, plausible)

@@ -40,6 +40,15 @@ impl std::ops::Deref for Acting {
     }
 }
 
+/// What the strength of an effect is on this wing as something that a bench measures: the number, and its unit with what it is; none if it is
+/// nothing of the kind, or the effect is not on.
+pub fn stands_for(design: &Design, effect: &str) -> Option<(f64, String)> {
+    let bound = bind(design).ok()?;
+    let own = bound.iter().find(|own| own.effect.card().name == effect)?;
+    let (value, unit) = own.effect.stands_for(&own.values, design)?;
+    Some((value, unit.to_string()))
+}
+
 /// The effects of a design whose strength is not 0, in the order of [`all`] whatever the order in the file;
 /// those of the user's own behind, by name.
 ///

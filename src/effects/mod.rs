@@ -128,7 +128,9 @@ pub mod camera_tilt;
 
 pub mod frame_timing;
 
-pub use bind::{Acting, Bound, acting, bind, instead_of, is_applicable, lacks, with_common_numbers};
+pub use bind::{
+    Acting, Bound, acting, bind, instead_of, is_applicable, lacks, stands_for, with_common_numbers,
+};
 pub use card::{Card, Need, Parameter, Places, Seam};
 pub use effect::{Effect, OWN_ERROR};
 pub use error::EffectError;

@@ -211,12 +211,16 @@ pub fn meanings(found: &Diagnosis) -> Vec<String> {
     if found.verdict == Verdict::Nothing && found.unseen.len() > 1 {
         return vec![format!("Could not have been seen: {}.", found.unseen.join(", "))];
     }
-    let effects = leading(found).map_or(&[][..], |row| row.effects.as_slice());
-    let words = effects.iter().filter_map(|effect| {
-        let [what, strength] = what(effect)?;
-        Some(format!("{effect}: {what} Strength: {strength}."))
-    });
-    words.collect()
+    let words = |own: &Strength| {
+        let (effect, [what, strength]) = (&own.effect, what(&own.effect)?);
+        let here = own.stands_for.as_ref();
+        let here = here.map_or(String::new(), |(value, unit)| {
+            format!("; here {} {unit}", significant(*value, 3))
+        });
+        Some(format!("{effect}: {what} Strength: {strength}{here}."))
+    };
+    let leading = leading(found).map_or(&[][..], |row| row.strengths.as_slice());
+    leading.iter().filter_map(words).collect()
 }
 
 /// How probable nothing, an unknown cause and each explanation are.

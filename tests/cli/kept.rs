@@ -1,4 +1,4 @@
-//! How a campaign answers is kept between diagnoses, under what it was made of.
+//! How a campaign answers, and what was answered to a question, is kept between diagnoses, under what it was made of.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -59,20 +59,26 @@ fn what_is_kept_changes_no_number_serves_other_readings_and_is_made_anew_where_d
     write_readings(folder, 1.0);
     let first = diagnosed(folder);
     let kept = files(folder);
-    assert_eq!(kept.len(), 1);
+    assert_eq!(
+        kept.len(),
+        2,
+        "how the campaign answers, and the answer to this question"
+    );
     assert_eq!(diagnosed(folder), first);
-    let whole = fs::read(&kept[0]).expect("read");
-    fs::write(&kept[0], &whole[..whole.len() / 2]).expect("written");
-    assert_eq!(diagnosed(folder), first);
-    assert_eq!(fs::read(&kept[0]).expect("read"), whole);
+    let whole: Vec<Vec<u8>> = kept.iter().map(|file| fs::read(file).expect("read")).collect();
+    for (file, whole) in kept.iter().zip(&whole) {
+        fs::write(file, &whole[..whole.len() / 2]).expect("written");
+        assert_eq!(diagnosed(folder), first);
+        assert_eq!(&fs::read(file).expect("read"), whole);
+    }
     write_readings(folder, 1.3);
     assert_ne!(diagnosed(folder)["p_nothing"], first["p_nothing"]);
-    assert_eq!(files(folder), kept);
+    assert_eq!(files(folder).len(), 3, "another answer by the same campaign");
     fs::write(
         folder.join("rod.toml"),
         ROD.replace("g_gpa = 80.0", "g_gpa = 60.0"),
     )
     .expect("written");
     diagnosed(folder);
-    assert_eq!(files(folder).len(), 2);
+    assert_eq!(files(folder).len(), 5);
 }
