@@ -11,7 +11,7 @@ use crate::diagnose::hypothesis::Hypothesis;
 use crate::diagnose::of_study::refuse_own_data;
 use crate::diagnose::strengths::Strength;
 use crate::diagnose::verdict::{Diagnosis, Verdict};
-use crate::diagnose::words::{AGREED, probability_of};
+use crate::diagnose::words::{AGREED, one_strength, probability_of};
 use crate::diagnose::{Cache, Candidates, Plan, Settings, StudyDiagnosis, plan_study};
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::html::cases::{at_work, found};
@@ -260,17 +260,8 @@ fn to_go_on(report: &DiagnosisReport) -> String {
 
 /// What is most probable of a set, with its strengths.
 fn strengths(diagnosis: &Diagnosis) -> String {
-    let each = to_try(diagnosis).into_iter().map(|own| {
-        let unit = Some(own.unit.as_str()).filter(|unit| *unit != "1");
-        let unit = unit.map_or(String::new(), |unit| format!(" {unit}"));
-        format!(
-            "{} = {} ± {}{unit}{}",
-            own.effect,
-            significant(own.value, 3),
-            significant(own.standard_error, 2),
-            as_measured(own)
-        )
-    });
+    let each = to_try(diagnosis).into_iter();
+    let each = each.map(|own| one_strength(own) + &as_measured(own));
     each.collect::<Vec<_>>().join(" and ")
 }
 

@@ -6,11 +6,12 @@ use serde::{Deserialize, Serialize};
 use crate::study::UnknownKind;
 
 use super::baseline::Baseline;
+use super::evidence::ln_sum;
 use super::gains::Gains;
-use super::judge::Judgement;
+use super::judge::{Judgement, OfEffects};
 use super::misfit::{Pull, pulls_of_inputs};
 use super::posterior::{Belief, Case};
-use super::strengths::{Strength, is_nameable, strengths, unknown};
+use super::strengths::{Strength, is_nameable, name, strengths, unknown};
 
 /// What may be the case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -19,6 +20,9 @@ pub struct Hypothesis {
     pub effects: Vec<String>,
     /// Their families.
     pub families: Vec<String>,
+    /// Of one family, the effects of it that it may be, the most probable first; none where it can be one alone.
+    #[serde(default)]
+    pub members: Vec<MemberShare>,
     /// Strengths, with the unknowns that they are values of: two of one family mean a place between them.
     pub strengths: Vec<Strength>,
     /// Its probability.
@@ -40,6 +44,52 @@ pub struct Hypothesis {
     pub gain_left_out_conditions: Option<f64>,
     /// The same for left-out wings.
     pub gain_left_out_wings: Option<f64>,
+}
+
+/// One effect of a family, and its part of what the family has.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MemberShare {
+    /// The effect.
+    pub effect: String,
+    /// Probability that it is what is missing, at whatever place.
+    pub probability: f64,
+}
+
+/// Part of the most probable effect of a family from which on another is named beside it. Assumed; it chooses words.
+const NAMED_BESIDE: f64 = 1.0 / 3.0;
+
+impl Hypothesis {
+    /// Its effects in words, two joined by `and`; of a family, those that are about as probable.
+    pub fn names(&self, and: &str) -> String {
+        let beside = self.beside().iter().map(|own| format!(" or {}", own.effect));
+        self.effects.join(and) + &beside.collect::<String>()
+    }
+
+    /// The effects of its family that are about as probable as the one that is named.
+    pub fn beside(&self) -> &[MemberShare] {
+        let [first, others @ ..] = self.members.as_slice() else {
+            return &[];
+        };
+        let is_named = |own: &MemberShare| own.probability >= NAMED_BESIDE * first.probability;
+        &others[..others.partition_point(is_named)]
+    }
+}
+
+/// The effects of one family that share a probability; none where it has one alone.
+fn members(baseline: &Baseline, judgement: &Judgement, belief: &Belief) -> Vec<MemberShare> {
+    let Case::One(family) = belief.case else {
+        return Vec::new();
+    };
+    let all = judgement.by_effects(&[family]);
+    let whole = ln_sum(all.iter().map(|own| own.ln_weight));
+    let share = |own: &OfEffects| MemberShare {
+        effect: name(baseline, own.effects[0]),
+        probability: belief.probability * (own.ln_weight - whole).exp(),
+    };
+    match all.len() {
+        0 | 1 => Vec::new(),
+        _ => all.iter().map(share).collect(),
+    }
 }
 
 /// A belief with its strengths and its gain in prediction.
@@ -74,6 +124,7 @@ pub fn hypothesis(baseline: &Baseline, judgement: &Judgement, gains: &Gains, bel
     Hypothesis {
         effects,
         families: family_names.collect(),
+        members: members(baseline, judgement, belief),
         probability: belief.probability,
         strength: strengths.first().map(|s| s.value),
         standard_error: strengths.first().map(|s| s.standard_error),

@@ -6,9 +6,11 @@ use crate::study::WarmStart;
 use super::baseline::Baseline;
 use super::bump::{Bump, Bumps, bumps};
 use super::error::DiagnoseError;
+use super::evidence::ln_sum;
 use super::library::Trial;
 use super::posterior::{Belief, Case, Weight, beliefs};
 use super::refit::{Explanation, Refits};
+use super::strengths::name;
 
 /// Hypotheses that are fitted anew, the most probable first.
 const FITTED: usize = 4;
@@ -31,6 +33,19 @@ pub struct Judgement {
     pub bumps: Bumps,
     /// Hypotheses with probabilities, most probable first.
     pub beliefs: Vec<Belief>,
+    /// Of each missing effect the first at whatever place: the same number, the same effect.
+    effect: Vec<usize>,
+}
+
+/// Explanations by the same effects, at whatever places.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OfEffects {
+    /// The effects, by the first of each among the missing.
+    pub effects: Vec<usize>,
+    /// ln of prior times evidence of all places.
+    pub ln_weight: f64,
+    /// The trial that has most of it.
+    pub heaviest: usize,
 }
 
 impl Judgement {
@@ -53,10 +68,37 @@ impl Judgement {
         fitted.max_by(|a, b| a.ln_evidence.total_cmp(&b.ln_evidence))
     }
 
-    /// The heaviest explanation by just these families, which stand in ascending order.
+    /// Explanations by just these families, which stand in ascending order, those of the same effects together, the most probable first.
+    pub fn by_effects(&self, families: &[usize]) -> Vec<OfEffects> {
+        let mut found: Vec<OfEffects> = Vec::new();
+        for (index, trial) in self.trials.iter().enumerate() {
+            if trial.families != families {
+                continue;
+            }
+            let mut effects: Vec<usize> = trial.members.iter().map(|&k| self.effect[k]).collect();
+            effects.sort_unstable();
+            effects.dedup();
+            match found.iter_mut().find(|own| own.effects == effects) {
+                Some(own) => {
+                    if trial.ln_weight >= self.trials[own.heaviest].ln_weight {
+                        own.heaviest = index;
+                    }
+                    own.ln_weight = ln_sum([own.ln_weight, trial.ln_weight].into_iter());
+                }
+                None => found.push(OfEffects {
+                    effects,
+                    ln_weight: trial.ln_weight,
+                    heaviest: index,
+                }),
+            }
+        }
+        found.sort_by(|a, b| b.ln_weight.total_cmp(&a.ln_weight));
+        found
+    }
+
+    /// The heaviest explanation by just these families, which stand in ascending order: where the most probable effects of them sit best.
     pub fn heaviest(&self, families: &[usize]) -> Option<usize> {
-        let own = (0..self.trials.len()).filter(|&index| self.trials[index].families == families);
-        own.max_by(|&a, &b| self.trials[a].ln_weight.total_cmp(&self.trials[b].ln_weight))
+        self.by_effects(families).first().map(|own| own.heaviest)
     }
 
     /// The same with its fit, if there is one; of several places of an effect, one that was fitted.
@@ -131,6 +173,7 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         refits: Vec::new(),
         unsettled: Vec::new(),
         bumps: Bumps::default(),
+        effect: first_of_each(baseline),
         beliefs: beliefs(&weights, baseline.settings.tempering),
     };
     let warm_start = baseline.warm_start.as_ref().map(WarmStart::for_trials);
@@ -140,6 +183,14 @@ pub fn judge(baseline: &Baseline, progress: &Progress) -> Result<Judgement, Diag
         judgement.bumps = bumps(baseline, &refits, progress)?;
     }
     Ok(judgement)
+}
+
+/// Of each missing effect the first that has its name.
+fn first_of_each(baseline: &Baseline) -> Vec<usize> {
+    let count = baseline.data.missing.len();
+    let names: Vec<String> = (0..count).map(|k| name(baseline, k)).collect();
+    let first = |own: &String| names.iter().position(|other| other == own);
+    names.iter().filter_map(first).collect()
 }
 
 fn refit(

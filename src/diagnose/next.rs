@@ -13,7 +13,7 @@ use crate::study::{Cost, Fit, Forward, Observable, Proposal, Proposals, Unknown,
 
 use super::error::DiagnoseError;
 use super::expected::{Expected, ExpectedReading};
-use super::posterior::SEPARATE;
+use super::posterior::{SEPARATE, TWINS};
 
 /// What could be measured next.
 #[derive(Clone, Copy)]
@@ -107,11 +107,9 @@ pub fn next_experiment(
 impl NextExperiment {
     /// Says how a table holds what is asked for, if it is measured on a bench.
     pub fn for_table(&mut self, table: &str) {
-        let best = self
-            .candidates
-            .iter()
-            .find(|own| Some(&own.name) == self.best.as_ref());
-        if let Some(column) = best.and_then(|own| own.column.as_ref()) {
+        // the best one, or the one that comes nearest
+        let first = self.candidates.first();
+        if let Some(column) = first.and_then(|own| own.column.as_ref()) {
             self.sentence += &format!(" In {table} it is one more column: {column}.");
         }
     }
@@ -131,9 +129,13 @@ fn sentence(candidates: &[Candidate], is_listed: bool, is_decided: bool) -> Stri
     let expected = expected
         .as_ref()
         .map_or(String::new(), |own| format!(" {}.", own.words()));
+    let second = candidates.get(1).filter(|own| own.separation_sigma >= TWINS);
+    let second = second.map_or(String::new(), |own| {
+        format!(" ({:.1} for {}, the next best)", own.separation_sigma, own.name)
+    });
     match (*separation_sigma >= SEPARATE, is_listed, is_decided) {
         (true, ..) => format!(
-            "Measure {name} next: the rivals are expected {separation_sigma:.1} standard deviations apart there.{expected}"
+            "Measure {name} next: the rivals are expected {separation_sigma:.1} standard deviations apart there{second}.{expected}"
         ),
         (false, true, false) => format!(
             "No listed experiment can tell these apart; the best, {name}, puts them {separation_sigma:.1} standard deviations apart."

@@ -8,6 +8,8 @@ use super::verdict::{Diagnosis, Verdict};
 
 /// Other explanations listed before "and others".
 const LISTED: usize = 3;
+/// Probability below which an explanation of a set is counted, not named. Assumed; it chooses words.
+const WORTH_NAMING: f64 = 0.02;
 /// Probability of the first of a set, whatever is beside it, from which on its rivals are no more than not excluded. Assumed; it chooses words.
 const FIRM: f64 = 0.95;
 /// Probability of an effect, whatever is beside it, from which on the explanations of a set agree on it.
@@ -117,15 +119,23 @@ fn with_any_second(diagnosis: &Diagnosis, hypothesis: &Hypothesis) -> f64 {
     family.map_or(hypothesis.probability, |family| probability_of(diagnosis, family))
 }
 
-/// One effect that may be named; `probability`: of the effect, with any second or none.
+/// One effect that may be named; `probability`: of the effect, alone or with any second.
 fn effect(hypotheses: &[Hypothesis], probability: f64) -> String {
     let Some(first) = hypotheses.iter().find(|own| !own.families.is_empty()) else {
         return String::new();
     };
+    let beside = first.beside().iter();
+    let beside = beside.map(|own| {
+        format!(
+            "; or {}, which does much the same, with {:.2} of that",
+            own.effect, own.probability
+        )
+    });
     format!(
-        "Missing: {} (probability {probability:.2}; {:.2} that it alone is); no effect that was tried explains the misfit without it.",
+        "Missing: {} (probability {probability:.2}; {:.2} that it alone is{}); no effect that was tried explains the misfit without it.",
         with_strength(first),
-        first.probability
+        first.probability,
+        beside.collect::<String>()
     )
 }
 
@@ -140,7 +150,8 @@ fn with_strength(hypothesis: &Hypothesis) -> String {
     format!("{}{plausible}", parts.join(" and "))
 }
 
-fn one_strength(strength: &Strength) -> String {
+/// An effect with its strength and place.
+pub fn one_strength(strength: &Strength) -> String {
     let unit = if strength.unit == "1" {
         String::new()
     } else {
@@ -206,7 +217,7 @@ fn name(hypothesis: &Hypothesis) -> String {
     if hypothesis.families.is_empty() {
         return "an unknown cause".into();
     }
-    hypothesis.effects.join(" with ")
+    hypothesis.names(" with ")
 }
 
 /// The most probable explanation of several, and the others that these data leave; those with the same effect and a second count with it.
@@ -225,15 +236,24 @@ fn set(diagnosis: &Diagnosis) -> String {
         0 => format!("{alone}{})", shared(diagnosis, first)),
         _ => {
             let whole = with_any_second(diagnosis, first);
-            format!("{alone} alone, {whole:.2} with a second effect or none)")
+            format!("{alone} alone, {whole:.2} alone or with a second effect)")
         }
     };
-    let shown = others.iter().take(LISTED);
+    let is_worth_naming = |own: &&&Hypothesis| own.probability >= WORTH_NAMING;
+    let shown = others.iter().filter(is_worth_naming).take(LISTED);
     let mut names: Vec<String> = shown
         .map(|own| format!("{} ({:.2})", name_or_nothing(own), own.probability))
         .collect();
-    match others.len().saturating_sub(LISTED) {
+    match others.len() - names.len() {
         0 => {}
+        count if names.is_empty() => {
+            let first = name_or_nothing(others[0]);
+            let all = match count {
+                1 => first,
+                _ => format!("{first} and others"),
+            };
+            return format!("most likely {most}; not excluded, each below {WORTH_NAMING}: {all}");
+        }
         1 => names.push("one other".into()),
         more => names.push(format!("{more} others")),
     }

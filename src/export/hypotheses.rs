@@ -266,7 +266,7 @@ fn hypothesis_table(found: &Diagnosis) -> Table {
         .words("what is missing", |row| match row.effects.as_slice() {
             [] => "nothing".to_string(),
             [only] if only == "novel" => "an unknown cause".to_string(),
-            effects => effects.join(" + "),
+            _ => row.names(" + "),
         })
         .share(["probability", "probability", ""], After(3), |row| {
             row.probability

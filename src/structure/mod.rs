@@ -89,5 +89,6 @@ pub use shell::Shell;
 pub use skin::Skin;
 pub use strength::{FilmStress, Peak, bending_peak, film_stress, torsion_peak};
 pub use wing::{
-    bench_loads, innermost_rod, rod_length_m, rod_twist_rad_n_m, weigh, wing_model, wing_model_beside,
+    bench_loads, innermost_rod, rod_deflection_m_n, rod_length_m, rod_twist_rad_n_m, weigh, wing_model,
+    wing_model_beside,
 };

@@ -211,6 +211,23 @@ pub fn rod_twist_rad_n_m(design: &Design, to_mm: f64) -> Result<f64, StructureEr
     Ok(twist)
 }
 
+/// Deflection of the rods at a place under a force there across the wing, over that force, m/N: spars and film left out, held at the base.
+///
+/// # Errors
+/// As [`innermost_rod`].
+pub fn rod_deflection_m_n(design: &Design, to_mm: f64) -> Result<f64, StructureError> {
+    let mut deflection = 0.0;
+    for (index, rod) in design.rod.iter().enumerate() {
+        // lever arms of the force at the ends of the rod: the integral of their square over its stiffness
+        let arms = [rod.from_mm.value(), rod.to_mm.value().min(to_mm)].map(|end| 1e-3 * (to_mm - end));
+        if arms[0] > arms[1] {
+            let ei_n_m2 = section_of(design, BeamPart::Rod(index))?.ei_flap_n_m2();
+            deflection += (arms[0].powi(3) - arms[1].powi(3)) / (3.0 * ei_n_m2);
+        }
+    }
+    Ok(deflection)
+}
+
 fn section_of(design: &Design, part: BeamPart) -> Result<Section, StructureError> {
     let missing = |part: String| StructureError::UnknownPart { part };
     match part {
@@ -263,6 +280,32 @@ mod tests {
         let planform = crate::geometry::Planform::from_design(&design).unwrap();
         let mesh = crate::mesh::generate(&design, &planform).unwrap();
         (design, mesh)
+    }
+
+    #[test]
+    fn rods_bend_as_a_cantilever_in_one_piece_or_two() {
+        let (whole, _) = design("");
+        let ei_n_m2 = 200e9 * std::f64::consts::PI * 1e-12 / 64.0;
+        for at_mm in [30.0_f64, 69.0] {
+            let found = rod_deflection_m_n(&whole, at_mm).unwrap();
+            let cantilever = (1e-3 * at_mm).powi(3) / (3.0 * ei_n_m2);
+            assert!((found / cantilever - 1.0).abs() < 1e-12, "{found} {cantilever}");
+        }
+        // the outer piece of half the diameter bends sixteen times as far as it did
+        let mut stepped = whole.clone();
+        let mut outer = stepped.rod[0].clone();
+        stepped.rod[0].to_mm = crate::input::quantity::Quantity::Stated(40.0);
+        outer.from_mm = crate::input::quantity::Quantity::Stated(40.0);
+        stepped.rod.push(outer);
+        let same = rod_deflection_m_n(&stepped, 60.0).unwrap();
+        assert!((same / rod_deflection_m_n(&whole, 60.0).unwrap() - 1.0).abs() < 1e-12);
+        stepped.set("rod[1].section.diameter_mm", 0.5).unwrap();
+        let more = rod_deflection_m_n(&stepped, 60.0).unwrap() - same;
+        let outer_alone = 0.02_f64.powi(3) / (3.0 * ei_n_m2);
+        assert!(
+            (more / (15.0 * outer_alone) - 1.0).abs() < 1e-9,
+            "{more} {outer_alone}"
+        );
     }
 
     #[test]

@@ -1,17 +1,19 @@
-//! The still wing on a bench, under a torque at its tip or a push at a spar.
+//! The still wing on a bench, under a torque at its tip, a push at a spar, or one that bends it.
 
 use crate::geometry::Planform;
 use crate::input::Design;
 use crate::input::sheet::{Bench, Load, ON_BENCH};
 use crate::input::study::LoadedCase;
-use crate::structure::rod_twist_rad_n_m;
+use crate::structure::{rod_deflection_m_n, rod_twist_rad_n_m};
+
+/// Deflection for which a push that bends the wing is chosen, over the distance of its place from the base.
+const BENT: f64 = 0.1;
 
 /// The still wing under a torque at its tip that twists its rods so far: at its outermost spar, if it has any.
 pub fn torque(case: &LoadedCase, twist_deg: f64) -> Option<(Bench, LoadedCase)> {
     let design = &case.loaded.design;
-    let outermost = spars_mm(design).max_by(f64::total_cmp);
-    let at_mm = outermost.or_else(|| tip_mm(design))?;
-    let torque_n_m = load_for(1.0, rod_twist_rad_n_m(design, at_mm).ok()?, twist_deg)?;
+    let at_mm = outermost_mm(design)?;
+    let torque_n_m = load_for(rod_twist_rad_n_m(design, at_mm).ok()?, twist_deg.to_radians())?;
     let load = Load::Torque(torque_n_m);
     Some(still(case, Bench { at_mm, load }))
 }
@@ -26,12 +28,21 @@ pub(super) fn push(case: &LoadedCase, twist_deg: f64) -> Option<(Bench, LoadedCa
     let at_mm = nearest.unwrap_or(middle);
     let planform = Planform::from_design(design).ok()?;
     let behind_mm = (1e3 * 0.5 * planform.chord_m(1e-3 * at_mm)).round();
-    let force_n = load_for(
-        1e-3 * behind_mm,
-        rod_twist_rad_n_m(design, at_mm).ok()?,
-        twist_deg,
-    )?;
+    let twist_rad_n = 1e-3 * behind_mm * rod_twist_rad_n_m(design, at_mm).ok()?;
+    let force_n = load_for(twist_rad_n, twist_deg.to_radians())?;
     let load = Load::Push { force_n, behind_mm };
+    Some(still(case, Bench { at_mm, load }))
+}
+
+/// The still wing pushed on its leading edge near its tip, so that its rods bend: at its outermost spar, if it has any.
+pub(super) fn bend(case: &LoadedCase) -> Option<(Bench, LoadedCase)> {
+    let design = &case.loaded.design;
+    let at_mm = outermost_mm(design)?;
+    let force_n = load_for(rod_deflection_m_n(design, at_mm).ok()?, BENT * 1e-3 * at_mm)?;
+    let load = Load::Push {
+        force_n,
+        behind_mm: 0.0,
+    };
     Some(still(case, Bench { at_mm, load }))
 }
 
@@ -52,9 +63,9 @@ fn still(case: &LoadedCase, bench: Bench) -> (Bench, LoadedCase) {
     (bench, LoadedCase { name, ..still })
 }
 
-/// Load on an arm (m; 1 for a torque in N·m) that twists the rods so far: 1, 2 or 5 times a power of ten.
-fn load_for(arm_m: f64, twist_rad_n_m: f64, twist_deg: f64) -> Option<f64> {
-    let load = twist_deg.to_radians() / (twist_rad_n_m * arm_m);
+/// Load under which the rods give way so far (rad, m), which do so by this much for each unit of it: 1, 2 or 5 times a power of ten.
+fn load_for(flexibility: f64, so_far: f64) -> Option<f64> {
+    let load = so_far / flexibility;
     (load.is_finite() && load > 0.0).then(|| round(load))
 }
 
@@ -75,6 +86,12 @@ fn round(value: f64) -> f64 {
 
 fn spars_mm(design: &Design) -> impl Iterator<Item = f64> {
     design.spar.iter().map(|spar| spar.at_mm.value())
+}
+
+/// The outermost spar, or the tip of a wing without, mm.
+fn outermost_mm(design: &Design) -> Option<f64> {
+    let outermost = spars_mm(design).max_by(f64::total_cmp);
+    outermost.or_else(|| tip_mm(design))
 }
 
 /// Where the built wing ends, mm.

@@ -38,6 +38,8 @@ pub mod noise;
 
 pub mod output;
 
+pub mod proposal;
+
 pub mod proposed;
 
 pub mod quantile;
@@ -72,7 +74,8 @@ pub use error::StudyError;
 pub use forward::{Condition, Forward, Linear, MeshError, Observable, Unknown, UnknownKind, WarmStart};
 pub use noise::{Discrepancy, Noise};
 pub use output::{Output, ProfileOutputs};
-pub use proposed::{Cost, Proposal, Proposals};
+pub use proposal::{Cost, Proposal};
+pub use proposed::Proposals;
 pub use shares::Share;
 pub use skipped::SkippedRow;
 pub use task::Task;

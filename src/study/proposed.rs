@@ -1,13 +1,13 @@
-//! Readings that could be added to any study, made of its own cases: one more station; the still wing under a torque or a push; half
-//! the frequency, or half the speed; a stream from the other side.
+//! Readings that could be added to any study, made of its own cases: one more station; the still wing under a torque or a push, and how far
+//! that deflects it; half the frequency, or half the speed; a stream from the other side.
 //!
 //! A flapping wing shows the other side of its film in the other half of every stroke, and the model of that half is the mirror image:
 //! there is nothing to propose.
 
-use super::bench::{push, torque};
+use super::bench::{bend, push, torque};
 use super::campaign::Campaign;
 use super::error::StudyError;
-use super::forward::Observable;
+use super::proposal::{Cost, Proposal};
 use super::quantile::quantile;
 use super::two_meshes::COARSE;
 use crate::input::measurement::{Bound, Channel, Row};
@@ -18,90 +18,14 @@ use crate::progress::Progress;
 
 /// Twist for which a bench load is chosen: as much as was measured, but within this, deg.
 const MODERATE: [f64; 2] = [2.0, 15.0];
+/// Share of that for which a small torque is chosen.
+const SMALL: f64 = 0.1;
 /// The same where no twist was measured, deg.
 const UNKNOWN_TWIST: f64 = 5.0;
+/// Standard deviation with which a deflection is held to be read, where none was, mm: that of a table that says nothing.
+const DEFLECTION_MM: f64 = 0.5;
 /// Stations nearer than this to another tell nothing new, over the length.
 const NEAR: f64 = 0.05;
-
-/// What a reading costs, least first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Cost {
-    /// One more station in a condition that was measured.
-    Station,
-    /// The still wing under a torque.
-    Torque,
-    /// The still wing under a push.
-    Push,
-    /// Half the flapping frequency, or half the speed.
-    Slower,
-    /// The stream from the other side.
-    OtherSide,
-}
-
-impl Cost {
-    /// All, the least first.
-    pub const ALL: [Cost; 5] = [
-        Cost::Station,
-        Cost::Torque,
-        Cost::Push,
-        Cost::Slower,
-        Cost::OtherSide,
-    ];
-
-    /// Inputs that such a reading sets itself, so that a study cannot hold them uncertain: how their keys begin.
-    fn sets(self) -> &'static [&'static str] {
-        match self {
-            Cost::Station => &[],
-            Cost::Torque | Cost::Push => &["load[", "flapping.frequency_hz", "steady.speed_m_s"],
-            Cost::Slower => &["flapping.frequency_hz", "steady.speed_m_s"],
-            Cost::OtherSide => &["steady.root_angle_deg", "observation.", "gravity."],
-        }
-    }
-}
-
-/// A reading that could be added.
-#[derive(Debug, Clone)]
-pub struct Proposal {
-    /// What it costs.
-    pub cost: Cost,
-    /// The wing in its condition, named in plain words, with rows whose values are yet to come.
-    case: LoadedCase,
-    /// The load on the still wing, of what is measured on a bench.
-    bench: Option<Bench>,
-}
-
-impl Proposal {
-    /// The wing in its condition, with rows whose values are yet to come.
-    pub fn case(&self) -> &LoadedCase {
-        &self.case
-    }
-
-    /// What is to be measured, in plain words; `readings`: which of its readings, where each is a proposal of its own.
-    pub fn words(&self, readings: &[&Observable]) -> String {
-        match (self.cost, readings) {
-            (Cost::Station, [reading]) => {
-                let channel = reading.channel.name().replace('_', " ");
-                let at = short(reading.r_mm.unwrap_or_default());
-                format!("{channel} at {at} mm in case {}", self.case.name)
-            }
-            _ => self.case.name.clone(),
-        }
-    }
-
-    /// Head of the column that holds it in a table of readings; none where it is one more station of a column that is there.
-    pub fn column(&self) -> Option<String> {
-        match self.cost {
-            Cost::Station => None,
-            Cost::Torque | Cost::Push => self.bench.map(|bench| bench.head()),
-            Cost::Slower | Cost::OtherSide => head_in_air(&self.case),
-        }
-    }
-
-    /// Whether every reading is a proposal of its own.
-    pub fn is_of_one_reading(&self) -> bool {
-        self.cost == Cost::Station
-    }
-}
 
 /// The readings that could be added to a study.
 #[derive(Debug)]
@@ -150,22 +74,6 @@ impl<'a> Proposals<'a> {
     }
 }
 
-/// Head of a column with the motion of a case, and with the numbers that its study sets besides.
-fn head_in_air(case: &LoadedCase) -> Option<String> {
-    let design = &case.loaded.design;
-    let is_set = |key: &str| case.sets.iter().any(|set| set.starts_with(key));
-    if let Some(flapping) = &design.flapping {
-        let amplitude = match is_set("flapping.half_amplitude_deg") {
-            true => format!(", {} deg", short(flapping.half_amplitude_deg.value())),
-            false => String::new(),
-        };
-        return Some(format!("{} Hz{amplitude}", short(flapping.frequency_hz.value())));
-    }
-    let steady = design.steady.as_ref()?;
-    let (speed, angle) = (steady.speed_m_s.value(), steady.root_angle_deg.value());
-    Some(format!("{} m/s, {} deg", short(speed), short(angle)))
-}
-
 /// Numbers of a case that tell how a wing is deformed somewhere.
 fn deformations(case: &LoadedCase) -> impl Iterator<Item = &Row> {
     let is_one = |row: &&Row| row.channel.has_station() && row.bound == Bound::None;
@@ -200,17 +108,22 @@ fn of_wing(study: &LoadedStudy, clearest: &LoadedCase) -> Vec<Proposal> {
     let in_air = |case: LoadedCase| (None, case);
     let on_bench = |(bench, case): (Bench, LoadedCase)| (Some(bench), case);
     let found = [
-        more_stations(&case).map(in_air),
-        torque(&case, twist_deg).map(on_bench),
-        push(&case, twist_deg).map(on_bench),
-        slower(&case).map(in_air),
-        other_side(&case).map(in_air),
+        (Cost::Station, more_stations(&case).map(in_air)),
+        (Cost::Torque, torque(&case, twist_deg).map(on_bench)),
+        (Cost::SmallTorque, torque(&case, SMALL * twist_deg).map(on_bench)),
+        (Cost::Push, push(&case, twist_deg).map(on_bench)),
+        (
+            Cost::Deflection,
+            deflection(&case).as_ref().and_then(bend).map(on_bench),
+        ),
+        (Cost::Slower, slower(&case).map(in_air)),
+        (Cost::OtherSide, other_side(&case).map(in_air)),
     ];
     let proposal = |(cost, found): (Cost, Option<(Option<Bench>, LoadedCase)>)| {
         let (bench, case) = found?;
         Some(Proposal { cost, case, bench })
     };
-    Cost::ALL.into_iter().zip(found).filter_map(proposal).collect()
+    found.into_iter().filter_map(proposal).collect()
 }
 
 /// The twist that a bench load is to make, deg.
@@ -274,6 +187,26 @@ fn more_stations(case: &LoadedCase) -> Option<LoadedCase> {
     let mut more = case.clone();
     more.rows = places.into_iter().map(at).collect();
     (!more.rows.is_empty()).then_some(more)
+}
+
+/// The case with a deflection to be read wherever something was, if none was.
+fn deflection(case: &LoadedCase) -> Option<LoadedCase> {
+    let is_one = |row: &Row| row.channel == Channel::Deflection;
+    let mut other = case.clone();
+    other.rows.clear();
+    for row in case.rows.iter().filter(|row| row.r_to_mm.is_none()) {
+        let is_new = other.rows.iter().all(|own| own.r_mm != row.r_mm);
+        if is_new {
+            other.rows.push(Row {
+                channel: Channel::Deflection,
+                instrument: None,
+                chord_fraction: None,
+                sigma: DEFLECTION_MM,
+                ..row.clone()
+            });
+        }
+    }
+    (!other.rows.is_empty() && !case.rows.iter().any(is_one)).then_some(other)
 }
 
 /// Places in the middle between stations, the base being one, and the tip, mm; to a tenth.
@@ -354,7 +287,13 @@ mod tests {
         let study = study("three-rods");
         let all = Proposals::new(&study, &[]).all;
         let wings = ["twist-v1", "twist-v2", "thick"];
-        let costs = [Cost::Station, Cost::Torque, Cost::Push, Cost::Slower];
+        let costs = [
+            Cost::Station,
+            Cost::Torque,
+            Cost::SmallTorque,
+            Cost::Push,
+            Cost::Slower,
+        ];
         assert_eq!(all.len(), wings.len() * costs.len());
         for (proposal, place) in all.iter().zip(0..) {
             assert_eq!(proposal.cost, costs[place / wings.len()]);
@@ -364,7 +303,7 @@ mod tests {
                 let is_twist = row.channel == Channel::Twist;
                 assert!(row.is_planned && row.sigma == if is_twist { 0.4 } else { 0.05 });
             }
-            let is_still = matches!(proposal.cost, Cost::Torque | Cost::Push);
+            let is_still = matches!(proposal.cost, Cost::Torque | Cost::SmallTorque | Cost::Push);
             let own = design.flapping.as_ref().unwrap().frequency_hz.value();
             assert_eq!(own == STILL_HZ, is_still);
             assert_eq!(design.load.len(), usize::from(is_still));
@@ -378,12 +317,12 @@ mod tests {
             all[3].words(&[])
         );
         assert!(
-            all[6]
+            all[9]
                 .words(&[])
                 .contains(" at 35 mm, 13 mm behind its leading edge")
         );
-        assert!(all[9].words(&[]).contains("twist-v1 as in case twist-v1-"));
-        let heads: Vec<Option<String>> = [0, 3, 6, 9].map(|place| all[place].column()).into();
+        assert!(all[12].words(&[]).contains("twist-v1 as in case twist-v1-"));
+        let heads: Vec<Option<String>> = [0, 3, 9, 12].map(|place| all[place].column()).into();
         let begins = [None, Some("torque "), Some("push "), Some("")];
         for (head, begin) in heads.iter().zip(begins) {
             let begins = head

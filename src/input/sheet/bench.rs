@@ -108,6 +108,10 @@ impl Bench {
         let at = short(self.at_mm);
         match self.load {
             Load::Torque(torque) => format!("torque {} at {at} mm", with_unit(torque, "N·m")),
+            Load::Push {
+                force_n,
+                behind_mm: 0.0,
+            } => format!("push {} at {at} mm", with_unit(force_n, "N")),
             Load::Push { force_n, behind_mm } => format!(
                 "push {} at {at} mm, {} mm behind",
                 with_unit(force_n, "N"),
@@ -123,6 +127,13 @@ impl Bench {
             Load::Torque(torque) => format!(
                 "under a torque of {} near its tip ({at} mm)",
                 with_unit(torque, "N·m")
+            ),
+            Load::Push {
+                force_n,
+                behind_mm: 0.0,
+            } => format!(
+                "under a push of {} at {at} mm on its leading edge",
+                with_unit(force_n, "N")
             ),
             Load::Push { force_n, behind_mm } => format!(
                 "under a push of {} at {at} mm, {} mm behind its leading edge",
