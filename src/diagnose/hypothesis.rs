@@ -151,3 +151,42 @@ pub fn is_possible(baseline: &Baseline, hypothesis: &Hypothesis) -> bool {
         })
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn hypothesis(members: &[(&str, f64)]) -> Hypothesis {
+        let share = |&(effect, probability): &(&str, f64)| MemberShare {
+            effect: effect.to_string(),
+            probability,
+        };
+        Hypothesis {
+            effects: vec!["rod-split".to_string()],
+            families: vec!["rod-damage".to_string()],
+            members: members.iter().map(share).collect(),
+            strengths: Vec::new(),
+            probability: 0.62,
+            strength: None,
+            standard_error: None,
+            inputs: Vec::new(),
+            plausible: true,
+            in_set: true,
+            refitted: true,
+            gain_left_out_conditions: None,
+            gain_left_out_wings: None,
+        }
+    }
+
+    #[test]
+    fn what_of_a_family_is_about_as_probable_is_named_beside_the_first() {
+        let named = |members: &[(&str, f64)]| hypothesis(members).names(" + ");
+        assert_eq!(named(&[]), "rod-split");
+        let close = [("rod-split", 0.32), ("rod-ends-early", 0.3), ("broken", 0.01)];
+        assert_eq!(named(&close), "rod-split or rod-ends-early");
+        assert_eq!(
+            named(&[("rod-split", 0.6), ("rod-ends-early", 0.02)]),
+            "rod-split"
+        );
+    }
+}

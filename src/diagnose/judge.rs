@@ -259,3 +259,58 @@ fn refit(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Effect 0 at two places (missing 0 and 1), effect 2 of the same family at one, effect 3 of another.
+    fn judgement() -> Judgement {
+        let trial = |members: &[usize], families: &[usize], weight: f64| Trial {
+            members: members.to_vec(),
+            families: families.to_vec(),
+            ln_prior: 0.0,
+            ln_weight: weight.ln(),
+            best: vec![1.0; members.len()],
+            strength: vec![1.0; members.len()],
+            error: vec![0.1; members.len()],
+            size: None,
+        };
+        Judgement {
+            trials: vec![
+                trial(&[0], &[0], 0.2),
+                trial(&[1], &[0], 0.15),
+                trial(&[2], &[0], 0.3),
+                trial(&[0, 1], &[0], 0.05),
+                trial(&[3], &[1], 0.3),
+            ],
+            refits: Vec::new(),
+            unsettled: Vec::new(),
+            bumps: Bumps::default(),
+            beliefs: Vec::new(),
+            effect: vec![0, 0, 2, 3],
+        }
+    }
+
+    #[test]
+    fn of_a_family_the_effect_is_taken_that_is_most_probable_at_whatever_place_where_it_sits_best() {
+        let judgement = judgement();
+        let all = judgement.by_effects(&[0]);
+        assert_eq!(
+            all.iter().map(|own| own.effects.clone()).collect::<Vec<_>>(),
+            [[0], [2]]
+        );
+        let weights: Vec<f64> = all.iter().map(|own| own.ln_weight.exp()).collect();
+        assert!(
+            (weights[0] - 0.4).abs() < 1e-12 && (weights[1] - 0.3).abs() < 1e-12,
+            "{weights:?}"
+        );
+        assert_eq!(
+            judgement.heaviest(&[0]),
+            Some(0),
+            "not 2, whose one place has more than any of the other's"
+        );
+        assert_eq!(judgement.heaviest(&[1]), Some(4));
+        assert_eq!(judgement.heaviest(&[0, 1]), None);
+    }
+}

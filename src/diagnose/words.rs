@@ -231,12 +231,19 @@ fn set(diagnosis: &Diagnosis) -> String {
     let is_one = first.families.len() == 1;
     let (with_first, others): (Vec<&Hypothesis>, Vec<&Hypothesis>) =
         in_set.partition(|own| is_one && is_with_first(own));
-    let alone = format!("{} (probability {:.2}", name_or_nothing(first), first.probability);
+    let name = name_or_nothing(first);
     let most = match with_first.len() {
-        0 => format!("{alone}{})", shared(diagnosis, first)),
+        0 => format!(
+            "{name} (probability {:.2}{})",
+            first.probability,
+            shared(diagnosis, first)
+        ),
         _ => {
             let whole = with_any_second(diagnosis, first);
-            format!("{alone} alone, {whole:.2} alone or with a second effect)")
+            format!(
+                "{name} (probability {whole:.2}; {:.2} that it alone is)",
+                first.probability
+            )
         }
     };
     let is_worth_naming = |own: &&&Hypothesis| own.probability >= WORTH_NAMING;

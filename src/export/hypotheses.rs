@@ -108,7 +108,7 @@ pub fn falls(found: &Diagnosis) -> String {
         (list, Some(last), Some(noise)) => {
             let is_within = last <= AS_SCATTER * noise.in_sample;
             let than = if is_within { "no more" } else { "more" };
-            format!(" Held out: {list}; {than} than scatter explains.")
+            format!(" Held out: {list}; the last is {than} than scatter explains.")
         }
         _ => String::new(),
     };
