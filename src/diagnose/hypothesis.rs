@@ -31,7 +31,7 @@ pub struct Hypothesis {
     pub strength: Option<f64>,
     /// Its standard error.
     pub standard_error: Option<f64>,
-    /// Inputs of the design in the same fit; none where it was not fitted.
+    /// Inputs of the design, and zeros and scales of the instruments, in the same fit; none where it was not fitted.
     #[serde(default)]
     pub inputs: Vec<Pull>,
     /// Whether the plausible range of every strength lies within two standard errors of it.

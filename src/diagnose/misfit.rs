@@ -226,10 +226,10 @@ pub fn pulls(forward: &dyn Forward, fit: &Fit) -> Vec<Pull> {
     pulls.collect()
 }
 
-/// The same of the inputs of the design alone.
+/// The same of what every fit moves: inputs of the design, zeros and scales of the instruments.
 pub fn pulls_of_inputs(forward: &dyn Forward, fit: &Fit) -> Vec<Pull> {
     let inputs = forward.unknowns().iter();
-    let inputs = inputs.filter(|unknown| unknown.kind == UnknownKind::Input);
+    let inputs = inputs.filter(|unknown| matches!(unknown.kind, UnknownKind::Input | UnknownKind::Ruler));
     let names: Vec<&str> = inputs.map(|unknown| unknown.name.as_str()).collect();
     let mut pulls = pulls(forward, fit);
     pulls.retain(|pull| names.contains(&pull.unknown.as_str()));

@@ -16,7 +16,7 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
     let numbers = baseline.data.rows.len();
     if baseline.on_trust() {
         notes.push(format!(
-            "Only {numbers} numbers, too few to check the stated sigma: it is taken as stated, with much doubt."
+            "Only {numbers} fitted numbers, too few to check the stated sigma: it is taken as stated, with much doubt."
         ));
     }
     let is_nothing = judgement
@@ -24,9 +24,12 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
         .first()
         .is_some_and(|first| first.case == Case::Nothing);
     if let Some([without, with]) = held_out_worse(baseline, judgement).filter(|_| !is_nothing) {
-        notes.push(format!(
-            "What was held out is met worse with the first of these, by {with:.1} sigma instead of {without:.1}."
-        ));
+        let [with, without] = [with, without].map(|sigma| format!("{sigma:.1}"));
+        if with != without {
+            notes.push(format!(
+                "What was held out is met worse with the first of these, by {with} sigma instead of {without}."
+            ));
+        }
     }
     notes.extend(at_end(baseline, judgement));
     let of_motion = of_motion(baseline);

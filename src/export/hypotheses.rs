@@ -187,8 +187,13 @@ pub fn inputs(found: &Diagnosis) -> Option<String> {
             ""
         }
     };
+    // what would have to be wrong instead
+    let far_from_known = match without.is_flagged {
+        true => format!(", {:.1} sigma from what is known of it", without.pull.abs()),
+        false => String::new(),
+    };
     Some(format!(
-        "With it {} is fitted as {} ± {}{unit}{}, without it as {}{unit}{}.",
+        "With it {} is fitted as {} ± {}{unit}{}, without it as {}{unit}{}{far_from_known}.",
         own.unknown,
         significant(own.value, 3),
         significant(own.standard_error, 2),
