@@ -73,7 +73,15 @@ impl Proposal {
                 let at = short(reading.r_mm.unwrap_or_default());
                 format!("{channel} at {at} mm in case {}", self.case.name)
             }
-            (Cost::Deflection, _) => format!("the deflection of {}", self.case.name),
+            // how well it is read is assumed
+            (Cost::Deflection, _) => {
+                let sigma = self.case.rows.first().map_or(0.0, |row| row.sigma);
+                format!(
+                    "the deflection (read to {} mm) of {}",
+                    short(sigma),
+                    self.case.name
+                )
+            }
             _ => self.case.name.clone(),
         }
     }

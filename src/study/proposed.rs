@@ -22,7 +22,7 @@ const MODERATE: [f64; 2] = [2.0, 15.0];
 const SMALL: f64 = 0.1;
 /// The same where no twist was measured, deg.
 const UNKNOWN_TWIST: f64 = 5.0;
-/// Standard deviation with which a deflection is held to be read, where none was, mm: that of a table that says nothing.
+/// Standard deviation with which a deflection is held to be read, where none was, mm: that of a table that says nothing. Assumed, and said where it is proposed.
 const DEFLECTION_MM: f64 = 0.5;
 /// Stations nearer than this to another tell nothing new, over the length.
 const NEAR: f64 = 0.05;
