@@ -13,13 +13,16 @@ use washout::study::Campaign;
 const ALLOWED: f64 = 5.0;
 
 /// Studies that are solved in seconds; that of the paper's wings, which takes a minute, is left to the eye.
-const STUDIES: [&str; 7] = [
+const STUDIES: [&str; 10] = [
     "tang-dowell-gravity",
     "tang-dowell-wind",
     "pre-pazy",
     "pre-pazy-skin",
     "pre-pazy-wind",
     "pre-pazy-wind-yielding",
+    "pazy",
+    "pazy-skin-bare",
+    "pazy-wind-lifting-line",
     "minguet",
 ];
 

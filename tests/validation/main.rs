@@ -4,6 +4,8 @@
 
 mod minguet;
 
+mod pazy;
+
 mod pre_pazy;
 
 mod ribs;

@@ -12,13 +12,18 @@ use washout::study::Campaign;
 use crate::cases::FOUND;
 
 /// The studies of the page; the paper's wings take minutes and stand in the README.
-const STUDIES: [&str; 7] = [
+const STUDIES: [&str; 12] = [
     "tang-dowell-gravity",
     "tang-dowell-wind",
     "pre-pazy",
     "pre-pazy-skin",
     "pre-pazy-wind",
     "pre-pazy-wind-yielding",
+    "pazy",
+    "pazy-skin",
+    "pazy-skin-bare",
+    "pazy-wind",
+    "pazy-wind-lifting-line",
     "minguet",
 ];
 
