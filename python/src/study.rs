@@ -50,13 +50,14 @@ pub fn compare(
 /// Diagnoses a study, or a design with a table of readings, and gives the document as JSON. Files are written into `output` where it is
 /// given.
 #[pyfunction]
-#[pyo3(signature = (path, sets, effects, significance, seed, own_data, table=None, sigma=None, hold_out=Vec::new(), output=None, listener=None))]
+#[pyo3(signature = (path, sets, effects, without, significance, seed, own_data, table=None, sigma=None, hold_out=Vec::new(), output=None, listener=None))]
 #[expect(clippy::too_many_arguments, reason = "the options of the verb")]
 pub fn diagnose(
     py: Python<'_>,
     path: PathBuf,
     sets: Vec<String>,
     effects: Vec<String>,
+    without: Vec<String>,
     significance: f64,
     seed: i128,
     own_data: bool,
@@ -79,6 +80,7 @@ pub fn diagnose(
         hold_out,
         set: sets,
         effect: effects,
+        without,
         on: Vec::new(),
         significance,
         plan: false,

@@ -71,6 +71,10 @@ pub struct Diagnose {
     /// Try this effect; can be given many times [default: those that the study names, or all that can act]
     #[arg(long, value_name = "NAME")]
     pub effect: Vec<String>,
+    /// Do not try this effect, which cannot be for a reason that no reading shows; can be given many times [default: excluded of the
+    /// study]
+    #[arg(long, value_name = "NAME")]
+    pub without: Vec<String>,
     /// Try effects on this wing alone, by the name of its design, and hold the others to be as modelled; can be given many times
     /// [default: candidates_on of the study, or all]
     #[arg(long, value_name = "WING")]
@@ -125,7 +129,9 @@ impl Diagnose {
 
     /// What is diagnosed: the study, and the table that it was made of, if it was.
     fn subject(&self, console: &Console) -> Result<(LoadedStudy, Option<DesignReadings>), Failure> {
-        known(&self.effect).map_err(|error| Failure::of_diagnosis(&self.study, error))?;
+        for names in [&self.effect, &self.without] {
+            known(names).map_err(|error| Failure::of_diagnosis(&self.study, error))?;
+        }
         if self.sigma.is_some() && self.with.is_none() {
             return Err(Failure::Option {
                 option: "--sigma",
@@ -147,6 +153,7 @@ impl Diagnose {
             (None, false) => LoadedStudy::load(&self.study, &self.set)?,
         };
         wings(&study, &self.on)?;
+        study.study.excluded.extend(self.without.iter().cloned());
         if !self.on.is_empty() {
             study.study.candidates_on = Some(self.on.clone());
         }

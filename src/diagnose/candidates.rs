@@ -41,10 +41,19 @@ impl Candidates {
     pub fn new(study: &LoadedStudy, asked: &[String]) -> Result<Candidates, DiagnoseError> {
         known(asked)?;
         let of_study = study.study.candidates.as_deref();
-        for (index, name) in of_study.unwrap_or_default().iter().enumerate() {
-            if named(name).is_none() {
-                let key = format!("candidates[{index}]");
-                return Err(refused(study, &key, "there is no such effect", &instead_of(name)));
+        let excluded = &study.study.excluded;
+        for (list, names) in [
+            ("candidates", of_study.unwrap_or_default()),
+            ("excluded", excluded),
+        ] {
+            if let Some(index) = names.iter().position(|name| named(name).is_none()) {
+                let key = format!("{list}[{index}]");
+                return Err(refused(
+                    study,
+                    &key,
+                    "there is no such effect",
+                    &instead_of(&names[index]),
+                ));
             }
         }
         let names = listed(study, asked);
@@ -61,7 +70,10 @@ impl Candidates {
             )),
             Stands::Nowhere | Stands::InStudy => None,
         });
-        let left_out = left_out.collect();
+        let is_asked = |name: &&String| names.contains(*name);
+        let kept_out = excluded.iter().filter(|name| !is_asked(name));
+        let kept_out = kept_out.map(|name| format!("{name} is not tried: it is excluded"));
+        let left_out = left_out.chain(kept_out).collect();
         Ok(Candidates { names, left_out })
     }
 
@@ -78,11 +90,13 @@ fn listed(study: &LoadedStudy, asked: &[String]) -> Vec<String> {
         key.is_some_and(|key| study.study.uncertain.iter().any(|uncertain| uncertain.key == key))
     };
     let listed = match (asked, study.study.candidates.as_deref()) {
-        ([], None) => all()
-            .filter(|effect| !is_stated(effect))
-            .map(|effect| effect.card().name.to_string())
-            .collect(),
-        ([], Some(listed)) => listed.to_vec(),
+        ([], listed) => {
+            let all = || all().filter(|effect| !is_stated(effect));
+            let all = || all().map(|effect| effect.card().name.to_string()).collect();
+            let mut names = listed.map_or_else(all, <[String]>::to_vec);
+            names.retain(|name| !study.study.excluded.contains(name));
+            names
+        }
         (asked, _) => asked.to_vec(),
     };
     let mut names: Vec<String> = Vec::new();

@@ -276,6 +276,10 @@ fn meets(design: &Design, need: &Need) -> (bool, &'static str) {
             design.gravity.is_some() || is_on(design, "gravity") || is_on(design, "centrifugal-load"),
             "mass is not felt in this design: it has no gravity, nor the effect gravity or centrifugal-load",
         ),
+        Need::SoftRoot => (
+            design.root.pitch_stiffness_n_m_per_rad.is_some(),
+            "the root is rigid in pitch (root.pitch_stiffness_n_m_per_rad is missing)",
+        ),
         Need::Camera => (
             design.observation.camera_axis.is_some(),
             "no camera looks at this wing (observation.camera_axis is missing)",

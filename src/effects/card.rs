@@ -146,6 +146,8 @@ pub enum Need {
     Linear,
     /// Gravity, as the design or an effect has it, or centrifugal load: what makes mass felt at rest.
     Gravity,
+    /// A root that gives in pitch.
+    SoftRoot,
     /// A camera whose axis is stated.
     Camera,
 }

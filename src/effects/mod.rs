@@ -92,6 +92,8 @@ pub mod rod_bending_loss;
 
 pub mod root_flexure;
 
+pub mod root_stiffening;
+
 pub mod root_bending;
 
 pub mod root_chord_held;
@@ -153,6 +155,7 @@ pub static ALL: &[&dyn Effect] = &[
     &rod_torsion_loss::RodTorsionLoss,
     &rod_bending_loss::RodBendingLoss,
     &root_flexure::RootFlexure,
+    &root_stiffening::RootStiffening,
     &root_bending::RootBending,
     &root_chord_held::RootChordHeld,
     &spar_stiffness::SparStiffness,

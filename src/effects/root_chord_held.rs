@@ -52,6 +52,7 @@ impl Effect for RootChordHeld {
                 node,
                 displacement_n_m: [values.strength() * stretching * share; 3],
                 rotation_n_m_rad: [0.0; 3],
+                stiffening_rad2: 0.0,
             });
         }
         Ok(())

@@ -59,6 +59,8 @@ pub mod shell;
 pub mod shell_force;
 mod shell_local;
 
+mod spring;
+
 pub mod skin;
 
 pub mod state;
@@ -80,13 +82,14 @@ pub use largest::{larger, largest, smaller};
 pub use loads::{ArmForce, BeamTwist, LinearForce, Loads};
 pub use mass::{MassProperties, mass_matrix};
 pub use mixed::Mixed;
-pub use model::{Model, PointMass, Spring};
+pub use model::{Model, PointMass};
 pub use modes::{Mode, Vibration, lowest_modes};
 pub use newton::{NewtonReport, NewtonSettings};
 pub use section::Section;
 pub use sheet::{Compression, Sheet};
 pub use shell::Shell;
 pub use skin::Skin;
+pub use spring::Spring;
 pub use strength::{FilmStress, Peak, bending_peak, film_stress, torsion_peak};
 pub use wing::{
     bench_loads, innermost_rod, rod_deflection_m_n, rod_length_m, rod_twist_rad_n_m, weigh, wing_model,

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 
-use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
+use nalgebra::{SVector, UnitQuaternion, Vector3};
 
 use super::StructureError;
 use super::beam::Beam;
@@ -12,10 +12,10 @@ use super::blend::Blend;
 use super::corotational::Response;
 use super::loads::Loads;
 use super::pattern::Pattern;
-use super::rotation::{moment_correction, spin_to_vector};
 use super::section::Section;
 use super::sheet::Sheet;
 use super::shell::Shell;
+use super::spring::Spring;
 use super::state::State;
 
 /// Elements whose responses are held at once.
@@ -44,17 +44,6 @@ pub struct Model {
     pub masses: Vec<PointMass>,
     /// The linear model that is mixed into this one, if any.
     pub blend: Option<Arc<Blend>>,
-}
-
-/// Spring between a node and the ground.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spring {
-    /// The node.
-    pub node: usize,
-    /// Stiffness against displacement along x, y, z, N/m.
-    pub displacement_n_m: [f64; 3],
-    /// Stiffness against the rotation vector's x, y, z, N·m/rad.
-    pub rotation_n_m_rad: [f64; 3],
 }
 
 /// Mass on a rigid arm.
@@ -223,10 +212,7 @@ impl Model {
             let (u, q) = self.beam_state(beam, state);
             beam.force(&u, &q, 0.0).0
         });
-        let springs = self
-            .springs
-            .iter()
-            .map(|spring| 0.5 * spring.response(state).0.dot(&spring.stretch(state)));
+        let springs = self.springs.iter().map(|spring| spring.energy(state));
         shells.sum::<f64>() + beams.sum::<f64>() + springs.sum::<f64>()
     }
 
@@ -397,33 +383,6 @@ impl Guess {
         let beams = self.beams.iter_mut().zip(&other.beams);
         beams.for_each(|(own, to)| *own += share * (to - *own));
         self
-    }
-}
-
-impl Spring {
-    fn stretch(&self, state: &State) -> SVector<f64, 6> {
-        let (u, turn) = (
-            &state.displacement[self.node],
-            state.rotation[self.node].scaled_axis(),
-        );
-        SVector::from([u.x, u.y, u.z, turn.x, turn.y, turn.z])
-    }
-
-    fn response(&self, state: &State) -> (SVector<f64, 6>, [Matrix3<f64>; 2]) {
-        let stretch = self.stretch(state);
-        let theta = Vector3::new(stretch[3], stretch[4], stretch[5]);
-        let along = Matrix3::from_diagonal(&Vector3::from(self.displacement_n_m));
-        let about = Matrix3::from_diagonal(&Vector3::from(self.rotation_n_m_rad));
-        let h = spin_to_vector(&theta);
-        let moment = about * theta;
-        let correction = moment_correction(&theta, &moment, &h);
-        let turned = h.transpose() * moment;
-        let force = along * Vector3::new(stretch[0], stretch[1], stretch[2]);
-        let stiffness = h.transpose() * about * h + 0.5 * (correction + correction.transpose());
-        (
-            SVector::from([force.x, force.y, force.z, turned.x, turned.y, turned.z]),
-            [along, stiffness],
-        )
     }
 }
 

@@ -46,10 +46,14 @@ pub(super) fn bend(case: &LoadedCase) -> Option<(Bench, LoadedCase)> {
     Some(still(case, Bench { at_mm, load }))
 }
 
-/// A case without air to speak of, under this load alone. A name of the wing that says no more than that it is one is not repeated.
+/// A case without air to speak of, under this load alone, with the masses that the design has and not the case. A name of the wing
+/// that says no more than that it is one is not repeated.
 fn still(case: &LoadedCase, bench: Bench) -> (Bench, LoadedCase) {
     let mut still = case.clone();
     let design = &mut still.loaded.design;
+    let own = std::mem::take(&mut design.load).into_iter().enumerate();
+    let own = own.filter(|(place, _)| !is_set_by(case, *place));
+    design.load = own.map(|(_, load)| load).collect();
     bench.put(design);
     still
         .rows
@@ -61,6 +65,14 @@ fn still(case: &LoadedCase, bench: Bench) -> (Bench, LoadedCase) {
     };
     let name = format!("{wing} {}", bench.words());
     (bench, LoadedCase { name, ..still })
+}
+
+/// Whether the case sets the load at this place of the design, such as a mass that is hung to the wing.
+fn is_set_by(case: &LoadedCase, place: usize) -> bool {
+    let own = format!("load[{place}]");
+    let keys = case.sets.iter().filter_map(|set| set.split_once('='));
+    keys.map(|(key, _)| key.trim())
+        .any(|key| key == "load" || key.starts_with(&own))
 }
 
 /// Load under which the rods give way so far (rad, m), which do so by this much for each unit of it: 1, 2 or 5 times a power of ten.
@@ -103,6 +115,26 @@ fn tip_mm(design: &Design) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_still_wing_keeps_its_own_masses_and_not_the_one_that_is_hung_to_it() {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("studies/pre-pazy.toml");
+        let study = crate::input::study::LoadedStudy::load(&path, &[]).unwrap();
+        let case = study
+            .cases
+            .iter()
+            .find(|case| case.name == "bending-1.00")
+            .unwrap();
+        let masses = |case: &LoadedCase| -> Vec<f64> {
+            let loads = case.loaded.design.load.iter();
+            loads.map(|own| own.mass_kg.value()).collect()
+        };
+        let all = masses(case);
+        assert_eq!((all.len(), all[0]), (17, 1.0));
+        let (_, still) = torque(case, 3.0).unwrap();
+        assert_eq!(masses(&still)[..16], all[1..]);
+        assert_eq!(masses(&still)[16..], [0.0]);
+    }
 
     #[test]
     fn loads_are_numbers_that_a_bench_has() {

@@ -151,6 +151,7 @@ impl Effect for PoisonedWing {
                 node,
                 displacement_n_m: [0.0; 3],
                 rotation_n_m_rad: [f64::INFINITY, 0.0, 0.0],
+                stiffening_rad2: 0.0,
             }),
             8 => wing.model.masses.push(PointMass {
                 node,

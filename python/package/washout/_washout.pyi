@@ -26,6 +26,7 @@ def diagnose(
     path: _Path,
     sets: list[str],
     effects: list[str],
+    without: list[str],
     significance: float,
     seed: int,
     own_data: bool,

@@ -24,6 +24,7 @@ def diagnose(
     sigma: float | str | None = None,
     hold_out: str | Sequence[str] = (),
     effects: str | Sequence[str] = (),
+    without: str | Sequence[str] = (),
     significance: float = 0.01,
     seed: int = 1,
     own_data: bool = False,
@@ -36,7 +37,7 @@ def diagnose(
     wide; `sigma` is the standard deviation of those that state none, such as 0.3 or "0.3 deg, 0.05 mm", and `hold_out` are conditions that no fit sees, such as "22 Hz", so
     that they test what is found. A study names its own.
 
-    `effects`: try these only; `significance`: accepted probability of a false alarm; `seed`: of the draws of noise;
+    `effects`: try these only; `without`: not these, which cannot be; `significance`: accepted probability of a false alarm; `seed`: of the draws of noise;
     `own_data`: even data that `washout synthesize` made with the same formulas; `output` keeps pictures and tables in that
     folder. Gives what `washout diagnose --json` prints.
     """
@@ -45,6 +46,7 @@ def diagnose(
             file_of_design(design_or_study),
             settings(sets),
             names(effects),
+            names(without),
             significance,
             seed,
             own_data,

@@ -143,7 +143,8 @@ impl Bench {
         }
     }
 
-    /// What it sets in a design, as `KEY=VALUE`: the load, and motion so slow that the air does nothing.
+    /// What it sets in a design, as `KEY=VALUE`: the load beside the masses that the wing carries, and motion so slow that the air
+    /// does nothing.
     pub fn sets(&self, design: &Design) -> Vec<String> {
         let load = match self.load {
             Load::Torque(torque) => format!("moment_n_m=[{torque:?}, 0.0, 0.0]"),
@@ -159,7 +160,9 @@ impl Bench {
             .steady
             .iter()
             .map(|own| format!("steady.speed_m_s={:?}", STILL_SPEED * own.speed_m_s.value()));
-        let load = format!("load=[{{at_mm={:?}, {load}}}]", self.at_mm);
+        let mut loads: Vec<String> = carried(design).map(inline).collect();
+        loads.push(format!("{{at_mm={:?}, {load}}}", self.at_mm));
+        let load = format!("load=[{}]", loads.join(", "));
         frequency.chain(speed).chain([load]).collect()
     }
 
@@ -188,8 +191,25 @@ impl Bench {
                 load.chord_offset_mm = Quantity::Stated(behind_mm);
             }
         }
-        design.load = vec![load];
+        design.load = carried(design).chain([load]).collect();
     }
+}
+
+/// The masses that the wing carries, which are part of it, without what else pulls there.
+fn carried(design: &Design) -> impl Iterator<Item = BenchLoad> {
+    let masses = design.load.iter().filter(|own| own.mass_kg.value() > 0.0);
+    masses.map(|own| BenchLoad {
+        force_n: [0.0; 3],
+        moment_n_m: [0.0; 3],
+        ..own.clone()
+    })
+}
+
+/// A load as a value of `--set`.
+fn inline(load: BenchLoad) -> String {
+    toml::Value::try_from(load)
+        .expect("a load is a table")
+        .to_string()
 }
 
 /// Numbers with a unit of force (N), or of force times length (N·m, true); numbers with a unit of length, mm; and the words that are left.
@@ -312,11 +332,19 @@ mod tests {
     #[test]
     fn a_design_is_put_on_the_bench_as_its_settings_say() {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("designs/twist-v2.toml");
-        let design = Design::load(&path, &[]).unwrap().design;
-        for words in ["torque 20 uN m at 62 mm", "push 20 mN at 24 mm, 12 mm behind"] {
+        let mass = "load=[{ at_mm = 60, mass_kg = { assumed = 1e-5, range = [0, 2e-5], why = \"a marker\" }, force_n = [0, 0, 1] }]";
+        let bare = Design::load(&path, &[]).unwrap().design;
+        let marked = bare.with(&[mass.to_string()]).unwrap();
+        let words = ["torque 20 uN m at 62 mm", "push 20 mN at 24 mm, 12 mm behind"];
+        for (design, words) in [&bare, &marked]
+            .into_iter()
+            .flat_map(|own| words.map(|words| (own, words)))
+        {
             let (bench, _) = of(words);
             let mut put = design.clone();
             bench.put(&mut put);
+            assert_eq!(put.load.len(), design.load.len() + 1);
+            assert!(put.load[0].force_n[2] < 1.0);
             assert_eq!(
                 put.to_toml(),
                 design.with(&bench.sets(&design)).unwrap().to_toml(),

@@ -64,6 +64,11 @@ pub struct Study {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = [["tip-loss-prandtl", "root-flexure"]]))]
     pub candidates: Option<Vec<String>>,
+    /// The names of effects that cannot be, for a reason that no reading shows, such as an amplitude that was measured: a diagnosis does
+    /// not try them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(extend("examples" = [["drive-compliance"]]))]
+    pub excluded: Vec<String>,
     /// The designs, by name, on which a diagnosis tries effects: those that may differ from the others; all where absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("examples" = [["twist-v2"]]))]
