@@ -2,7 +2,7 @@
 
 use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::structure::{Spring, StructureError};
+use crate::structure::{Spring, Stiffening, StructureError};
 
 /// See the module.
 #[derive(Debug)]
@@ -52,7 +52,7 @@ impl Effect for RootChordHeld {
                 node,
                 displacement_n_m: [values.strength() * stretching * share; 3],
                 rotation_n_m_rad: [0.0; 3],
-                stiffening_rad2: 0.0,
+                stiffening: Stiffening::NONE,
             });
         }
         Ok(())

@@ -1,8 +1,8 @@
 //! A flexure at the root that stiffens as it turns.
 
-use super::card::{Card, Need, Parameter, STRUCTURE_CHANNELS, Seam};
+use super::card::{Card, Need, Parameter, Places, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
-use crate::structure::StructureError;
+use crate::structure::{Stiffening, StructureError};
 
 /// See the module.
 #[derive(Debug)]
@@ -12,11 +12,11 @@ const CARD: Card = Card {
     name: "root-stiffening",
     family: "root-stiffening",
     summary: "The flexure at the root stiffens as it turns: a short hinge, or one that runs onto its stops.",
-    formula: "T = k θ (1 + s (θ/θ₁)²), k = root.pitch_stiffness_n_m_per_rad, θ₁ = at",
-    source: "definition: the first term that any stiffness which is alike both ways can have (G. Duffing 1918)",
+    formula: "T = k θ (1 + s |θ/θ₁|ᵖ), k = root.pitch_stiffness_n_m_per_rad, θ₁ = at, p = power",
+    source: "definition; p = 2 is the first term that any stiffness which is alike both ways can have (G. Duffing 1918), a large p a stop",
     when_right: "hinges that turn by tens of degrees. Several amplitudes show it: twist grows more slowly with the load than a spring lets \
                  it, the more so the larger it is, whatever makes the load",
-    gets_wrong: "a hard stop, which does nothing until it is met; hinges that give way, creep or lag; with linear kinematics it does nothing",
+    gets_wrong: "hinges that give way, creep or lag, or are not alike both ways; with linear kinematics it does nothing",
     case: "a_root_that_stiffens_turns_until_its_torque_is_that_of_the_load",
     seam: Seam::Structure,
     parameters: &[
@@ -36,6 +36,14 @@ const CARD: Card = Card {
             range: [0.1, 180.0],
             plausible: [5.0, 90.0],
         },
+        Parameter {
+            name: "power",
+            unit: "1",
+            meaning: "power of the angle with which the stiffness grows",
+            default: 2.0,
+            range: [0.5, 40.0],
+            plausible: [1.0, 20.0],
+        },
     ],
     channels: STRUCTURE_CHANNELS,
     needs: &[Need::SoftRoot],
@@ -45,6 +53,16 @@ const CARD: Card = Card {
 impl Effect for RootStiffening {
     fn card(&self) -> Card<'_> {
         CARD
+    }
+
+    fn places(&self) -> Option<Places> {
+        Some(Places {
+            parameter: 2,
+            at: &[2.0, 6.0, 12.0],
+            reach: 3.0,
+            spar: None,
+            of_one_wing: false,
+        })
     }
 
     // stops and short hinges stiffen by laws of their own
@@ -60,7 +78,10 @@ impl Effect for RootStiffening {
         let base = wing.mesh.rod_nodes().first().copied();
         let roots = wing.model.springs.iter_mut();
         for root in roots.filter(|own| Some(own.node) == base && own.rotation_n_m_rad[0] > 0.0) {
-            root.stiffening_rad2 = values.strength() / values.at(1).to_radians().powi(2);
+            root.stiffening = Stiffening {
+                growth: values.strength() / values.at(1).to_radians().powf(values.at(2)),
+                power: values.at(2),
+            };
         }
         Ok(())
     }

@@ -94,9 +94,12 @@ pub fn falls(found: &Diagnosis) -> String {
         });
         each.collect::<Vec<_>>().join(", ")
     };
-    let times = match found.noise.scale {
-        scale if (scale - 1.0).abs() < OFF => String::new(),
-        scale => format!(" (it is {} times as stated)", significant(scale, 2)),
+    let times = match (&found.noise, found.noise.scale) {
+        (noise, _) if noise.on_trust => {
+            format!(" (as stated: {} numbers are too few to check it)", noise.numbers)
+        }
+        (_, scale) if (scale - 1.0).abs() < OFF => String::new(),
+        (_, scale) => format!(" (it is {} times as stated)", significant(scale, 2)),
     };
     let scatter = noise.first().map_or(String::new(), |noise| {
         format!("; {} by scatter alone{times}", significant(noise.in_sample, 3))

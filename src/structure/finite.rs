@@ -58,7 +58,8 @@ impl Model {
         for spring in &self.springs {
             let along = each("the stiffness (N/m)", &spring.displacement_n_m);
             let about = each("the stiffness (N·m/rad)", &spring.rotation_n_m_rad);
-            let grown = [("the stiffening (1/rad²)", spring.stiffening_rad2)];
+            let own = spring.stiffening;
+            let grown = [("the growth of stiffness", own.growth), ("its power", own.power)];
             let place = || format!("of the spring {}", self.place(spring.node));
             refuse_not_finite(place, along.chain(about).chain(grown))?;
         }

@@ -89,7 +89,7 @@ pub use section::Section;
 pub use sheet::{Compression, Sheet};
 pub use shell::Shell;
 pub use skin::Skin;
-pub use spring::Spring;
+pub use spring::{Spring, Stiffening};
 pub use strength::{FilmStress, Peak, bending_peak, film_stress, torsion_peak};
 pub use wing::{
     bench_loads, innermost_rod, rod_deflection_m_n, rod_length_m, rod_twist_rad_n_m, weigh, wing_model,

@@ -14,8 +14,30 @@ pub struct Spring {
     pub displacement_n_m: [f64; 3],
     /// Stiffness against the rotation vector's x, y, z, N·m/rad.
     pub rotation_n_m_rad: [f64; 3],
-    /// Growth a of the stiffness against rotation with the square of the turn, 1/rad²: M = k θ (1 + a θ²) about each axis.
-    pub stiffening_rad2: f64,
+    /// How its stiffness against rotation grows with the turn.
+    pub stiffening: Stiffening,
+}
+
+/// Growth of a stiffness k with the turn θ: M = k θ (1 + a |θ|ᵖ) about each axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stiffening {
+    /// The factor a, rad⁻ᵖ; 0 where nothing grows.
+    pub growth: f64,
+    /// The power p, above 0.
+    pub power: f64,
+}
+
+impl Stiffening {
+    /// None: the stiffness is the same at any turn.
+    pub const NONE: Stiffening = Stiffening {
+        growth: 0.0,
+        power: 2.0,
+    };
+
+    /// What the stiffness has grown by at a turn, as a share of it.
+    fn at(&self, turn_rad: f64) -> f64 {
+        self.growth * turn_rad.abs().powf(self.power)
+    }
 }
 
 impl Spring {
@@ -32,8 +54,9 @@ impl Spring {
         let (stiffness, stretch) = (self.displacement_n_m, self.stretch(state));
         let along = (0..3).map(|axis| stiffness[axis] * stretch[axis].powi(2));
         let about = (0..3).map(|axis| {
-            let square = stretch[3 + axis].powi(2);
-            self.rotation_n_m_rad[axis] * square * (1.0 + 0.5 * self.stiffening_rad2 * square)
+            let turn = stretch[3 + axis];
+            let grown = 2.0 / (2.0 + self.stiffening.power) * self.stiffening.at(turn);
+            self.rotation_n_m_rad[axis] * turn * turn * (1.0 + grown)
         });
         0.5 * (along.sum::<f64>() + about.sum::<f64>())
     }
@@ -44,12 +67,13 @@ impl Spring {
         let theta = Vector3::new(stretch[3], stretch[4], stretch[5]);
         let along = Matrix3::from_diagonal(&Vector3::from(self.displacement_n_m));
         let at_rest = Vector3::from(self.rotation_n_m_rad);
-        let growth = theta.map(|turn| self.stiffening_rad2 * turn * turn);
-        let about = Matrix3::from_diagonal(&at_rest.component_mul(&growth.map(|own| 1.0 + 3.0 * own)));
+        let grown = theta.map(|turn| self.stiffening.at(turn));
+        let slope = grown.map(|own| 1.0 + (1.0 + self.stiffening.power) * own);
+        let about = Matrix3::from_diagonal(&at_rest.component_mul(&slope));
         let h = spin_to_vector(&theta);
         let moment = at_rest
             .component_mul(&theta)
-            .component_mul(&growth.map(|own| 1.0 + own));
+            .component_mul(&grown.map(|own| 1.0 + own));
         let correction = moment_correction(&theta, &moment, &h);
         let turned = h.transpose() * moment;
         let force = along * Vector3::new(stretch[0], stretch[1], stretch[2]);
@@ -71,7 +95,10 @@ mod tests {
             node: 0,
             displacement_n_m: [2.0, 3.0, 5.0],
             rotation_n_m_rad: [0.7, 0.0, 0.0],
-            stiffening_rad2: 1.5,
+            stiffening: Stiffening {
+                growth: 1.5,
+                power: 3.4,
+            },
         }
     }
 
@@ -88,7 +115,8 @@ mod tests {
         let moment = |by: f64| spring.response(&turned(by)).0[3];
         let close =
             |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 1e-8, "{found} {expected}");
-        close(moment(at), 0.7 * at * (1.0 + 1.5 * at * at));
+        close(moment(at), 0.7 * at * (1.0 + 1.5 * at.powf(3.4)));
+        close(moment(-at), -moment(at));
         close(slope(&|by| spring.energy(&turned(by))), moment(at));
         close(slope(&moment), spring.response(&turned(at)).1[1][(0, 0)]);
     }

@@ -8,7 +8,7 @@ use super::loads::{ArmForce, Loads};
 use super::material;
 use super::model::{Model, PointMass};
 use super::section::Section;
-use super::spring::Spring;
+use super::spring::{Spring, Stiffening};
 use crate::input::design::{BenchLoad, Design, RootChord};
 use crate::mesh::{BeamPart, Mesh};
 
@@ -167,7 +167,7 @@ fn support(design: &Design, mesh: &Mesh, model: &mut Model) {
                 node: base,
                 displacement_n_m: [0.0; 3],
                 rotation_n_m_rad: [stiffness.value(), 0.0, 0.0],
-                stiffening_rad2: 0.0,
+                stiffening: Stiffening::NONE,
             });
         }
     }

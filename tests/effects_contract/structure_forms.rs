@@ -382,16 +382,19 @@ fn the_stiffness_that_a_strength_of_a_root_stands_for_is_the_torque_over_the_tur
     }
 }
 
-/// k θ (1 + s (θ/θ₁)²) = T: the root turns by θ, the rod by T L/GJ beyond.
+/// k θ (1 + s (θ/θ₁)ᵖ) = T: the root turns by θ, the rod by T L/GJ beyond.
 #[test]
 fn a_root_that_stiffens_turns_until_its_torque_is_that_of_the_load() {
     let hinge = also(rectangle(TORQUE), "root.pitch_stiffness_n_m_per_rad", 0.002);
     let turn = |design: &Design| end_of_rod(design).0.x - 0.001 * LENGTH_M / GJ;
     assert_near(turn(&hinge), 0.5, 1e-9);
-    let stiffened = with(hinge, "root-stiffening", 1.5);
-    let found = turn(&also(stiffened, "effects.root-stiffening.at", 25.0));
-    let torque = 0.002 * found * (1.0 + 1.5 * (found / 25.0_f64.to_radians()).powi(2));
-    assert_near(torque, 0.001, 1e-9);
+    for power in [2.0, 7.5] {
+        let stiffened = with(hinge.clone(), "root-stiffening", 1.5);
+        let stiffened = also(stiffened, "effects.root-stiffening.at", 25.0);
+        let found = turn(&also(stiffened, "effects.root-stiffening.power", power));
+        let torque = 0.002 * found * (1.0 + 1.5 * (found / 25.0_f64.to_radians()).powf(power));
+        assert_near(torque, 0.001, 1e-9);
+    }
 }
 
 /// 1 + 3 (1 − h + h²/3), h the share of the first element.

@@ -4,7 +4,9 @@ use nalgebra::{Matrix3, Vector3};
 use num_dual::DualNum;
 use washout::aero::{SectionAir, SectionCoefficients};
 use washout::effects::{Card, Dual, Effect, Parameter, Seam, StripPlace, Structure, Values};
-use washout::structure::{ArmForce, BeamTwist, LinearForce, Loads, PointMass, Spring, StructureError};
+use washout::structure::{
+    ArmForce, BeamTwist, LinearForce, Loads, PointMass, Spring, Stiffening, StructureError,
+};
 
 /// What is poisoned on a strip, and how its name begins in what is said.
 pub const AIR: [&str; 8] = [
@@ -151,7 +153,7 @@ impl Effect for PoisonedWing {
                 node,
                 displacement_n_m: [0.0; 3],
                 rotation_n_m_rad: [f64::INFINITY, 0.0, 0.0],
-                stiffening_rad2: 0.0,
+                stiffening: Stiffening::NONE,
             }),
             8 => wing.model.masses.push(PointMass {
                 node,
