@@ -13,6 +13,7 @@ use crate::diagnose::strengths::Strength;
 use crate::diagnose::verdict::{Diagnosis, Verdict};
 use crate::diagnose::words::{AGREED, one_strength, probability_of};
 use crate::diagnose::{Cache, Candidates, Plan, Settings, StudyDiagnosis, plan_study};
+use crate::effects::{instead_of, named};
 use crate::export::diagnosis::{DiagnosisReport, page};
 use crate::export::html::cases::{at_work, found};
 use crate::export::html::{self, REPORT};
@@ -129,8 +130,12 @@ impl Diagnose {
 
     /// What is diagnosed: the study, and the table that it was made of, if it was.
     fn subject(&self, console: &Console) -> Result<(LoadedStudy, Option<DesignReadings>), Failure> {
-        for names in [&self.effect, &self.without] {
-            known(names).map_err(|error| Failure::of_diagnosis(&self.study, error))?;
+        known(&self.effect).map_err(|error| Failure::of_diagnosis(&self.study, error))?;
+        if let Some(name) = self.without.iter().find(|name| named(name).is_none()) {
+            return Err(Failure::Option {
+                option: "--without",
+                reason: format!("there is no effect {name}; {}", instead_of(name)),
+            });
         }
         if self.sigma.is_some() && self.with.is_none() {
             return Err(Failure::Option {

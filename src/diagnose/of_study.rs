@@ -154,10 +154,15 @@ impl StudyDiagnosis {
 fn say_what_strengths_stand_for(diagnosis: &mut Diagnosis, campaign: &Campaign) {
     let all = diagnosis.hypotheses.iter_mut();
     for strength in all.flat_map(|own| &mut own.strengths) {
-        let key = format!("effects.{}.strength", strength.effect);
+        let place = strength.place.iter();
+        let place = place.map(|place| (place.parameter.as_str(), place.value));
+        let numbers = place.chain([("strength", strength.value)]);
         let on = |case: &PreparedCase| {
             let mut design = case.design.clone();
-            design.set(&key, strength.value).ok()?;
+            for (name, value) in numbers.clone() {
+                let key = format!("effects.{}.{name}", strength.effect);
+                design.set(&key, value).ok()?;
+            }
             stands_for(&design, &strength.effect)
         };
         strength.stands_for = campaign.cases().iter().find_map(on);

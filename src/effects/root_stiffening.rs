@@ -2,6 +2,7 @@
 
 use super::card::{Card, Need, Parameter, Places, STRUCTURE_CHANNELS, Seam};
 use super::{Effect, Structure, Values};
+use crate::input::Design;
 use crate::structure::{Stiffening, StructureError};
 
 /// See the module.
@@ -53,6 +54,14 @@ const CARD: Card = Card {
 impl Effect for RootStiffening {
     fn card(&self) -> Card<'_> {
         CARD
+    }
+
+    fn stands_for(&self, values: &Values, _: &Design) -> Option<(f64, &'static str)> {
+        let doubled = values.at(1) * values.strength().powf(-1.0 / values.at(2));
+        doubled.is_finite().then_some((
+            doubled,
+            "deg, the turn at which the torque of the root has doubled",
+        ))
     }
 
     fn places(&self) -> Option<Places> {

@@ -26,7 +26,7 @@ docs/studies.md`.
 | `washout schema --study` | the JSON schema, for editors and programs |
 
 Studies that are shipped, in `studies/`: the paper's wings and the bench wings ([Tang and Dowell](tang-dowell.md),
-[Pre-Pazy](pre-pazy.md), [Minguet and Dugundji](minguet.md)).
+[Pre-Pazy](pre-pazy.md), [Pazy](pazy.md), [Minguet and Dugundji](minguet.md), [RoboBee](robobee.md)).
 
 ## What happens in it
 

@@ -102,6 +102,50 @@ fn an_effect_that_there_is_not_is_a_fault_of_the_option() {
 }
 
 #[test]
+fn effects_that_cannot_be_are_left_out_and_the_answer_says_which() {
+    let folder = planned();
+    let plan = ["diagnose", "study.toml", "--plan", "--json"];
+    let tried = |arguments: &[&str]| {
+        let said = washout(folder.path(), arguments);
+        assert_eq!(said.code, Some(0), "{}", said.err);
+        let plan: serde_json::Value = serde_json::from_str(&said.out).unwrap();
+        let rows = plan["effects"].as_array().unwrap().iter();
+        let names: Vec<String> = rows.map(|row| row["effect"].to_string()).collect();
+        (names, said.err)
+    };
+    let (all, _) = tried(&plan);
+    let (by_option, said) = tried(&[&plan[..], &["--without", "root-flexure"]].concat());
+    assert!(all.contains(&"\"root-flexure\"".to_string()) && by_option.len() == all.len() - 1);
+    assert!(
+        said.contains("root-flexure is not tried: it is excluded"),
+        "{said}"
+    );
+    let study = folder.path().join("study.toml");
+    replace(
+        &study,
+        "candidates =",
+        "excluded = ['root-flexure']\ncandidates =",
+    );
+    assert_eq!(tried(&plan).0, by_option);
+    let near = ["--without: there is no effect root-flexture; did you mean root-flexure?"];
+    refused(
+        folder.path(),
+        &["diagnose", "study.toml", "--plan", "--without", "root-flexture"],
+        &near,
+    );
+    replace(
+        &study,
+        "excluded = ['root-flexure']",
+        "excluded = ['root-flexture']",
+    );
+    let place = [
+        "excluded[0] = 'root-flexture': there is no such effect",
+        "Did you mean root-flexure?",
+    ];
+    refused(folder.path(), &["diagnose", "study.toml", "--plan"], &place);
+}
+
+#[test]
 fn candidates_that_there_are_not_are_refused_with_their_place_whatever_the_option_says() {
     let folder = planned();
     replace(

@@ -10,7 +10,7 @@ use crate::workshop::{run, workshop};
 use crate::{all_pages, root, text_of};
 
 /// Commands that take more than some seconds, by page and beginning: the ignored test runs them.
-const SLOW: [(&str, &str); 12] = [
+const SLOW: [(&str, &str); 14] = [
     ("find-a-hidden-effect.md", ""),
     ("front.md", "washout pareto"),
     (
@@ -21,7 +21,9 @@ const SLOW: [(&str, &str); 12] = [
     ("paper-wings.md", "washout compare studies/paper-wings.toml"),
     ("paper-wings.md", "washout explain"),
     ("what-would-explain-it.md", "washout explain"),
+    ("pazy.md", "washout diagnose"),
     ("real-data.md", "washout diagnose"),
+    ("robobee.md", "washout diagnose"),
     ("real-data.md", "washout add"),
     ("report.md", "washout report studies/paper-wings.toml"),
     ("rods.md", "washout"),
@@ -130,9 +132,11 @@ pages! {
     own_effect "docs/own-effect.md"
     paper_wings "docs/paper-wings.md"
     plan_a_measurement "docs/plan-a-measurement.md"
+    pazy "docs/pazy.md"
     pre_pazy "docs/pre-pazy.md"
     real_data "docs/real-data.md"
     report "docs/report.md"
+    robobee "docs/robobee.md"
     rods "docs/rods.md"
     second_opinion "docs/second-opinion.md"
     tang_dowell "docs/tang-dowell.md"

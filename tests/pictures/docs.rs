@@ -13,7 +13,7 @@ use washout::study::Campaign;
 const ALLOWED: f64 = 5.0;
 
 /// Studies that are solved in seconds; that of the paper's wings, which takes a minute, is left to the eye.
-const STUDIES: [&str; 10] = [
+const STUDIES: [&str; 11] = [
     "tang-dowell-gravity",
     "tang-dowell-wind",
     "pre-pazy",
@@ -24,6 +24,7 @@ const STUDIES: [&str; 10] = [
     "pazy-skin-bare",
     "pazy-wind-lifting-line",
     "minguet",
+    "robobee",
 ];
 
 /// Words and numbers of a text, apart.

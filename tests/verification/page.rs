@@ -12,7 +12,7 @@ use washout::study::Campaign;
 use crate::cases::FOUND;
 
 /// The studies of the page; the paper's wings take minutes and stand in the README.
-const STUDIES: [&str; 12] = [
+const STUDIES: [&str; 15] = [
     "tang-dowell-gravity",
     "tang-dowell-wind",
     "pre-pazy",
@@ -25,6 +25,9 @@ const STUDIES: [&str; 12] = [
     "pazy-wind",
     "pazy-wind-lifting-line",
     "minguet",
+    "robobee",
+    "robobee-b",
+    "robobee-c",
 ];
 
 fn root() -> &'static Path {
