@@ -1,6 +1,6 @@
 //! A flexure at the root that stiffens as it turns.
 
-use super::card::{Card, Need, Parameter, Places, STRUCTURE_CHANNELS, Seam};
+use super::card::{Card, Need, Parameter, Places, Seam, WING_CHANNELS};
 use super::{Effect, Structure, Values};
 use crate::input::Design;
 use crate::structure::{Stiffening, StructureError};
@@ -46,7 +46,7 @@ const CARD: Card = Card {
             plausible: [1.0, 20.0],
         },
     ],
-    channels: STRUCTURE_CHANNELS,
+    channels: WING_CHANNELS,
     needs: &[Need::SoftRoot],
     has_switch: false,
 };

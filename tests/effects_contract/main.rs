@@ -62,6 +62,7 @@ fn wings() -> Vec<(Design, f64)> {
             ribs("[observation]\ninstrument = 'camera'\ncamera_axis = 'stroke'\n"),
             1e-5,
         ),
+        (ribs("[root]\npitch_stiffness_n_m_per_rad = 0.005\n"), 1e-5),
         film(&[]),
         (thin_plate(), 2e-4),
         film(&["structure.kinematics=linear", "film.pretension_n_per_m=74"]),
