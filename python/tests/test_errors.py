@@ -77,6 +77,8 @@ def test_options_of_a_diagnosis_are_refused() -> None:
         washout.diagnose(study, seed=-1)
     with pytest.raises(washout.InputError, match="there is no effect root-flexur"):
         washout.diagnose(study, effects=["root-flexur"])
+    with pytest.raises(washout.InputError, match="^without: there is no effect root-flexur"):
+        washout.diagnose(study, without="root-flexur")
 
 
 def test_options_of_a_comparison_are_refused() -> None:
