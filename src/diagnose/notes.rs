@@ -13,12 +13,6 @@ use super::strengths::name;
 /// The notes of a diagnosis, what changes an answer most first.
 pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
     let mut notes = Vec::new();
-    let numbers = baseline.data.rows.len();
-    if baseline.on_trust() {
-        notes.push(format!(
-            "Only {numbers} fitted numbers, too few to check the stated sigma: it is taken as stated, with much doubt."
-        ));
-    }
     let is_nothing = judgement
         .beliefs
         .first()

@@ -20,7 +20,7 @@ pub struct Explanation {
     pub tried: Tried,
     /// Mean square of measured minus modelled in units of σ, of all numbers fitted or held out: as stated, and with the first set.
     pub chi_square_per_number: [f64; 2],
-    /// The sets: those that reach first, the least costly first.
+    /// The sets: those that reach first; of those whose costs are alike the one of fewest changes first, else the least costly.
     pub sets: Vec<ExplainedSet>,
     /// What can be said with all standard deviations doubled.
     pub at_twice_sigma: String,

@@ -22,6 +22,9 @@ use super::words;
 /// Standard deviations by which a number that was held out contradicts a set.
 const CONTRADICTS: f64 = 3.0;
 
+/// Difference of cost up to which two sets are not told apart: odds of 20 to 1.
+const ALIKE: f64 = 6.0;
+
 /// What is needed to describe sets.
 pub struct Sets<'a> {
     /// The choices.
@@ -87,7 +90,8 @@ impl Sets<'_> {
         }
     }
 
-    /// One set of each families, of which none is better with one change less; those that reach first, then by cost.
+    /// One set of each families, of which none is better with one change less. Those that reach come first: of those that are [`ALIKE`]
+    /// the one of fewest changes, then by cost.
     pub fn ordered(&self, sets: &[InChoice], factor: f64) -> Vec<InChoice> {
         let mut best: BTreeMap<Vec<String>, Ranked> = BTreeMap::new();
         for set in sets {
@@ -114,7 +118,13 @@ impl Sets<'_> {
             })
         };
         let mut minimal: Vec<Ranked> = best.iter().filter(is_minimal).map(|own| *own.1).collect();
-        minimal.sort_by(|a, b| a.status.cmp(&b.status).then(a.cost.total_cmp(&b.cost)));
+        let reaching = minimal.iter().filter(|own| own.status == Status::Reaches);
+        let least = reaching.map(|own| own.cost).fold(f64::INFINITY, f64::min);
+        let place = |own: &Ranked| match own.status == Status::Reaches && own.cost <= least + ALIKE {
+            true => (own.status, self.key(own.set).len()),
+            false => (own.status, usize::MAX),
+        };
+        minimal.sort_by(|a, b| place(a).cmp(&place(b)).then(a.cost.total_cmp(&b.cost)));
         minimal.into_iter().map(|own| own.set.clone()).collect()
     }
 

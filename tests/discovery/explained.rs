@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use nalgebra::DVector;
-use washout::explain::report::{ChangeMade, ExplainedSet};
+use washout::explain::report::{ChangeMade, ExplainedSet, Status};
 use washout::explain::{Answers, Choice, Explanation, Model, Prepared, Settings, choices, explain};
 use washout::input::measurement::Measurement;
 use washout::input::study::LoadedStudy;
@@ -175,11 +175,15 @@ fn is_of(set: &ExplainedSet, hidden: &[Hidden], unknowns: &[Unknown]) -> bool {
             .all(|own| set.changes.iter().any(|made| is_it(made, own)))
 }
 
-/// In how many of some draws the truth is among the first three sets.
-fn hits(seeds: std::ops::Range<u64>) -> usize {
+/// In how many of the first draws in which it takes two changes the truth is among the first three sets. Where one change alone reaches
+/// all readings, nobody can say that there are two: such draws are printed and not counted.
+fn hits(first: u64, count: usize) -> usize {
     let model = &prepared()[0].1;
-    let mut hits = 0;
-    for seed in seeds {
+    let (mut hits, mut counted) = (0, 0);
+    for seed in first.. {
+        if counted == count {
+            break;
+        }
         let draws = Draws::new(seed);
         let hidden = hidden_pair(model, &draws);
         let Some(found) = explained(&hidden, &draws, &settings()) else {
@@ -201,6 +205,12 @@ fn hits(seeds: std::ops::Range<u64>) -> usize {
                 set.status, set.cost, set.worst_sigma, set.name
             );
         }
+        let is_one = |set: &ExplainedSet| set.status == Status::Reaches && set.changes.len() < 2;
+        if found.sets.iter().any(is_one) {
+            println!("      one change is enough");
+            continue;
+        }
+        counted += 1;
         hits += usize::from(rank.is_some_and(|rank| rank < 3));
     }
     hits
@@ -218,14 +228,14 @@ fn quiet(seeds: std::ops::Range<u64>) -> usize {
 
 #[test]
 fn a_hidden_pair_is_among_the_first_three_sets_and_nothing_is_told_of_nothing() {
-    assert_eq!(hits(100..101), 1);
+    assert_eq!(hits(100, 1), 1);
     assert_eq!(quiet(200..201), 1);
 }
 
 #[test]
 #[ignore = "an hour: 20 draws with a hidden pair; the aim is 15"]
 fn of_twenty_hidden_pairs_fifteen_are_among_the_first_three_sets() {
-    let pairs = hits(100..120);
+    let pairs = hits(100, 20);
     println!("{pairs} of 20");
     assert!(pairs >= 15, "{pairs}");
 }
