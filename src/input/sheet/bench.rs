@@ -347,7 +347,7 @@ mod tests {
             assert!(put.load[0].force_n[2] < 1.0);
             assert_eq!(
                 put.to_toml(),
-                design.with(&bench.sets(&design)).unwrap().to_toml(),
+                design.with(&bench.sets(design)).unwrap().to_toml(),
                 "{words}"
             );
         }
