@@ -61,7 +61,7 @@ def by_argument() -> Iterator[None]:
 ARGUMENTS = {
     "--" + option: argument
     for option, argument in {
-        **{name: name for name in ("case", "design", "ladder", "on", "output", "readings", "reference", "seed", "sigma", "significance")},
+        **{name: name for name in ("case", "design", "ladder", "on", "output", "readings", "reference", "seed", "sigma", "significance", "without")},
         **{"effect": "effects", "hold-out": "hold_out", "number": "numbers", "set": "sets", "to": "study", "with": "readings"},
         **{"stroke": "stroke", "stroke-quasi-static": "stroke_quasi_static", "uncertainty": "uncertainty"},
     }.items()
