@@ -24,6 +24,7 @@ use crate::export::run::RunFolder;
 use crate::export::sheet::to_keep;
 use crate::input::sheet::{DesignReadings, Sigmas};
 use crate::input::study::LoadedStudy;
+use crate::origin::InputFile;
 use crate::page::Part;
 use crate::page::text::{significant, wrapped};
 use crate::study::Campaign;
@@ -112,7 +113,16 @@ impl Diagnose {
         let target = target(self.output.as_ref(), &study.study.name, "diagnosis");
         let folder = RunFolder::listed_by(&target, "diagnose", DIAGNOSIS)?;
         let (campaign, report) = self.found(&study, table.as_ref(), console)?;
-        self.written(&campaign, report, folder, console)
+        let earlier = read_from(&target.join(DIAGNOSIS));
+        let is_other = earlier.is_some_and(|files| files != report.made_of.files);
+        self.written(&campaign, report, folder, console)?;
+        if is_other {
+            console.note(format_args!(
+                "{} replaces an earlier answer, of other inputs; --output DIR keeps both",
+                target.display()
+            ));
+        }
+        Ok(())
     }
 
     /// The document that `--json` prints; no files are written and none are named.
@@ -251,6 +261,13 @@ impl Diagnose {
         let after = to_go_on(&report) + &console.listed(&written, &report.files);
         console.answer(&answer, &after, &report)
     }
+}
+
+/// The files of which the document of an earlier answer was made; none where there is no such document.
+fn read_from(document: &Path) -> Option<Vec<InputFile>> {
+    let text = std::fs::read_to_string(document).ok()?;
+    let document: Value = serde_json::from_str(&text).ok()?;
+    serde_json::from_value(document["made_of"]["files"].clone()).ok()
 }
 
 /// What to go on with, for a screen.

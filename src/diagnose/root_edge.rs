@@ -75,14 +75,20 @@ impl RootEdge {
         let Some(otherwise) = self.otherwise_sigma else {
             return format!("{taken} Were it {other}, no fit of the model would settle.");
         };
+        let both = [otherwise, as_taken].map(short);
+        if both[0] == both[1] {
+            return format!(
+                "{taken} Were it {other}, the calibrated model would miss by as much, {} sigma (rms).",
+                both[0]
+            );
+        }
         let nearer = match self.is_otherwise_nearer() {
             true => format!(". Look at the wing, and ask with it: --set root.chord={other}"),
             false => String::new(),
         };
         format!(
             "{taken} Were it {other}, the calibrated model would miss by {} sigma instead of {} (rms){nearer}.",
-            short(otherwise),
-            short(as_taken)
+            both[0], both[1]
         )
     }
 }

@@ -62,7 +62,7 @@ pub fn brief(found: &Diagnosis) -> Vec<Part> {
         parts.push(Part::Table(table));
     }
     parts.push(Part::List(
-        inputs(found).into_iter().chain(meanings(found)).collect(),
+        meanings(found).into_iter().chain(inputs(found)).collect(),
     ));
     let notes = left_out.into_iter().skip(1).chain(notes);
     parts.push(Part::Notes(notes.cloned().collect()));

@@ -108,10 +108,12 @@ class Diagnosis:
         return f"<washout.Diagnosis: {self.sentence}>"
 
     def __str__(self) -> str:
-        parts = [self.sentence, *self.meanings, "", self._errors(), ""]
+        parts = [self.sentence, *self.meanings, "", self._errors(), *self._pulled(), ""]
         parts.append(aligned([["what is missing", "probability", "strength", "error"], *self._most_probable()]))
         if self.next_experiment is not None:
             parts += ["", self.next_experiment["sentence"]]
+        if self.unseen:
+            parts += ["", f"Could not have been seen: {len(self.unseen)} effects (unseen)."]
         parts += ["", *(f"Note: {note}" for note in self.notes)]
         return "\n".join(parts)
 
@@ -130,6 +132,14 @@ class Diagnosis:
         heads = [f"error of {rows[0]['channel']}, rms" if rows else "error", "fitted", "held out"]
         steps = [row for row in rows if self.verdict != "nothing" or not row["name"].startswith("+")]
         return aligned([heads, *([step["name"].replace("raw", "uncalibrated"), shown(step["in_sample"]), shown(step["held_out"])] for step in steps)])
+
+    def _pulled(self) -> list[str]:
+        """The input that calibration alone had to pull most, where it had to pull one."""
+        flagged = [pull for pull in self.document["misfit"]["pulls"] if pull["is_flagged"]]
+        if not flagged:
+            return []
+        most = max(flagged, key=lambda pull: abs(pull["pull"]))
+        return [f"calibrated alone, {most['unknown']} lies {most['pull']:+.1f} sigma from what is known of it"]
 
     def _most_probable(self) -> list[list[str]]:
         """The hypotheses that count, cell by cell."""
