@@ -36,7 +36,12 @@ pub fn notes(baseline: &Baseline, judgement: &Judgement) -> Vec<String> {
     }
     notes.extend(without_solution(baseline, judgement));
     let scale = baseline.size.scale;
-    if !baseline.on_trust() && (scale - 1.0).abs() > 0.2 {
+    if baseline.on_trust() {
+        notes.push(format!(
+            "Only {} fitted numbers, too few to check the stated sigma: it is taken as stated, with much doubt.",
+            baseline.data.rows.len()
+        ));
+    } else if (scale - 1.0).abs() > 0.2 {
         notes.push(format!(
             "The data scatter {scale:.2} times as much as stated; that is what was used."
         ));

@@ -83,7 +83,7 @@ fn with_fewer_than_24_numbers_the_noise_is_said_to_be_taken_as_stated() {
         let said = on_bench(&bench(&[1, 2], softer, 1.0, None, 1), SEVERAL);
         assert_eq!(said["noise"]["on_trust"], true);
         assert!(
-            said["notes"][0].as_str().unwrap().contains("taken as stated"),
+            said["notes"].to_string().contains("taken as stated"),
             "{}",
             said["notes"]
         );
