@@ -7,18 +7,7 @@
 
 use washout::input::measurement::Channel::{Deflection, Twist};
 
-use crate::support::{misfit, near, shipped, stands, sweep};
-
-fn hung(kg: f64, offset_mm: f64) -> Vec<String> {
-    vec![
-        format!("load[0].mass_kg={kg}"),
-        format!("load[0].chord_offset_mm={offset_mm}"),
-    ]
-}
-
-fn bending(numbers: &[f64]) -> Vec<String> {
-    hung(numbers[0], 49.45)
-}
+use crate::support::{bending, hung, misfit, near, shipped, stands, sweep};
 
 fn torsion(numbers: &[f64]) -> Vec<String> {
     hung(numbers[0], 138.9)

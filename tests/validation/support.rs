@@ -101,6 +101,19 @@ pub fn sweep(
     rows
 }
 
+/// What hangs a mass at the tip of a Pazy wing, that far behind its leading edge.
+pub fn hung(kg: f64, offset_mm: f64) -> Vec<String> {
+    vec![
+        format!("load[0].mass_kg={kg}"),
+        format!("load[0].chord_offset_mm={offset_mm}"),
+    ]
+}
+
+/// The same at mid-chord.
+pub fn bending(numbers: &[f64]) -> Vec<String> {
+    hung(numbers[0], 49.45)
+}
+
 /// Bias and root mean square of the errors (measured minus modelled) of one channel, and the latter with the weighted
 /// mean of the errors taken off, as the zero of a ruler would.
 pub fn misfit(rows: &[ComparedRow], channel: Channel, run: &str) -> [f64; 3] {
