@@ -13,7 +13,7 @@ use crate::export::sweep::SweepSummary;
 use crate::export::verification::VerifyReport;
 use crate::synthesize::Answer;
 use clap::ValueEnum;
-use schemars::Schema;
+use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value, json as value};
 
 use super::effects::ShownCard;
@@ -36,7 +36,7 @@ macro_rules! documents {
             /// The schema of the document.
             pub fn schema(self) -> Schema {
                 match self {
-                    $(Output::$name => headed::<$of>(schemars::schema_for!($of)),)*
+                    $(Output::$name => schema::<$of>(),)*
                 }
             }
         }
@@ -106,8 +106,14 @@ impl json::Document for ShownCard<'_> {
     const KIND: &'static str = "effect";
 }
 
+/// The schema of one document; never inlined, or all of them become one function of 200 kB.
+#[inline(never)]
+fn schema<D: json::Document + JsonSchema>() -> Schema {
+    headed(schemars::schema_for!(D), D::KIND, D::FORMAT)
+}
+
 /// A schema with the kind and the format that stand first in the document; a list stands below its kind.
-fn headed<D: json::Document>(mut schema: Schema) -> Schema {
+fn headed(mut schema: Schema, kind: &str, format: u32) -> Schema {
     if schema.get("type").and_then(Value::as_str) == Some("array") {
         let object = schema.as_object().cloned().unwrap_or_default();
         let outside = |key: &str| key.starts_with('$') || key == "title";
@@ -115,12 +121,12 @@ fn headed<D: json::Document>(mut schema: Schema) -> Schema {
             object.into_iter().partition(|(key, _)| outside(key));
         schema = Schema::from(outer);
         schema.insert("type".to_string(), "object".into());
-        schema.insert("properties".to_string(), value!({ D::KIND: list }));
-        schema.insert("required".to_string(), value!([D::KIND]));
+        schema.insert("properties".to_string(), value!({ kind: list }));
+        schema.insert("required".to_string(), value!([kind]));
     }
     let head = value!({
-        "kind": { "description": "What the document is.", "const": D::KIND },
-        "format": { "description": "The version of its form.", "const": D::FORMAT },
+        "kind": { "description": "What the document is.", "const": kind },
+        "format": { "description": "The version of its form.", "const": format },
     });
     let whole = schema.ensure_object();
     let mut properties = head.as_object().cloned().unwrap_or_default();

@@ -52,7 +52,7 @@ fn effects_are_tried_on_the_wing_that_is_asked_for() {
     let here = folder();
     let path = study("pre-pazy-both.toml").display().to_string();
     // which readings are asked does not hang on the mesh
-    let coarse = ["--set", "mesh.refine=0.5"];
+    let coarse = ["--set", "mesh.refine=0.25"];
     let arguments = [
         &["diagnose", &path, "--effect", "skin-bending", "--json"],
         &coarse[..],

@@ -197,6 +197,7 @@ fn tang_and_dowell_without_large_rotation_lack_it_though_one_reading_shows_it() 
 
 /// Without the effect that has nothing to be fitted the reading may be a slip, and nothing is named.
 #[test]
+#[ignore = "three effects on 45 cases: three quarters of a minute"]
 fn one_reading_far_off_names_no_effect_whose_strength_is_fitted_to_it() {
     let said = diagnosed(
         "tang-dowell-linear.toml",
