@@ -44,6 +44,8 @@ pub mod misfit;
 
 pub mod model_error;
 
+mod naming;
+
 pub mod next;
 
 pub mod notes;

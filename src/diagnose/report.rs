@@ -8,20 +8,20 @@ use crate::study::Fit;
 use super::added_variable::added_variable;
 use super::baseline::Baseline;
 use super::bump::Around;
-use super::effect_row::{EffectRow, LOOK_ALIKES, LookAlike, effect_rows, unseen};
+use super::effect_row::{LOOK_ALIKES, LookAlike, effect_rows, unseen};
 use super::error::DiagnoseError;
 use super::gains::Gains;
-use super::hypothesis::{Hypothesis, hypothesis, is_possible};
+use super::hypothesis::{Hypothesis, hypothesis};
 use super::judge::Judgement;
 use super::ladder::{Explained, ladder};
-use super::misfit::{self, Pull};
+use super::misfit;
+use super::naming::{not_named, verdict};
 use super::next::{Experiments, NextExperiment, Rival, next_experiment};
 use super::notes::notes;
 use super::novel::reconstruct;
 use super::novel_words::draft;
-use super::posterior::{Belief, Case, SEPARATE};
+use super::posterior::{Belief, Case};
 use super::refit::Explanation;
-use super::screening::ENOUGH_POWER;
 use super::strengths::name;
 use super::verdict::{Diagnosis, NoiseFound, Novel, Outlier, Prediction, Verdict};
 use super::words::sentence;
@@ -29,18 +29,6 @@ use super::words::sentence;
 /// Sigmas by which a case must miss to be asked for, and those of every other over its. A choice: it changes no probability.
 const FAR_OFF: f64 = 10.0;
 const ALONE: f64 = 0.3;
-/// Something is said to be missing where nothing has a probability below so many times the accepted one of a false alarm. With 10, seven
-/// of 12 readings with errors of uneven size about a fit would raise one (two do), and no case more of 47 of another model would be told.
-const ALARM: f64 = 5.0;
-/// Probability from which on nothing, or a cause without a name, is the answer.
-const BELIEVED: f64 = 0.5;
-/// Probability from which on one effect may be named.
-const NAMED: f64 = 0.9;
-/// Formulation error over what the study states beyond which nothing is named: so much no model should have, and what is named leaves it.
-/// Not derived: the 16 effects that were named in 173 cases of another model leave 1.1 to 2.3.
-const LEFT_OVER: f64 = 3.5;
-/// Pull on an uncertain input, in standard deviations, beyond which it may have taken up what is missing.
-const PULLED: f64 = 3.0;
 /// Hypotheses less probable than this are not listed.
 const LISTED: f64 = 1e-3;
 /// Probability of a named effect, with a second or none, from which on nothing is proposed to measure next.
@@ -89,6 +77,7 @@ pub fn report(
             added_variable(baseline, k, &name(baseline, k))
         });
     let (next_experiment, left_out) = next(baseline, judgement, (experiments, verdict), progress)?;
+    let withheld: Vec<String> = not_named(baseline, judgement, &hypotheses).into_iter().collect();
     let mut diagnosis = Diagnosis {
         sentence: String::new(),
         check_first: None,
@@ -103,7 +92,7 @@ pub fn report(
         ladder: ladder(baseline, &steps(baseline, judgement)),
         predictions: predictions(baseline, found(judgement))?,
         next_experiment,
-        notes: [notes(baseline, judgement), left_out].concat(),
+        notes: [withheld, notes(baseline, judgement), left_out].concat(),
         screening: baseline.screening,
         hypotheses,
         effects,
@@ -214,53 +203,6 @@ fn steps<'a>(baseline: &Baseline, judgement: &'a Judgement) -> Vec<Explained<'a>
             ]
         }
         None => vec![explained(names(&trial.members), whole)],
-    }
-}
-
-fn verdict(
-    baseline: &Baseline,
-    judgement: &Judgement,
-    effects: &[EffectRow],
-    hypotheses: &[Hypothesis],
-) -> Verdict {
-    let nothing = judgement.probability(&Case::Nothing);
-    if nothing >= ALARM * baseline.settings.significance {
-        let could_see = effects.iter().any(|row| row.power >= ENOUGH_POWER);
-        let is_pulled = |pull: &Pull| pull.pull.abs() > PULLED;
-        let is_calm = !misfit::of(baseline).pulls.iter().any(is_pulled);
-        return match nothing >= BELIEVED && could_see && is_calm {
-            true => Verdict::Nothing,
-            false => Verdict::Undecidable,
-        };
-    }
-    let Some(first) = judgement.beliefs.first() else {
-        return Verdict::Undecidable;
-    };
-    // what contains all families of the first, with a second effect or without
-    let families = first.case.families();
-    let holds = |belief: &&Belief| families.iter().all(|own| belief.case.families().contains(own));
-    let held: f64 = judgement
-        .beliefs
-        .iter()
-        .filter(holds)
-        .map(|belief| belief.probability)
-        .sum();
-    let of_first = hypotheses
-        .first()
-        .filter(|own| own.refitted && is_possible(baseline, own) && own.plausible);
-    let of_first = of_first.filter(|_| baseline.weighing.share <= LEFT_OVER * baseline.settings.discrepancy);
-    let others = (0..baseline.families.len()).filter(|other| !families.contains(other));
-    match (&first.case, of_first) {
-        (Case::Unknown, _) if first.probability >= BELIEVED => Verdict::Novel,
-        (Case::One(family), Some(_)) if held >= NAMED => {
-            let nearest = others.map(|other| judgement.distance(baseline, *family, other));
-            match nearest.fold(f64::INFINITY, f64::min) >= SEPARATE {
-                true => Verdict::Effect,
-                false => Verdict::Set,
-            }
-        }
-        // two effects at once are as pliable as a cause without a name: they are told, and not named
-        _ => Verdict::Set,
     }
 }
 

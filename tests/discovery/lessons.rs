@@ -100,6 +100,30 @@ fn twins_are_both_in_the_set_and_neither_is_named() {
 }
 
 #[test]
+fn what_has_nine_tenths_of_the_probability_and_no_name_has_a_note_that_says_why() {
+    let why = |hidden: Vec<Hidden>, seed: u64| {
+        let said = said(&study(hidden, seed));
+        let note = said.notes.iter().find(|note| note.starts_with("Why ")).cloned();
+        (said.verdict, note)
+    };
+    let (verdict, note) = why(
+        vec![Hidden::Known("film_tension", 1.0), Hidden::Known("tip_mass", 1.0)],
+        1,
+    );
+    let note = note.expect("a note");
+    assert_eq!(verdict, Verdict::Set);
+    assert!(
+        note.contains("two effects at once") || note.contains("standard deviations apart"),
+        "{note}"
+    );
+    assert_eq!(
+        why(vec![Hidden::Known("film_tension", 1.0)], 1),
+        (Verdict::Effect, None)
+    );
+    assert_eq!(why(Vec::new(), 2).1, None);
+}
+
+#[test]
 fn what_the_library_does_not_know_is_called_novel_and_drawn_along_the_span() {
     let said = said(&study(vec![Hidden::Bump(0.4, 1e-2, [1.0, 0.0])], 3));
     assert_eq!(said.verdict, Verdict::Novel, "{}", said.sentence);
