@@ -130,12 +130,6 @@ impl Judgement {
         families.find(|own| !own.is_empty() && !first.iter().all(|family| own.contains(family)))
     }
 
-    /// The effect by which a family explains the data best, by position among the missing.
-    pub fn nearest_member(&self, family: usize) -> Option<usize> {
-        self.heaviest(&[family])
-            .map(|index| self.trials[index].members[0])
-    }
-
     /// Distance between the best explanations by two families, in standard deviations: how far the data tell them apart at the strengths
     /// found.
     pub fn distance(&self, baseline: &Baseline, a: usize, b: usize) -> f64 {

@@ -23,47 +23,40 @@ const LEFT_OVER: f64 = 3.5;
 /// Pull on an uncertain input, in standard deviations, beyond which it may have taken up what is missing.
 const PULLED: f64 = 3.0;
 
-/// What the probabilities say.
+/// What the probabilities say; and, where effects have most of them and are not named, why not.
 pub fn verdict(
     baseline: &Baseline,
     judgement: &Judgement,
     effects: &[EffectRow],
     hypotheses: &[Hypothesis],
-) -> Verdict {
+) -> (Verdict, Option<String>) {
     let nothing = judgement.probability(&Case::Nothing);
-    if is_nothing_possible(baseline, judgement) {
+    if nothing >= ALARM * baseline.settings.significance {
         let could_see = effects.iter().any(|row| row.power >= ENOUGH_POWER);
         let is_pulled = |pull: &Pull| pull.pull.abs() > PULLED;
         let is_calm = !misfit::of(baseline).pulls.iter().any(is_pulled);
         return match nothing >= BELIEVED && could_see && is_calm {
-            true => Verdict::Nothing,
-            false => Verdict::Undecidable,
+            true => (Verdict::Nothing, None),
+            false => (Verdict::Undecidable, None),
         };
     }
     match judgement.beliefs.first() {
-        None => Verdict::Undecidable,
-        Some(first) if first.case == Case::Unknown && first.probability >= BELIEVED => Verdict::Novel,
-        _ => match leading(judgement).map(|held| obstacle(baseline, judgement, hypotheses, &held)) {
-            Some(None) => Verdict::Effect,
-            _ => Verdict::Set,
+        None => (Verdict::Undecidable, None),
+        Some(first) if first.case == Case::Unknown && first.probability >= BELIEVED => (Verdict::Novel, None),
+        _ => match (leading(judgement), hypotheses.first()) {
+            (Some(held), Some(first)) => match obstacle(baseline, judgement, first, &held) {
+                None => (Verdict::Effect, None),
+                Some(why) => {
+                    let effects = first.names(" with ");
+                    (
+                        Verdict::Set,
+                        Some(format!("Why {effects} is not named for sure: {why}.")),
+                    )
+                }
+            },
+            _ => (Verdict::Set, None),
         },
     }
-}
-
-/// Why the effects that have most of the probability are not named; none where one is, where none have so much, and where nothing may be
-/// missing.
-pub fn not_named(baseline: &Baseline, judgement: &Judgement, hypotheses: &[Hypothesis]) -> Option<String> {
-    if is_nothing_possible(baseline, judgement) {
-        return None;
-    }
-    let held = leading(judgement)?;
-    let why = obstacle(baseline, judgement, hypotheses, &held)?;
-    let effects = hypotheses.first()?.names(" with ");
-    Some(format!("Why {effects} is not named for sure: {why}."))
-}
-
-fn is_nothing_possible(baseline: &Baseline, judgement: &Judgement) -> bool {
-    judgement.probability(&Case::Nothing) >= ALARM * baseline.settings.significance
 }
 
 /// Families of the most probable explanation, if all explanations with these among them have the probability of what may be named.
@@ -79,29 +72,33 @@ fn leading(judgement: &Judgement) -> Option<Vec<usize>> {
 fn obstacle(
     baseline: &Baseline,
     judgement: &Judgement,
-    hypotheses: &[Hypothesis],
+    first: &Hypothesis,
     families: &[usize],
 ) -> Option<String> {
     let &[family] = families else {
         return Some("two effects at once are as pliable as an unknown cause".into());
     };
-    let Some(first) = hypotheses.first().filter(|own| own.refitted) else {
+    if !first.refitted {
         return Some("no fit settled with it".into());
-    };
+    }
     if !(first.plausible && is_possible(baseline, first)) {
         return Some("the size that fits best is not plausible".into());
     }
-    if baseline.weighing.share > LEFT_OVER * baseline.settings.discrepancy {
-        return Some("the model leaves more of the misfit unexplained than any model should".into());
+    let needed = baseline.weighing.share / baseline.settings.discrepancy;
+    if needed > LEFT_OVER {
+        return Some(format!(
+            "the error of the model itself would be {needed:.1} times what the study states, where {LEFT_OVER} is the most"
+        ));
     }
     let others = (0..baseline.families.len()).filter(|&other| other != family);
     let each = others.map(|other| (judgement.distance(baseline, family, other), other));
     let (distance, other) = each.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    (distance < SEPARATE).then(|| {
-        let rival = judgement.nearest_member(other).map(|k| name(baseline, k));
-        format!(
-            "{} would make nearly the same of these readings, {distance:.1} standard deviations apart ({SEPARATE} are needed)",
-            rival.unwrap_or_else(|| "another effect".into())
-        )
-    })
+    if distance >= SEPARATE {
+        return None;
+    }
+    let rival = &judgement.trials[judgement.heaviest(&[other])?];
+    Some(format!(
+        "{} would make nearly the same of these readings, {distance:.1} standard deviations apart ({SEPARATE} are needed)",
+        name(baseline, rival.members[0])
+    ))
 }

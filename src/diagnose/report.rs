@@ -15,7 +15,7 @@ use super::hypothesis::{Hypothesis, hypothesis};
 use super::judge::Judgement;
 use super::ladder::{Explained, ladder};
 use super::misfit;
-use super::naming::{not_named, verdict};
+use super::naming::verdict;
 use super::next::{Experiments, NextExperiment, Rival, next_experiment};
 use super::notes::notes;
 use super::novel::reconstruct;
@@ -63,7 +63,7 @@ pub fn report(
             .iter()
             .any(|own| own.in_set && own.effects.contains(name))
     });
-    let verdict = verdict(baseline, judgement, &effects, &hypotheses);
+    let (verdict, why_not_named) = verdict(baseline, judgement, &effects, &hypotheses);
     let added = judgement
         .beliefs
         .iter()
@@ -77,7 +77,6 @@ pub fn report(
             added_variable(baseline, k, &name(baseline, k))
         });
     let (next_experiment, left_out) = next(baseline, judgement, (experiments, verdict), progress)?;
-    let withheld: Vec<String> = not_named(baseline, judgement, &hypotheses).into_iter().collect();
     let mut diagnosis = Diagnosis {
         sentence: String::new(),
         check_first: None,
@@ -92,7 +91,12 @@ pub fn report(
         ladder: ladder(baseline, &steps(baseline, judgement)),
         predictions: predictions(baseline, found(judgement))?,
         next_experiment,
-        notes: [withheld, notes(baseline, judgement), left_out].concat(),
+        notes: [
+            why_not_named.into_iter().collect(),
+            notes(baseline, judgement),
+            left_out,
+        ]
+        .concat(),
         screening: baseline.screening,
         hypotheses,
         effects,
