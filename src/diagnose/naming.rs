@@ -87,7 +87,7 @@ fn obstacle(
     let needed = baseline.weighing.share / baseline.settings.discrepancy;
     if needed > LEFT_OVER {
         return Some(format!(
-            "the error of the model itself would be {needed:.1} times what the study states, where {LEFT_OVER} is the most"
+            "the error of the model itself would be {needed:.2} times what the study states, where {LEFT_OVER} is the most"
         ));
     }
     let others = (0..baseline.families.len()).filter(|&other| other != family);
