@@ -31,7 +31,10 @@ from pathlib import Path
 import tree_sitter_rust
 from tree_sitter import Language, Parser
 
-ROOMS = ["structure", "aero", "coupling", "observation", "compare", "diagnose"]
+ROOMS = {
+    **dict.fromkeys(["structure", "aero", "coupling", "observation"], "crates/washout-wing/src"),
+    **dict.fromkeys(["compare", "diagnose"], "crates/washout-study/src"),
+}
 TOP = Path(__file__).resolve().parent.parent
 RUST = Parser(Language(tree_sitter_rust.language()))
 OPERATION = {"binary_expression", "compound_assignment_expr", "unary_expression"}
@@ -114,7 +117,7 @@ def changed(text, tree, mutant):
 def mutants(tree, number, seed):
     command = ["cargo", "mutants", "--list", "--json", "--no-config", "--dir", str(tree)]
     for room in ROOMS:
-        command += ["-f", f"src/{room}/**"]
+        command += ["-f", f"{ROOMS[room]}/{room}/**"]
     listed = json.loads(subprocess.run(command, check=True, capture_output=True, cwd=tree).stdout)
     print(f"{len(listed)} mutants in {', '.join(ROOMS)}")
     chosen = random.Random(seed).sample(listed, number)
@@ -167,12 +170,17 @@ def copy(tree):
 
 def compiled(tree, chosen):
     """Leaves out, one round after the other, what does not compile."""
-    (tree / "src/mutants.rs").write_text(SWITCHES.replace("NUMBER", str(len(chosen))))
-    library = (TOP / "src/lib.rs").read_text().replace("pub mod progress;", "pub mod mutants;\n\npub mod progress;", 1)
-    (tree / "src/lib.rs").write_text(library)
+    # the switches are in the lowest crate, and the others see them there
+    lowest = "crates/washout-design/src"
+    (tree / lowest / "mutants.rs").write_text(SWITCHES.replace("NUMBER", str(len(chosen))))
+    for crate in {lowest, *ROOMS.values()}:
+        library = (TOP / crate / "lib.rs").read_text()
+        module = "pub mod mutants;\n\n" if crate == lowest else "use washout_design::mutants;\n\n"
+        head = library.index("\n\n") + 2
+        (tree / crate / "lib.rs").write_text(library[:head] + module + library[head:])
     while True:
         planted(tree, chosen)
-        run = subprocess.run(["cargo", "check", "--lib", "--message-format=json"], cwd=tree, capture_output=True, text=True)
+        run = subprocess.run(["cargo", "check", "--workspace", "--lib", "--message-format=json"], cwd=tree, capture_output=True, text=True)
         if run.returncode == 0:
             return
         wrong = set()
@@ -203,7 +211,7 @@ def executables(tree):
         if message.get("executable") and message["profile"]["test"]:
             kind, name = message["target"]["kind"], message["target"]["name"]
             if kind in (["lib"], ["test"]):
-                found["lib" if kind == ["lib"] else name] = message["executable"]
+                found[name] = message["executable"]
     return found
 
 

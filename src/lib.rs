@@ -50,51 +50,18 @@
 //!
 //! Data flows one way; `tests/floor_plan` keeps it so. The shortest way through: `examples/first_run.rs`.
 
-pub mod progress;
+#[doc(inline)]
+pub use washout_design::{input, origin, progress};
 
-pub mod origin;
+#[doc(inline)]
+pub use washout_wing::{aero, coupling, effects, geometry, lift, mesh, observation, structure, wing};
 
-pub mod task;
-
-pub mod input;
-
-pub mod geometry;
-
-pub mod mesh;
-
-pub mod structure;
-
-pub mod aero;
-
-pub mod effects;
-
-pub mod coupling;
-
-pub mod observation;
-
-pub mod lift;
-
-pub mod wing;
+#[doc(inline)]
+pub use washout_study::{
+    blind, compare, diagnose, explain, explore, program, solve, study, sweep, synthesize, task,
+};
 
 pub mod verify;
-
-pub mod study;
-
-pub mod explore;
-
-pub mod synthesize;
-
-pub mod compare;
-
-pub mod solve;
-
-pub mod sweep;
-
-pub mod diagnose;
-
-pub mod explain;
-
-pub mod blind;
 
 #[cfg(feature = "cli")]
 pub mod page;

@@ -12,7 +12,7 @@ use crate::export::pictures::ladder::Fall;
 use crate::export::pictures::write::add_falls;
 use crate::export::run::RunFolder;
 use crate::input::study::LoadedStudy;
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 
 use super::study_file::StudyFile;
 use super::written::target as target_of;

@@ -14,7 +14,7 @@ use crate::export::template::Template;
 use crate::geometry::Planform;
 use crate::input::stock::load_stock;
 use crate::lift::TwistAlongSpan;
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 
 use super::design_arguments::DesignArguments;
 use super::finished::finished;

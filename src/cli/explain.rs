@@ -13,7 +13,7 @@ use crate::export::explanation::{ExplanationReport, page};
 use crate::export::pictures::write::add_explained;
 use crate::export::run::RunFolder;
 use crate::input::study::LoadedStudy;
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 
 use super::diagnose::candidates;
 use super::written::target;

@@ -14,8 +14,8 @@ use crate::export::summary::RunSummary;
 use crate::export::wing::displacement_mm;
 use crate::export::{ExportError, calculix, csv, kratos};
 use crate::input::design::Kinematics;
-use crate::origin::MadeOf;
 use crate::page::text::wrapped;
+use crate::program::MadeOf;
 
 use super::{Console, Failure};
 use crate::wing::WingModel;

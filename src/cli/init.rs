@@ -9,11 +9,11 @@ use serde::Serialize;
 use crate::export::drawn::Drawn;
 use crate::export::file::{refuse_any, write_new};
 use crate::export::sheet::{files, understood_briefly};
+use crate::input::design::INIT;
 use crate::input::sheet::{DesignReadings, Sigmas};
 
 use super::{Console, Failure};
 
-const TEMPLATE: &str = include_str!("init_design.toml");
 const STEADY: &str = include_str!("init_steady.toml");
 const STUDY: &str = include_str!("init_study.toml");
 const READINGS: &str = include_str!("init_measured.csv");
@@ -154,7 +154,7 @@ impl Init {
 
 /// The text of a design with this name.
 fn design(name: &str) -> String {
-    TEMPLATE.replace("NAME", name)
+    INIT.replace("NAME", name)
 }
 
 /// The files of a study with this name: the study, its design, its readings.

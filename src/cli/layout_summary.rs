@@ -3,7 +3,7 @@
 use crate::explore::rods::{Band, Candidate, Found};
 use crate::export::layouts::{BandSummary, Cause, LayoutRow, LayoutSummary, PieceRow};
 use crate::input::Design;
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 use crate::wing::WingModel;
 
 use super::rod_aim::RodAim;

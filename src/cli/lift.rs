@@ -11,6 +11,7 @@ use crate::wing::TwistSource;
 use crate::wing::flights::{Amplitudes, Flights};
 
 use super::finished::finished;
+use super::twist_source::TwistFrom;
 use super::{Console, Failure};
 
 /// Arguments of `washout lift`.
@@ -39,8 +40,8 @@ pub struct Lift {
     #[arg(long, value_name = "DESIGN")]
     pub on: Option<PathBuf>,
     /// Where the twist of the designs comes from
-    #[arg(long, value_enum, default_value_t = TwistSource::Phases)]
-    pub twist: TwistSource,
+    #[arg(long, value_enum, default_value_t = TwistFrom(TwistSource::Phases))]
+    pub twist: TwistFrom,
     /// Phases of the stroke that are solved, from mid-stroke to the reversal, for --twist phases
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u16).range(2..=99))]
     pub phases: u16,
@@ -102,7 +103,7 @@ impl Lift {
             reference: self.reference.clone(),
             on: self.on.clone(),
             sets: self.set.iter().cloned().chain(with).chain(refine).collect(),
-            source: self.twist,
+            source: self.twist.0,
             phases: self.phases,
             sweep: self.sweep.map(|count| Amplitudes {
                 count,

@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 use crate::export::run::RunFolder;
 use crate::export::wing::mesh_grid;
 use crate::mesh::{Quality, gmsh};
-use crate::origin::MadeOf;
 use crate::page::text::number;
+use crate::program::MadeOf;
 
 use super::design_arguments::DesignArguments;
 use super::{Console, Failure};

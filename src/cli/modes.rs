@@ -12,7 +12,7 @@ use crate::export::pvd;
 use crate::export::run::RunFolder;
 use crate::input::design::Kinematics;
 use crate::observation::ModeReader;
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 use crate::structure::state::State;
 use crate::structure::{MassProperties, Mode, Vibration};
 

@@ -12,7 +12,7 @@ use crate::export::pictures;
 use crate::export::run::RunFolder;
 use crate::input::Design;
 use crate::lift::{Stroke, TwistAlongSpan};
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 
 use super::design_arguments::DesignArguments;
 use super::finished::finished;

@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 use crate::export::ExportError;
 use crate::export::pictures::folder::{Picture, pictures};
 use crate::export::run::RunFolder;
-use crate::origin::MadeOf;
 use crate::plot::Print;
+use crate::program::MadeOf;
 
 use super::{Console, Failure};
 

@@ -364,7 +364,7 @@ mod tests {
         let path = |name: &str| folder.path().join(name).display().to_string();
         let write = |name: &str, text: &str| std::fs::write(path(name), text).expect("written");
         let table = |lift: &str| format!("alpha_deg,cl,cd\n-90,0,2\n0,0,0.1\n45,{lift},1\n90,0,2\n");
-        let init = include_str!("init_design.toml").replace("NAME", "wing");
+        let init = crate::input::design::INIT.replace("NAME", "wing");
         write("wing.toml", &init);
         write("air.csv", &table("1.2"));
         let words = [

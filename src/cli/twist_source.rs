@@ -5,18 +5,22 @@ use clap::builder::PossibleValue;
 
 use crate::wing::TwistSource;
 
-impl ValueEnum for TwistSource {
-    fn value_variants<'a>() -> &'a [TwistSource] {
+/// Where the twist comes from, as a word of the command line.
+#[derive(Debug, Clone, Copy)]
+pub struct TwistFrom(pub TwistSource);
+
+impl ValueEnum for TwistFrom {
+    fn value_variants<'a>() -> &'a [TwistFrom] {
         &[
-            TwistSource::Phases,
-            TwistSource::Ramp,
-            TwistSource::Measured,
-            TwistSource::Flat,
+            TwistFrom(TwistSource::Phases),
+            TwistFrom(TwistSource::Ramp),
+            TwistFrom(TwistSource::Measured),
+            TwistFrom(TwistSource::Flat),
         ]
     }
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
-        let (name, help) = match self {
+        let (name, help) = match self.0 {
             TwistSource::Phases => (
                 "phases",
                 "Solved at phases of the stroke, each as if it stood still",

@@ -9,7 +9,7 @@ use crate::export::file::{refuse_page, write_page};
 use crate::export::run::RunFolder;
 use crate::export::trust::{TRUST_HEAD, markdown, trust_page};
 use crate::export::verification::VerifyReport;
-use crate::input::nearest_word;
+use crate::input::nearest;
 use crate::input::study::LoadedStudy;
 use crate::page::text::Table;
 use crate::verify::{ALL, Case, Extent, Kind, named, run};
@@ -99,7 +99,7 @@ impl Verify {
         let find = |name: &String| {
             named(name).ok_or_else(|| Failure::UnknownCase {
                 name: name.clone(),
-                nearest: nearest_word(name, ALL.iter().map(|case| case.name)).map(str::to_string),
+                nearest: nearest(name, ALL.iter().map(|case| case.name)).map(str::to_string),
             })
         };
         self.cases.iter().map(find).collect()

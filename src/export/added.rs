@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use crate::add::{OnBench, Other};
 use crate::compare::{StepGroup, StudyLadderStep};
 use crate::effects::named;
-use crate::origin::MadeOf;
 use crate::page::text::significant;
 use crate::page::{Page, Part};
+use crate::program::MadeOf;
 
 use super::ladder;
 

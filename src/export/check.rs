@@ -14,7 +14,7 @@ use super::vtu::{Grid, Values};
 use super::vtu_read::read_vtu;
 use super::{ExportError, json};
 use crate::coupling::balance::Balance;
-use crate::origin::{MadeOf, program_sha256};
+use crate::program::{MadeOf, program_sha256};
 use crate::structure::larger;
 use crate::structure::state::State;
 use crate::wing::{OtherEquilibrium, SolvedWing, WingError};

@@ -9,7 +9,7 @@ use crate::input::Loaded;
 use crate::mesh::Mesh;
 use crate::observation::TwistProfile;
 use crate::observation::field::twist_at_nodes;
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 use crate::solve::SolvedDesign;
 use crate::study::Uncertainty;
 

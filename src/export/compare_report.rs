@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::compare::reference::ModelledRatios;
 use crate::compare::{Comparison, DesignComparison};
-use crate::origin::MadeOf;
 use crate::page::text::number;
 use crate::page::{Digits, Page, Part, Rows, Table};
+use crate::program::MadeOf;
 
 use super::comparison;
 

@@ -10,9 +10,9 @@ use crate::diagnose::screening::Sight;
 use crate::diagnose::verdict::{Draft, NoiseFound, Prediction};
 use crate::diagnose::{Diagnosis, Verdict};
 use crate::input::study::LoadedStudy;
-use crate::origin::MadeOf;
 use crate::page::text::{number, significant};
 use crate::page::{Digits, Page, Part, Rows, Table};
+use crate::program::MadeOf;
 use crate::study::Work;
 
 use super::hypotheses::{brief, falls, hypotheses, inputs, meanings, place};

@@ -151,10 +151,7 @@ mod tests {
             ("svg", Template::to_svg),
         ] {
             let (planform, drawn) = read_back(ending, of);
-            let design = Design::from_toml(
-                &drawn.design(include_str!("../cli/init_design.toml")),
-                "wing.toml",
-            );
+            let design = Design::from_toml(&drawn.design(crate::input::design::INIT), "wing.toml");
             let design = design.unwrap_or_else(|error| panic!("{ending}: {error}"));
             let again = Planform::from_design(&design).expect("an outline");
             assert!((again.length_m() - planform.tip_m()).abs() < 1e-5, "{ending}");
@@ -169,7 +166,7 @@ mod tests {
     #[test]
     fn rod_and_spars_move_along_with_the_length_and_comments_stay() {
         let (_, drawn) = read_back("dxf", Template::to_dxf);
-        let text = drawn.design(include_str!("../cli/init_design.toml"));
+        let text = drawn.design(crate::input::design::INIT);
         let design = Design::from_toml(&text, "wing.toml").expect("a design");
         let length_mm = design.planform.length_mm.value();
         assert!((length_mm - 69.3).abs() < 1e-3);

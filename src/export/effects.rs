@@ -11,7 +11,7 @@ use crate::page::text::{number, significant};
 pub fn effects_page(cards: &[Card]) -> String {
     let mut page = String::from(
         "# Physics that can be added\n\n\
-         Written by `washout effects --page docs/effects.md` from the cards in `src/effects`; a test compares the two.\n\n\
+         Written by `washout effects --page docs/effects.md` from the cards in `crates/washout-wing/src/effects`; a test compares the two.\n\n\
          Each effect is off until a design has its table, e.g. `[effects.gravity]` with `strength = 1.0`, or\n\
          `--set effects.gravity.strength=1`. A strength of 0 is the base model, bit for bit. Effects of one family are\n\
          rivals: other formulas of the same physics, or other causes of the same sight.\n\n\

@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 use crate::explain::Explanation;
 use crate::explain::report::{ChangeMade, ExplainedSet, ReadingOfSet, Refuting, Status};
 use crate::input::measurement::Bound;
-use crate::origin::MadeOf;
 use crate::page::text::significant;
 use crate::page::{Digits, Page, Part, Rows, Table};
+use crate::program::MadeOf;
 
 use Digits::{After, Significant};
 

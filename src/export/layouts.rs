@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 use super::ExportError;
 use super::csv::table;
 use crate::input::design::Design;
-use crate::origin::MadeOf;
 use crate::page::Digits::After;
 use crate::page::text::number;
 use crate::page::{Page, Part, Rows, Table};
+use crate::program::MadeOf;
 
 /// What `washout design` prints with `--json`; `summary.json` of its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -8,7 +8,7 @@ use crate::coupling::vibration::Standing;
 use crate::input::design::Design;
 use crate::mesh::Mesh;
 use crate::observation::ModeReading;
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 use crate::structure::Mode;
 
 use super::vtu::{Array, Grid};

@@ -9,10 +9,10 @@ use crate::compare::study_comparison::StudyRow;
 use crate::compare::study_words::of_group;
 use crate::input::measurement::Channel;
 use crate::input::study::LoadedStudy;
-use crate::origin::MadeOf;
 use crate::page::Digits::{After, Significant};
 use crate::page::text::{number, significant};
 use crate::page::{Fact, Page, Part, Rows, Table};
+use crate::program::MadeOf;
 
 use super::comparison::sign;
 use super::pictures::panels::Compared;

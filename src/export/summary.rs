@@ -13,7 +13,7 @@ use crate::input::design::{Design, Section};
 use crate::input::measurement::Bound;
 use crate::lift::LiftReport;
 use crate::observation::{Place, TwistReading};
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 use crate::study::Uncertainty;
 
 /// The result of one solve.

@@ -9,9 +9,10 @@ use serde::{Deserialize, Serialize};
 use super::csv::{plain_cell, table as csv_table};
 use super::tasks::write_json;
 use super::{ExportError, json};
-use crate::origin::{InputFile, MadeOf};
+use crate::origin::InputFile;
 use crate::page::Digits::After;
 use crate::page::{Page, Part, Rows};
+use crate::program::MadeOf;
 use crate::sweep::{Row, Sensitivity, SweepPlan};
 
 /// Failures that the page lists.

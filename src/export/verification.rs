@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 use crate::verify::{Confidence, Extent, Judged, Kind, Order, Outcome, Quantity, Verdict};
 
 use super::ExportError;

@@ -199,7 +199,7 @@ fn names_are_those_of_the_files_and_every_card_is_complete() {
         let card = effect.card();
         assert!(names.insert(card.name), "{} stands twice", card.name);
         let file = Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("src/effects")
+            .join("crates/washout-wing/src/effects")
             .join(format!("{}.rs", card.name.replace('-', "_")));
         assert!(file.is_file(), "{} is not in a file of its name", card.name);
         for (what, text) in [
@@ -245,7 +245,7 @@ fn names_are_those_of_the_files_and_every_card_is_complete() {
 #[test]
 fn every_case_that_a_card_names_is_a_test() {
     // in the effect's own file, or here where it takes a whole wing
-    let folders = ["src/effects", "tests/effects_contract"];
+    let folders = ["crates/washout-wing/src/effects", "tests/effects_contract"];
     let folders = folders.map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder));
     let files = folders
         .iter()
@@ -258,7 +258,7 @@ fn every_case_that_a_card_names_is_a_test() {
         let card = effect.card();
         assert!(
             tests.contains(&format!("fn {}()", card.case)),
-            "{}: no test {} in src/effects or tests/effects_contract",
+            "{}: no test {} in crates/washout-wing/src/effects or tests/effects_contract",
             card.name,
             card.case
         );

@@ -52,7 +52,7 @@ impl fmt::Display for Fault {
     }
 }
 
-/// The faults of one source file; `path` is relative to `src`.
+/// The faults of one source file; `path` is relative to the `src` of its crate.
 pub fn faults(path: &Path, source: &str) -> Vec<Fault> {
     let mut faults = Vec::new();
     let head = source.lines().next().unwrap_or_default();

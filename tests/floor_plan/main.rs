@@ -9,11 +9,18 @@ mod circles;
 use check::{Fault, effects_not_listed, faults, is_named, room_of};
 use circles::circles;
 
+/// The crates, from the ground up: the folders that hold rooms.
+const CRATES: &[&str] = &[
+    "crates/washout-design/src",
+    "crates/washout-wing/src",
+    "crates/washout-study/src",
+    "src",
+];
+
 /// Each room and the rooms that it may import. The order is the way the data flows.
 const ROOMS: &[(&str, &[&str])] = &[
     ("progress", &[]),
     ("origin", &[]),
-    ("task", &["origin"]),
     ("input", &["progress", "origin"]),
     ("geometry", &["progress", "input"]),
     ("mesh", &["progress", "input", "geometry"]),
@@ -75,6 +82,8 @@ const ROOMS: &[(&str, &[&str])] = &[
             "lift",
         ],
     ),
+    ("program", &["origin", "effects"]),
+    ("task", &["origin", "program"]),
     (
         "verify",
         &[
@@ -133,6 +142,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "observation",
             "wing",
             "study",
+            "program",
         ],
     ),
     (
@@ -159,6 +169,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "wing",
             "study",
             "compare",
+            "program",
         ],
     ),
     (
@@ -172,15 +183,19 @@ const ROOMS: &[(&str, &[&str])] = &[
             "observation",
             "study",
             "compare",
+            "program",
         ],
     ),
-    ("explain", &["progress", "origin", "input", "study", "diagnose"]),
+    (
+        "explain",
+        &["progress", "origin", "input", "study", "diagnose", "program"],
+    ),
     ("plot", &[]),
     ("page", &["plot"]),
     (
         "add",
         &[
-            "progress", "origin", "input", "effects", "wing", "study", "compare", "page",
+            "progress", "origin", "input", "effects", "wing", "study", "compare", "page", "program",
         ],
     ),
     (
@@ -216,6 +231,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "page",
             "add",
             "blind",
+            "program",
         ],
     ),
     (
@@ -266,6 +282,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "blind",
             "export",
             "live",
+            "program",
         ],
     ),
 ];
@@ -275,8 +292,13 @@ const NOT_EFFECTS: &[&str] = &[
     "mod", "bind", "effect", "error", "card", "seam", "custom", "library",
 ];
 
+/// The sources of all crates, each with its path in its crate: names of rooms are those of all.
 fn sources() -> Vec<(PathBuf, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    CRATES.iter().flat_map(|folder| sources_of(folder)).collect()
+}
+
+fn sources_of(folder: &str) -> Vec<(PathBuf, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let mut folders = vec![root.clone()];
     let mut found = Vec::new();
     while let Some(folder) = folders.pop() {
@@ -296,25 +318,30 @@ fn sources() -> Vec<(PathBuf, String)> {
 
 #[test]
 fn the_house_is_in_order() {
-    let sources = sources();
     let mut report = Vec::new();
-    for (path, source) in &sources {
-        let mut found = faults(path, source);
-        if !is_named(path, &sources) {
-            found.push(Fault::Orphan);
+    for folder in CRATES {
+        let sources = sources_of(folder);
+        for (path, source) in &sources {
+            let mut found = faults(path, source);
+            if !is_named(path, &sources) {
+                found.push(Fault::Orphan);
+            }
+            report.extend(
+                found
+                    .iter()
+                    .map(|fault| format!("{folder}/{}: {fault}", path.display())),
+            );
         }
-        report.extend(
-            found
-                .iter()
-                .map(|fault| format!("src/{}: {fault}", path.display())),
-        );
     }
     assert!(report.is_empty(), "\n{}", report.join("\n"));
 }
 
 #[test]
 fn no_files_of_a_room_use_each_other() {
-    let found = circles(&sources());
+    let found: Vec<_> = CRATES
+        .iter()
+        .flat_map(|folder| circles(&sources_of(folder)))
+        .collect();
     assert!(
         found.is_empty(),
         "files that use each other, straight or around: {found:#?}"
@@ -327,7 +354,7 @@ fn every_room_of_the_plan_exists() {
     for (room, _) in ROOMS {
         assert!(
             rooms.iter().any(|found| found == room),
-            "room '{room}' is not in src"
+            "room '{room}' is in no crate"
         );
     }
 }

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use crate::lift::{
     Forces, InertialPower, StrokeMeans, departure_from_ellipse, mean_local_lift_to_drag, span_distribution,
 };
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 use crate::wing::Flown;
 use crate::wing::lift_ratios::{Sensitivity, WingRatios};
 

@@ -2,7 +2,7 @@
 
 use crate::input::measurement::{Bound, Channel, Row};
 use crate::lift::{InertialPower, LiftError, Ratios, StrokeMeans, TwistHistory};
-use crate::origin::MadeOf;
+use crate::program::MadeOf;
 use crate::wing::flights::{Flew, Flights};
 use crate::wing::flown::is_profile;
 use crate::wing::lift_ratios::{measured, sensitivity, wing_ratios};

@@ -6,7 +6,7 @@ use crate::input::schema::{design_schema, video_schema};
 const DESIGN: &str = "\
 # Design files
 
-Every key of a design, from the types in `src/input/design`; written by `washout schema --pages docs/reference`, and a test
+Every key of a design, from the types in `crates/washout-design/src/input/design`; written by `washout schema --pages docs/reference`, and a test
 compares. `washout schema` prints the same as a JSON schema, for editors. `washout init my-wing` writes a commented design to
 start from.
 
@@ -25,7 +25,7 @@ Every output lists what was assumed, and `--uncertainty` says how far it moves t
 const VIDEO: &str = "\
 # Video files
 
-Every key of the file that [`washout measure`](../from-video-to-twist.md) takes, from the types in `src/input/video`; written by
+Every key of the file that [`washout measure`](../from-video-to-twist.md) takes, from the types in `crates/washout-design/src/input/video`; written by
 `washout schema --pages docs/reference`, and a test compares.
 ";
 

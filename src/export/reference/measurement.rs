@@ -11,7 +11,7 @@ const HEAD: &str = "\
 # Measurement files
 
 A CSV table with one row a number, each with its standard deviation; lines that begin with `#` are comments. From the types in
-`src/input/measurement`; written by `washout schema --pages docs/reference`, and a test compares. The files in `measurements/` are
+`crates/washout-design/src/input/measurement`; written by `washout schema --pages docs/reference`, and a test compares. The files in `measurements/` are
 examples, each with its source, and `washout init NAME --study` writes one to start from.
 
 ## Columns
