@@ -2,12 +2,10 @@
 //! does not depend on what was measured, and serves every question after it.
 
 use nalgebra::DMatrix;
-use serde::{Deserialize, Serialize};
 
 use crate::progress::Progress;
 use crate::study::{Forward, WarmStart, Work};
 
-use super::columns;
 use super::data::{Data, start};
 use super::error::DiagnoseError;
 use super::responses::Responses;
@@ -15,13 +13,11 @@ use super::screening::{Slopes, slopes_of_missing};
 use super::settings::Settings;
 
 /// The answers of one campaign.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// Derivatives of all observables with the missing effects, a column each, per prior standard deviation.
-    #[serde(with = "columns")]
     pub slopes: DMatrix<f64>,
     /// Responses of all observables to a moment at each station.
-    #[serde(with = "columns")]
     pub moment: DMatrix<f64>,
     /// Finite steps of every missing effect.
     pub responses: Responses,
@@ -41,9 +37,23 @@ impl Table {
         settings: &Settings,
         progress: &Progress,
     ) -> Result<Table, DiagnoseError> {
+        Table::of_those(forward, settings, &|_| true, progress)
+    }
+
+    /// The same of the missing effects of which `wanted` holds alone, by the index of the unknown that is their strength.
+    ///
+    /// # Errors
+    /// As [`Table::new`].
+    pub fn of_those(
+        forward: &dyn Forward,
+        settings: &Settings,
+        wanted: &dyn Fn(usize) -> bool,
+        progress: &Progress,
+    ) -> Result<Table, DiagnoseError> {
         settings.check()?;
         let start = start(forward, settings)?;
-        let data = Data::new(forward, &start)?;
+        let mut data = Data::new(forward, &start)?;
+        data.missing.retain(|&unknown| wanted(unknown));
         progress.say("derivatives with every effect");
         let before = forward.work();
         let Slopes { missing, warm_start } = slopes_of_missing(forward, &data, &start, settings, None)?;
@@ -59,14 +69,5 @@ impl Table {
             screening,
             work: forward.work() - before,
         })
-    }
-
-    /// Observables of its campaign; none if its parts are not of one.
-    pub fn observables(&self) -> Option<usize> {
-        let rows = self.slopes.nrows();
-        let is_one = self.moment.nrows() == rows
-            && self.responses.each.len() == self.slopes.ncols()
-            && self.responses.each.iter().all(|own| own.is_of(rows));
-        is_one.then_some(rows)
     }
 }

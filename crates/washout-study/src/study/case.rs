@@ -43,6 +43,8 @@ pub struct PreparedCase {
     pub rows: Vec<Row>,
     /// Effects that the design states itself: part of the model, and never tried.
     own_effects: Vec<String>,
+    /// Effects that joined the design to be tried.
+    off: Vec<String>,
     is_held_out: bool,
     /// The case as it stands, from which it is solved with other values: fixed by the study, so that results are too.
     base: Option<Arc<Solved>>,
@@ -131,6 +133,7 @@ impl PreparedCase {
                 }
             }
         }
+        let mut off = Vec::new();
         let tried = candidates
             .iter()
             .filter(|_| study.study.is_tried_on(&design.name));
@@ -143,12 +146,14 @@ impl PreparedCase {
                 table.insert("strength".to_string(), toml::Value::Float(0.0));
                 common(name, &mut table, study).map_err(|error| failed(error.to_string()))?;
                 design.effects.insert(name.to_string(), table);
+                off.push(name.to_string());
             }
         }
         if !candidates.is_empty() {
             unnamed::place(&mut design);
         }
         Ok(PreparedCase {
+            off,
             name: case.name.clone(),
             family: case.family.clone(),
             numbers: case.numbers.clone(),
@@ -203,6 +208,18 @@ impl PreparedCase {
             .as_ref()
             .map(|(name, bytes)| InputFile::new(name, bytes));
         format!("{:?}", (&self.design, &self.air_table, mesh))
+    }
+
+    /// Whether an effect joined its design to be tried.
+    pub(super) fn joined(&self, effect: &str) -> bool {
+        self.off.iter().any(|own| own == effect)
+    }
+
+    /// As [`PreparedCase::made_of`], without the effects that joined its design to be tried.
+    pub(super) fn made_of_without_tried(&self) -> String {
+        let mut own = self.clone();
+        own.design.effects.retain(|name, _| !self.joined(name));
+        own.made_of()
     }
 
     /// Starts every further solve from this one.

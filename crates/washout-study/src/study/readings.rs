@@ -6,7 +6,8 @@ use nalgebra::DVector;
 
 use super::campaign::Campaign;
 use super::case::PreparedCase;
-use super::forward::Observable;
+use super::forward::{Observable, Unknown, UnknownKind};
+use super::unknowns::Targets;
 use super::work::Tally;
 use crate::input::measurement::Bound;
 use crate::input::study::LoadedStudy;
@@ -63,7 +64,52 @@ impl Campaign {
     /// What its answers depend on, as text: designs, meshes and tables of air, unknowns, and what is read where; of the values that were
     /// read, only bounds.
     pub fn made_of(&self) -> String {
-        let cases = self.cases.iter().map(PreparedCase::made_of);
+        self.made_of_these(PreparedCase::made_of, |_| true)
+    }
+
+    /// As [`Campaign::made_of`], without the effects that are tried: what the answer to each of them depends on besides
+    /// [`Campaign::unknown_made_of`].
+    pub fn made_of_without_tried(&self) -> String {
+        self.made_of_these(PreparedCase::made_of_without_tried, |unknown| {
+            let own = match &unknown.kind {
+                UnknownKind::Place { of, .. } => self.targets.unknowns.iter().find(|own| own.name == *of),
+                _ => Some(unknown),
+            };
+            let Some(UnknownKind::Effect { effect, .. }) = own.map(|own| &own.kind) else {
+                return true;
+            };
+            !self.cases.iter().any(|case| case.joined(effect))
+        })
+    }
+
+    /// What the answer to an unknown depends on besides [`Campaign::made_of_without_tried`], as text: what it is, where it acts, and the
+    /// numbers of its effect in each design.
+    pub fn unknown_made_of(&self, unknown: usize) -> String {
+        let unknowns = &self.targets.unknowns;
+        let own = &unknowns[unknown];
+        let is_place =
+            |other: &&Unknown| matches!(&other.kind, UnknownKind::Place { of, .. } if *of == own.name);
+        let numbers = |case: &PreparedCase| match &own.kind {
+            UnknownKind::Effect { effect, .. } => case.design.effects.get(effect).cloned(),
+            _ => None,
+        };
+        let numbers: Vec<_> = self.cases.iter().map(numbers).collect();
+        format!("{:?}", (own, unknowns.iter().find(is_place), numbers))
+    }
+
+    fn made_of_these(
+        &self,
+        of_case: impl Fn(&PreparedCase) -> String,
+        is_told: impl Fn(&Unknown) -> bool,
+    ) -> String {
+        let cases = self.cases.iter().map(of_case);
+        let Targets {
+            unknowns,
+            targets,
+            start,
+        } = &self.targets;
+        let told = (0..unknowns.len()).filter(|&i| is_told(&unknowns[i]));
+        let told: Vec<_> = told.map(|i| (&unknowns[i], &targets[i], start[i])).collect();
         let unread = |own: &Observable| Observable {
             value: if own.bound == Bound::None { 0.0 } else { own.value },
             sigma: 0.0,
@@ -75,7 +121,7 @@ impl Campaign {
             "{:?}",
             (
                 cases.collect::<Vec<_>>(),
-                &self.targets,
+                told,
                 observables.collect::<Vec<_>>(),
                 &self.conditions
             )
