@@ -186,7 +186,8 @@ mod tests {
     /// Loads, supports and work of a solved wing, and of the same with every displacement a percent larger.
     fn two(file: &str, sets: &[&str]) -> [Balance; 2] {
         let sets: Vec<String> = sets.iter().map(|set| set.to_string()).collect();
-        let loaded = Design::load(std::path::Path::new(file), &sets).unwrap();
+        let file = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(file);
+        let loaded = Design::load(&file, &sets).unwrap();
         let (_, mesh) = for_design(&loaded.design, None).unwrap();
         let progress = Progress::quiet();
         let solved = super::super::solve(&loaded.design, &mesh, None, &progress).unwrap();
