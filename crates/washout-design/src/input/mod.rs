@@ -72,5 +72,6 @@ pub use load::Loaded;
 pub use nearest::nearest;
 pub use numbers::DesignNumber;
 pub use seen_from::seen_from;
+pub use set::effect_key;
 pub use twist_table::TwistTable;
 pub use unit::unit_symbol;

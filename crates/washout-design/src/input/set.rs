@@ -145,8 +145,8 @@ impl Design {
     }
 }
 
-/// Name of the effect and of its number in `effects.NAME.NUMBER`.
-fn effect_key(key: &str) -> Option<(&str, &str)> {
+/// Name of an effect and of its number in the key `effects.NAME.NUMBER`.
+pub fn effect_key(key: &str) -> Option<(&str, &str)> {
     key.strip_prefix("effects.")?.split_once('.')
 }
 

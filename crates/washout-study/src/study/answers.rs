@@ -11,7 +11,7 @@ use super::work::Work;
 use crate::coupling::sensitivity::{Nearby, Rate};
 use crate::coupling::strips::Strips;
 use crate::coupling::{Care, Near, Sensitivity};
-use crate::input::Design;
+use crate::input::{Design, effect_key};
 use crate::progress::Progress;
 use crate::structure::Tangent;
 
@@ -45,6 +45,8 @@ impl PreparedCase {
         }
         .map_err(|error| self.failed(error))?;
         let mut rates = Vec::new();
+        // answers to an effect are kept, and serve where others are tried: they are the same beside any other
+        let (mut effect, mut known) = (None, 0);
         for (
             Asked {
                 index, key, switch, ..
@@ -53,6 +55,11 @@ impl PreparedCase {
         ) in columns.iter().zip(&elsewhere)
         {
             progress.check()?;
+            let own = effect_key(key).map(|(name, _)| name);
+            if own != effect {
+                effect = own;
+                sensitivity.forget_after(known);
+            }
             sensitivity.of_design(elsewhere.as_ref().unwrap_or(design));
             let column = match switch {
                 Some(step) => {
@@ -66,6 +73,9 @@ impl PreparedCase {
                     self.column(&mut sensitivity, key, &here)?
                 }
             };
+            if own.is_none() {
+                known = sensitivity.known();
+            }
             rates.push((*index, column));
         }
         Ok((rates, work))

@@ -1,6 +1,7 @@
 //! What values of the unknowns change in a design, key by key: what somebody would write who did the same by hand.
 
 use super::campaign::Campaign;
+use crate::input::effect_key;
 
 impl Campaign {
     /// What these values of the unknowns change in the design of a case: dotted key, number. Of an effect that acts then, all its numbers.
@@ -14,7 +15,7 @@ impl Campaign {
         for ((target, &value), start) in self.targets.targets.iter().zip(at).zip(&self.targets.start) {
             let is_moved = value.to_bits() != start.to_bits();
             for (key, number) in target.sets(case, value, at).into_iter().filter(|_| is_moved) {
-                let effect = key.strip_prefix("effects.").and_then(|key| key.split_once('.'));
+                let effect = effect_key(&key);
                 let table = effect.and_then(|(name, _)| Some((name, design.effects.get(name)?)));
                 for (name, (other, own)) in table
                     .into_iter()

@@ -143,6 +143,17 @@ impl<'a> Sensitivity<'a> {
         self.last = None;
     }
 
+    /// How many directions of the air's feedback the rates so far have told of.
+    pub fn known(&self) -> usize {
+        self.known.len()
+    }
+
+    /// Forgets all but the first `known` of these directions: rates that follow are the same, bit for bit, whatever was asked after
+    /// them.
+    pub fn forget_after(&mut self, known: usize) {
+        self.known.truncate(known);
+    }
+
     /// Change of the solution with the number at a dotted key of the design.
     ///
     /// # Errors
