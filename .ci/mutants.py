@@ -115,7 +115,7 @@ def changed(text, tree, mutant):
 
 
 def mutants(tree, number, seed):
-    command = ["cargo", "mutants", "--list", "--json", "--no-config", "--dir", str(tree)]
+    command = ["cargo", "mutants", "--list", "--json", "--no-config", "--workspace", "--dir", str(tree)]
     for room in ROOMS:
         command += ["-f", f"{ROOMS[room]}/{room}/**"]
     listed = json.loads(subprocess.run(command, check=True, capture_output=True, cwd=tree).stdout)

@@ -41,14 +41,15 @@
 //! explain: what it would take, where there are few numbers ←─ diagnose, study
 //!
 //! export: any result into bytes ←─ page: what a person reads ←─ plot: pictures from numbers
-//! cli: one file per verb   progress: for every room   origin: what results are made of   task: parts of long work
+//! cli: one file per verb   progress: for every room   origin: files that were read   program: what results are made of   task: parts of long work
 //! ```
 //!
 //! The command line, pages, reports and pictures are the feature `cli`, which is on by default. A program of its own needs none of it:
 //! `washout = { version = "0.1", default-features = false }` leaves out clap, plotters, resvg and fonts, and what is left is licensed
 //! `MIT OR Apache-2.0`. `parquet` (off by default) writes every table as Parquet too.
 //!
-//! Data flows one way; `tests/floor_plan` keeps it so. The shortest way through: `examples/first_run.rs`.
+//! The rooms stand in four crates, so that a change is compiled with what is above it; a program names this one alone. Data flows one
+//! way; `tests/floor_plan` keeps it so. The shortest way through: `examples/first_run.rs`.
 
 #[doc(inline)]
 pub use washout_design::{input, origin, progress};

@@ -98,7 +98,10 @@ pub fn room_of(path: &Path) -> Option<String> {
     (name != "lib" && name != "main").then(|| name.to_string())
 }
 
-/// Every `crate::NAME` and every first name in `crate::{NAME…, NAME…}`, with its line.
+/// What leads to a room: the crate itself, or one below by its own name.
+const LEADS: [&str; 4] = ["crate::", "washout_design::", "washout_wing::", "washout_study::"];
+
+/// Every `crate::NAME` and every first name in `crate::{NAME…, NAME…}`, with its line; likewise after the names of the crates.
 fn rooms_named(code: &str) -> Vec<(usize, String)> {
     let mut found = Vec::new();
     let lead = |text: &str| -> String {
@@ -107,13 +110,13 @@ fn rooms_named(code: &str) -> Vec<(usize, String)> {
             .take_while(|c| c.is_alphanumeric() || *c == '_')
             .collect()
     };
-    for (start, _) in code.match_indices("crate::") {
+    for (start, crate_name) in LEADS.iter().flat_map(|lead| code.match_indices(lead)) {
         let word_before = code[..start].chars().next_back();
         if word_before.is_some_and(|c| c.is_alphanumeric() || c == '_' || c == '$') {
             continue;
         }
         let line = code[..start].lines().count().max(1);
-        let rest = &code[start + "crate::".len()..];
+        let rest = &code[start + crate_name.len()..];
         let Some(group) = rest.trim_start().strip_prefix('{') else {
             found.push((line, lead(rest)));
             continue;
@@ -270,6 +273,10 @@ mod tests {
         assert_eq!(
             in_aero("use crate::{\n    input,\n    coupling,\n};"),
             [forbidden(2, "coupling")]
+        );
+        assert_eq!(
+            in_aero("use washout_wing::structure::state::State;"),
+            [forbidden(2, "structure")]
         );
         assert_eq!(in_aero("fn f(x: &crate::cli::Solve) {}"), [forbidden(2, "cli")]);
         assert_eq!(in_aero("pub(in crate::lift) fn f() {}"), [forbidden(2, "lift")]);

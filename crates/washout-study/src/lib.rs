@@ -1,8 +1,8 @@
 //! Models of wings compared with measurements, and what they lack: the questions of [washout](https://docs.rs/washout), which gives
 //! all of it.
 
-use washout_design::{input, origin, progress};
-use washout_wing::{aero, coupling, effects, geometry, lift, mesh, observation, structure, wing};
+pub use washout_design::{input, origin, progress};
+pub use washout_wing::{aero, coupling, effects, geometry, lift, mesh, observation, structure, wing};
 
 pub mod program;
 

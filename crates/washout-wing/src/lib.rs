@@ -1,6 +1,6 @@
 //! A flexible wing meshed and solved under air load: the solver of [washout](https://docs.rs/washout), which gives all of it.
 
-use washout_design::{input, origin, progress};
+pub use washout_design::{input, origin, progress};
 
 pub mod geometry;
 

@@ -82,6 +82,7 @@ impl Design {
     ///
     /// # Example
     /// ```
+    /// # use washout_design as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use std::path::Path;
     /// use washout::input::Design;

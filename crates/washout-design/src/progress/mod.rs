@@ -46,6 +46,7 @@ impl Progress {
     ///
     /// # Example
     /// ```
+    /// # use washout_design as washout;
     /// use std::sync::mpsc::channel;
     /// use washout::progress::Progress;
     ///
@@ -99,6 +100,7 @@ impl Progress {
     ///
     /// # Example
     /// ```
+    /// # use washout_design as washout;
     /// use washout::progress::Progress;
     ///
     /// let progress = Progress::quiet();

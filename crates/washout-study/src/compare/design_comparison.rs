@@ -33,6 +33,7 @@ impl DesignComparison {
     ///
     /// # Example
     /// ```
+    /// # use washout_study as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// use washout::{compare::DesignComparison, progress::Progress, wing::WingModel};
     ///

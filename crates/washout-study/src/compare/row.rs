@@ -109,6 +109,7 @@ pub fn compare_row(
 ///
 /// # Example
 /// ```
+/// # use washout_study as washout;
 /// use washout::{compare::row::misfit, input::measurement::Bound};
 ///
 /// // measured "at most 5", modelled 3: no misfit

@@ -22,6 +22,7 @@ use super::verdict;
 ///
 /// # Example
 /// ```
+/// # use washout_study as washout;
 /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
 /// # use std::{collections::BTreeMap, path::Path};
 /// # use washout::{input::measurement::Measurement, progress::Progress, wing::WingModel};

@@ -52,6 +52,7 @@ impl StudyDiagnosis {
     ///
     /// # Example
     /// ```
+    /// # use washout_study as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use std::path::Path;
     /// use washout::diagnose::{Cache, Candidates, Settings, StudyDiagnosis};

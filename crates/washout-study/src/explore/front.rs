@@ -21,6 +21,7 @@ pub fn is_dominated(point: &[f64], others: &[Vec<f64>]) -> bool {
 ///
 /// # Example
 /// ```
+/// # use washout_study as washout;
 /// use washout::explore::non_dominated;
 ///
 /// // less is better in both: the last is worse than the first
@@ -60,6 +61,7 @@ fn non_dominated_pairs(points: &[Vec<f64>]) -> Vec<usize> {
 ///
 /// # Example
 /// ```
+/// # use washout_study as washout;
 /// use washout::explore::hypervolume;
 ///
 /// assert_eq!(hypervolume(&[[1.0, 3.0], [2.0, 1.0]], [4.0, 4.0]), 7.0);

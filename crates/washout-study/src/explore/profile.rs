@@ -29,6 +29,7 @@ impl StagedTwist {
     ///
     /// # Example
     /// ```
+    /// # use washout_study as washout;
     /// use washout::explore::StagedTwist;
     ///
     /// let family = StagedTwist::new(2, 70.0, [0.01, 2.0], 45.0)?;

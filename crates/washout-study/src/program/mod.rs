@@ -52,8 +52,9 @@ impl MadeOf {
     }
 }
 
-/// SHA-256 of what computes, 64 hexadecimal digits: the sources of the library below pages, tables and the command line, and the
-/// versions of dependencies, its own among them. To be asked after effects of a program's own are registered.
+/// SHA-256 of what computes, 64 hexadecimal digits: the sources of this crate and those below, and the versions of dependencies,
+/// their own among them. The published cases (`verify`), how an effect joins a study (`add`), pages, tables and the command line are
+/// not among them. To be asked after effects of a program's own are registered.
 pub fn program_sha256() -> &'static str {
     SHA256.get_or_init(|| match others_are_registered() {
         true => of_executable().unwrap_or_else(|_| of_sources()),

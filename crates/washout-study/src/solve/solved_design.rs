@@ -42,6 +42,7 @@ impl SolvedDesign {
     ///
     /// # Example
     /// ```
+    /// # use washout_study as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// use washout::solve::{Asked, SolvedDesign};
     /// use washout::{progress::Progress, wing::WingModel};

@@ -58,7 +58,7 @@ impl PreparedCase {
             let own = effect_key(key).map(|(name, _)| name);
             if own != effect {
                 effect = own;
-                sensitivity.forget_after(known);
+                sensitivity.known().truncate(known);
             }
             sensitivity.of_design(elsewhere.as_ref().unwrap_or(design));
             let column = match switch {
@@ -74,7 +74,7 @@ impl PreparedCase {
                 }
             };
             if own.is_none() {
-                known = sensitivity.known();
+                known = sensitivity.known().len();
             }
             rates.push((*index, column));
         }

@@ -54,6 +54,7 @@ impl Campaign {
     ///
     /// # Example
     /// ```
+    /// # use washout_study as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use std::path::Path;
     /// # use washout::{input::study::LoadedStudy, progress::Progress};

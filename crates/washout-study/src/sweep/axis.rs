@@ -35,6 +35,7 @@ impl Axis {
     ///
     /// # Example
     /// ```
+    /// # use washout_study as washout;
     /// use washout::sweep::{Axis, Values};
     ///
     /// let axis = Axis::parse("flapping.frequency_hz=20..24:3")?;

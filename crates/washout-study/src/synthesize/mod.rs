@@ -220,6 +220,7 @@ impl Recipe {
     ///
     /// # Example
     /// ```
+    /// # use washout_study as washout;
     /// use washout::synthesize::Recipe;
     ///
     /// let recipe = Recipe { noise: 1.5, ..Recipe::new(7) };

@@ -25,6 +25,7 @@ impl CentreOfPressureLaw {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// use washout::aero::CentreOfPressureLaw;
     ///
     /// let at_90_deg = CentreOfPressureLaw::Dickson.fraction(std::f64::consts::FRAC_PI_2);

@@ -33,6 +33,7 @@ impl CoefficientLaw {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// use washout::aero::CoefficientLaw;
     ///
     /// let (cl, cd) = CoefficientLaw::WhitneyWood.lift_and_drag(45_f64.to_radians());

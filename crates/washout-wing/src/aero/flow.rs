@@ -67,6 +67,7 @@ impl Flow {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// use washout::aero::Flow;
     ///
     /// let stream = Flow::Steady { speed_m_s: 10.0, root_angle_rad: 0.0, sweep_rad: 0.0 };

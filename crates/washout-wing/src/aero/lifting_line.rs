@@ -27,6 +27,7 @@ impl LiftingLine {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// use std::f64::consts::PI;
     /// use washout::aero::LiftingLine;
     ///

@@ -22,6 +22,7 @@ pub const LARGEST_CENTRE: f64 = 0.99;
 ///
 /// # Example
 /// ```
+/// # use washout_wing as washout;
 /// use washout::aero::pressure_weights;
 ///
 /// let eta = [0.0, 0.4, 1.0];

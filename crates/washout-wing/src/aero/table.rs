@@ -33,6 +33,7 @@ impl CoefficientTable {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// use washout::aero::table::CoefficientTable;
     ///
     /// let table = CoefficientTable::new(&[[0.0, 0.0, 0.1], [45.0, 1.6, 1.5], [90.0, 0.0, 3.0]])?;

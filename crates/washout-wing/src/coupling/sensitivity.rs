@@ -143,15 +143,9 @@ impl<'a> Sensitivity<'a> {
         self.last = None;
     }
 
-    /// How many directions of the air's feedback the rates so far have told of.
-    pub fn known(&self) -> usize {
-        self.known.len()
-    }
-
-    /// Forgets all but the first `known` of these directions: rates that follow are the same, bit for bit, whatever was asked after
-    /// them.
-    pub fn forget_after(&mut self, known: usize) {
-        self.known.truncate(known);
+    /// What the rates so far have told of the air's feedback: those that follow depend on it in their last digits.
+    pub fn known(&mut self) -> &mut Recycled {
+        &mut self.known
     }
 
     /// Change of the solution with the number at a dotted key of the design.

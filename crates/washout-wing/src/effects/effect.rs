@@ -14,7 +14,7 @@ pub const OWN_ERROR: f64 = 0.05;
 /// One effect. Each acts at the one seam that its card names, by the function for it: `Structure` by [`Effect::structure`], `Air` by
 /// [`Effect::flow`] and [`Effect::coefficients`], `Load` by [`Effect::load`], `Kinematics` by [`Effect::kinematics`], `Picture` by
 /// [`Effect::view`]. No other is called, but for an effect on the wing that the
-/// picture shows in another place, too ([`Effect::view`]).
+/// picture shows in another place, too ([`Effect::view`]), and for [`Effect::motion`].
 pub trait Effect: Sync + Send + std::fmt::Debug {
     /// What it says about itself.
     fn card(&self) -> Card<'_>;

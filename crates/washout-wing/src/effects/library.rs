@@ -34,6 +34,7 @@ pub fn others_are_registered() -> bool {
 ///
 /// # Example
 /// ```
+/// # use washout_wing as washout;
 /// // physics that a stiff wing on the bench can lack: what needs no air
 /// let on_a_bench = washout::effects::all().filter(|effect| effect.card().needs.is_empty()).count();
 /// assert!(on_a_bench > 5);
@@ -46,6 +47,7 @@ pub fn all() -> impl Iterator<Item = &'static dyn Effect> {
 ///
 /// # Example
 /// ```
+/// # use washout_wing as washout;
 /// let effect = washout::effects::named("root-flexure").expect("in the library");
 /// println!("{}: {}", effect.card().name, effect.card().summary);
 /// assert!(washout::effects::named("root-flexture").is_none());

@@ -42,6 +42,7 @@ impl Layout {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use std::path::Path;
     /// # use washout::{geometry::Planform, input::Design};

@@ -16,6 +16,7 @@ impl MonotoneSpline {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// use washout::geometry::spline::MonotoneSpline;
     ///
     /// let spline = MonotoneSpline::through(&[[0.0, 0.0], [1.0, 1.0], [2.0, 1.0]]).unwrap();

@@ -23,7 +23,7 @@ pub fn gauss_legendre(count: u32) -> Vec<[f64; 2]> {
     rule
 }
 
-/// Points and weights over [`ends`[0], …, `ends`[last]] (rising), each stretch between two ends cut into panels no
+/// Points and weights from the first of `ends` to the last (rising), each stretch between two ends cut into panels no
 /// wider than `widest`, with the rule on each.
 pub fn panels(ends: &[f64], widest: f64, rule: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut points = Vec::new();

@@ -27,6 +27,7 @@ const PREFERRED_ANGLE_DEG: f64 = 25.0;
 ///
 /// # Example
 /// ```
+/// # use washout_wing as washout;
 /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
 /// # use std::path::Path;
 /// # use washout::{geometry::Planform, input::Design};

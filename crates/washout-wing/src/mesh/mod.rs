@@ -137,6 +137,7 @@ impl Mesh {
 ///
 /// # Example
 /// ```
+/// # use washout_wing as washout;
 /// use washout::mesh::signed_area_m2;
 ///
 /// let area = signed_area_m2([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);

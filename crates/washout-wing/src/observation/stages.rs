@@ -159,6 +159,7 @@ impl StageFit {
 ///
 /// # Example
 /// ```
+/// # use washout_wing as washout;
 /// use washout::observation::{StageSettings, fit_stages};
 ///
 /// // 0.1 deg/mm up to 40 mm, then 0.3 deg/mm

@@ -91,6 +91,7 @@ impl Section {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// use washout::structure::Section;
     ///
     /// let section = Section::uncoupled(1e5, 0.02, 0.05, 0.05);
@@ -115,6 +116,7 @@ impl Section {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// use std::f64::consts::PI;
     /// use washout::structure::{Section, section::BeamMaterial};
     ///
@@ -130,6 +132,7 @@ impl Section {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// use washout::structure::{Section, section::BeamMaterial};
     ///
     /// let carbon = BeamMaterial { e_pa: 130e9, g_pa: 5e9, density_kg_m3: 1600.0 };
@@ -193,6 +196,7 @@ impl Section {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// use washout::structure::{Section, section::BeamMaterial};
     ///
     /// let steel = BeamMaterial { e_pa: 200e9, g_pa: 80e9, density_kg_m3: 7800.0 };
@@ -280,6 +284,7 @@ fn homogeneous(
 ///
 /// # Example
 /// ```
+/// # use washout_wing as washout;
 /// use washout::structure::section::rectangle_torsion_factor;
 ///
 /// // of a square, and of a thin strip

@@ -53,6 +53,7 @@ impl Meshes {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use washout::{progress::Progress, wing::{Meshes, WingModel}};
     /// let wing = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.5"])?;

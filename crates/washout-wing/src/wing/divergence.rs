@@ -78,6 +78,7 @@ const LARGEST_HALF_AMPLITUDE_DEG: f64 = 90.0;
 ///
 /// # Example
 /// ```
+/// # use washout_wing as washout;
 /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
 /// # use washout::{progress::Progress, wing::{WingModel, divergence::divergence}};
 /// let wing = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.4"])?;

@@ -37,6 +37,7 @@ impl WingModel {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// use washout::wing::WingModel;
     ///
@@ -95,6 +96,7 @@ impl WingModel {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use washout::wing::WingModel;
     /// let wing = WingModel::open("designs/twist-v2.toml", &[])?.with("flapping.frequency_hz", 25.0)?;
@@ -113,6 +115,7 @@ impl WingModel {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use washout::wing::WingModel;
     /// let wing = WingModel::open("designs/twist-v2.toml", &[])?.with_effect("root-flexure", 0.5)?;

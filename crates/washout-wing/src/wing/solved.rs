@@ -44,6 +44,7 @@ impl SolvedWing {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use washout::{progress::Progress, wing::WingModel};
     /// let solved = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.5"])?.solve(&Progress::quiet())?;
@@ -60,6 +61,7 @@ impl SolvedWing {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use washout::{progress::Progress, wing::WingModel};
     /// let solved = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.5"])?.solve(&Progress::quiet())?;
@@ -77,6 +79,7 @@ impl SolvedWing {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use washout::{progress::Progress, wing::WingModel};
     /// let solved = WingModel::open("designs/twist-v1.toml", &["mesh.refine=0.5"])?.solve(&Progress::quiet())?;
@@ -123,6 +126,7 @@ impl WingModel {
     ///
     /// # Example
     /// ```
+    /// # use washout_wing as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use washout::{progress::Progress, wing::WingModel};
     /// let wing = WingModel::open("designs/twist-v2.toml", &["mesh.refine=0.5"])?;

@@ -64,6 +64,7 @@ impl Expression {
     ///
     /// # Example
     /// ```
+    /// # use washout_design as washout;
     /// use washout::input::Expression;
     ///
     /// let formula = Expression::parse("2*x^2 + sin(pi*y)", &["x", "y"])?;

@@ -173,6 +173,7 @@ impl Channel {
     ///
     /// # Example
     /// ```
+    /// # use washout_design as washout;
     /// use washout::input::measurement::Channel;
     ///
     /// assert_eq!(Channel::Twist.unit(), "deg");

@@ -25,6 +25,7 @@ impl Measurement {
     ///
     /// # Example
     /// ```
+    /// # use washout_design as washout;
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// # use std::path::Path;
     /// use washout::input::measurement::Measurement;
