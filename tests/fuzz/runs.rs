@@ -24,6 +24,8 @@ fn told(arguments: &[&str]) -> Result<(), String> {
 fn made(name: &str, arguments: &str) -> PathBuf {
     let output = folder(name).join("run");
     let _ = fs::remove_dir_all(&output);
+    // of a sweep that was killed
+    let _ = fs::remove_dir_all(output.with_file_name("run-tasks"));
     let said = Command::new(env!("CARGO_BIN_EXE_washout"))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .args(arguments.split(' '))
