@@ -26,7 +26,7 @@ pub struct DiagnosisReport {
     /// The diagnosis.
     #[serde(flatten)]
     pub diagnosis: Diagnosis,
-    /// What it took.
+    /// What it took, with all that is kept of the campaign from earlier questions.
     pub work: Work,
     /// Commands to go on with, in their order: what takes the effects into the model, or what more readings could show.
     #[serde(default)]

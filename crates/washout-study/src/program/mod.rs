@@ -13,12 +13,13 @@ use serde::{Deserialize, Serialize};
 use crate::effects::others_are_registered;
 use crate::origin::{InputFile, sha256};
 
-/// The crates that compute, from the ground up, and the versions of what they depend on.
-const SOURCES: [&str; 4] = [
+/// The crates from the ground up, the program above them with the versions of all dependencies, and the version of all these.
+const SOURCES: [&str; 5] = [
     washout_design::SOURCES_SHA256,
     washout_wing::SOURCES_SHA256,
     crate::SOURCES_SHA256,
-    env!("WASHOUT_DEPENDENCIES_SHA256"),
+    env!("WASHOUT_ABOVE_SHA256"),
+    env!("CARGO_PKG_VERSION"),
 ];
 
 static SHA256: OnceLock<String> = OnceLock::new();
@@ -28,8 +29,8 @@ static SHA256: OnceLock<String> = OnceLock::new();
 pub struct MadeOf {
     /// Version of the program.
     pub washout_version: String,
-    /// SHA-256 of the program: of the sources that compute and the versions of its dependencies. Programs that add effects in Rust:
-    /// of that and of the executable.
+    /// SHA-256 of the program: of its sources and the versions of its dependencies. Programs that add effects in Rust: of that and
+    /// of the executable.
     pub program_sha256: String,
     /// Every file that was read.
     pub files: Vec<InputFile>,
@@ -52,9 +53,7 @@ impl MadeOf {
     }
 }
 
-/// SHA-256 of what computes, 64 hexadecimal digits: the sources of this crate and those below, and the versions of dependencies,
-/// their own among them. The published cases (`verify`), how an effect joins a study (`add`), pages, tables and the command line are
-/// not among them. To be asked after effects of a program's own are registered.
+/// SHA-256 of the program, 64 hexadecimal digits. To be asked after effects of a program's own are registered.
 pub fn program_sha256() -> &'static str {
     SHA256.get_or_init(|| match others_are_registered() {
         true => of_executable().unwrap_or_else(|_| of_sources()),

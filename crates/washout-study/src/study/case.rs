@@ -44,7 +44,7 @@ pub struct PreparedCase {
     /// Effects that the design states itself: part of the model, and never tried.
     own_effects: Vec<String>,
     /// Effects that joined the design to be tried.
-    off: Vec<String>,
+    joined: Vec<String>,
     is_held_out: bool,
     /// The case as it stands, from which it is solved with other values: fixed by the study, so that results are too.
     base: Option<Arc<Solved>>,
@@ -133,7 +133,7 @@ impl PreparedCase {
                 }
             }
         }
-        let mut off = Vec::new();
+        let mut joined = Vec::new();
         let tried = candidates
             .iter()
             .filter(|_| study.study.is_tried_on(&design.name));
@@ -146,14 +146,14 @@ impl PreparedCase {
                 table.insert("strength".to_string(), toml::Value::Float(0.0));
                 common(name, &mut table, study).map_err(|error| failed(error.to_string()))?;
                 design.effects.insert(name.to_string(), table);
-                off.push(name.to_string());
+                joined.push(name.to_string());
             }
         }
         if !candidates.is_empty() {
             unnamed::place(&mut design);
         }
         Ok(PreparedCase {
-            off,
+            joined,
             name: case.name.clone(),
             family: case.family.clone(),
             numbers: case.numbers.clone(),
@@ -212,7 +212,7 @@ impl PreparedCase {
 
     /// Whether an effect joined its design to be tried.
     pub(super) fn joined(&self, effect: &str) -> bool {
-        self.off.iter().any(|own| own == effect)
+        self.joined.iter().any(|own| own == effect)
     }
 
     /// As [`PreparedCase::made_of`], without the effects that joined its design to be tried.

@@ -36,6 +36,7 @@ pub mod station;
 
 pub mod video;
 
+// for the tests of the crates above, too
 #[doc(hidden)]
 pub mod imposed;
 
