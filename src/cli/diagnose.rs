@@ -147,6 +147,12 @@ impl Diagnose {
                 reason: format!("there is no effect {name}; {}", instead_of(name)),
             });
         }
+        if let Some(name) = self.without.iter().find(|name| self.effect.contains(name)) {
+            return Err(Failure::Option {
+                option: "--without",
+                reason: format!("{name} is asked for by --effect, too. Leave out one of the two"),
+            });
+        }
         if self.sigma.is_some() && self.with.is_none() {
             return Err(Failure::Option {
                 option: "--sigma",

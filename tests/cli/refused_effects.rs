@@ -133,6 +133,12 @@ fn effects_that_cannot_be_are_left_out_and_the_answer_says_which() {
         &["diagnose", "study.toml", "--plan", "--without", "root-flexture"],
         &near,
     );
+    let both = [
+        &plan[..],
+        &["--effect", "root-flexure", "--without", "root-flexure"],
+    ];
+    let both_ways = ["--without: root-flexure is asked for by --effect, too. Leave out one of the two"];
+    refused(folder.path(), &both.concat(), &both_ways);
     replace(
         &study,
         "excluded = ['root-flexure']",
