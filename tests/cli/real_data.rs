@@ -93,6 +93,7 @@ fn the_skin_of_the_pre_pazy_wing_adds_bending_stiffness_and_its_torsion_is_undec
 /// is 1.7: with an error of formulation of 1 to 2 % in the fit the pull on the rod's stiffness (4 sigma) takes up some of what the skin does
 /// there. With scatter alone in the fit they had fallen from 6.0 to 2.3 mm.
 #[test]
+#[ignore = "every effect: a minute of one core; among the effects of skins the test below"]
 fn with_every_effect_tried_the_skin_of_the_pre_pazy_wing_gives_way() {
     let said = diagnosed("pre-pazy-skin.toml", &[]);
     println!("{}", said["sentence"]);
