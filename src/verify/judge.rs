@@ -125,9 +125,10 @@ fn judge(quantity: &Quantity, values: &[&[f64]]) -> Judged {
 const ROUNDING: f64 = 1e-9;
 
 /// Place and size of the largest error, relative, the last of equals; infinite if the values are not as many as
-/// the references.
+/// the references, or one of either is no number.
 fn worst(ours: &[f64], reference: &[f64], scale: Scale) -> (usize, f64) {
-    if ours.len() != reference.len() || ours.iter().any(|value| !value.is_finite()) {
+    let mut all = ours.iter().chain(reference);
+    if ours.len() != reference.len() || all.any(|value| !value.is_finite()) {
         return (0, f64::INFINITY);
     }
     let largest = reference.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
@@ -188,6 +189,16 @@ mod tests {
         assert_eq!(judged.verdict, Verdict::Pass);
         assert!((judged.order.unwrap() - 2.0).abs() < 1e-9);
         assert!((judged.errors[0] - 0.16).abs() < 1e-9 && (judged.errors[2] - 0.01).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_reference_that_is_no_number_fails() {
+        let none = Quantity {
+            reference: || vec![f64::NAN],
+            ..BASE
+        };
+        let judged = judge(&none, &[&[2.32], &[2.08], &[2.02]]);
+        assert_eq!(judged.verdict, Verdict::ErrorFails);
     }
 
     #[test]
